@@ -5,6 +5,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/assertion_forms.hpp"
 #include "csp_emit/assertions.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 
@@ -41,6 +42,7 @@ public:
                     b::assert_property(process_, cspm::AssertionKind::deterministic, plain));
         information(PropertyKind::terminates, "never terminates", never_terminates(process_)).negated = true;
         states();
+        transitions();
         return std::move(obligations_);
     }
 
@@ -98,15 +100,34 @@ private:
         }
     }
 
+    void each_machine_inside(const auto& visit) {
+        for (const auto& [path, inner] : emitted_.components) {
+            const bool inside = path == path_ || path.starts_with(path_ + "::");
+            if (inside && inner.machine != nullptr && inner.machine->kind == ir::MachineKind::state_machine)
+                visit(path, *inner.machine);
+        }
+    }
+
     /// Of the machines inside, in the component's own context.
     void states() {
         const ExprPtr visible = default_process(project_, path_, component_, "VS__");
-        for (const auto& [path, inner] : emitted_.components) {
-            const bool inside = path == path_ || path.starts_with(path_ + "::");
-            if (!inside || inner.machine == nullptr || inner.machine->kind != ir::MachineKind::state_machine) continue;
-            for (const ir::Node& node : inner.machine->nodes)
+        each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
+            for (const ir::Node& node : machine.nodes)
                 if (node.kind == ir::NodeKind::state) state(path, node, visible);
-        }
+        });
+    }
+    /// In VS__ no part is compressed, so that each of its states tells where the machines are.
+    void transitions() {
+        FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
+        each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
+            const std::string owner = path == path_ ? "" : path.substr(path_.size() + 2) + ": ";
+            for (const ir::Transition& each : machine.transitions)
+                question.transitions.push_back({path, owner + ir::text_of(machine, each), each.origin});
+        });
+        if (question.transitions.empty()) return;
+        Obligation& obligation = information(PropertyKind::reachable, "every transition fires", nullptr);
+        obligation.assertions.clear();
+        obligation.firing = std::move(question);
     }
     void state(const std::string& machine, const ir::Node& node, const ExprPtr& visible) {
         const std::string name = machine + "::" + node.path;

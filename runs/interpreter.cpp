@@ -8,7 +8,6 @@
 #include <map>
 #include <tuple>
 
-#include "runs/meanings.hpp"
 #include "runs/timeline.hpp"
 
 namespace robochart::runs {
@@ -17,25 +16,14 @@ namespace {
 using process::TermId;
 using refine::ViolationKind;
 
-constexpr std::size_t most_offers = 40;  // listed for one step
-constexpr std::size_t most_unfoldings = 20;
+constexpr std::size_t most_offers = 40;       // listed for one step
 constexpr std::size_t most_looked_at = 5000;  // alternatives, in all steps together
-
-/// One step of one component.
-struct Move {
-    std::string name;          ///< of the event, as the component has it
-    std::vector<Call> before;  ///< where the component was
-    std::vector<Call> after;
-};
 
 class Interpreter {
 public:
     Interpreter(const Context& context, const csp_emit::Obligation& obligation,
                 const refine::Counterexample& counterexample)
-        : context_(context),
-          obligation_(obligation),
-          counterexample_(counterexample),
-          meanings_(context.provenance, context.system, context.instantiation, context.sources) {}
+        : context_(context), obligation_(obligation), counterexample_(counterexample), reader_(context) {}
 
     Run run();
 
@@ -58,24 +46,16 @@ private:
         return raw < counterexample_.steps.size() ? counterexample_.terms[raw]
                                                   : counterexample_.loop_terms[raw - counterexample_.steps.size()];
     }
-    [[nodiscard]] const std::string& name(process::Event event) const {
-        return context_.session.event_table().name(event);
-    }
-    [[nodiscard]] const std::string& name_of(process::Event event, process::Event revealed) const {
-        return name(event == process::tau ? revealed : event);
-    }
-    const std::vector<Call>& calls_of(TermId term);
-    std::pair<Event, std::vector<Event>> happens(const std::vector<Move>& moves, const std::string& whole) const;
-    std::vector<Move> moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before);
-    std::vector<Machine> machines_of(const std::vector<std::vector<Call>>& leaves) const;
+    [[nodiscard]] const std::string& name(process::Event event) const { return reader_.name(event); }
+    std::vector<ComponentStep> moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before);
     std::vector<Machine> machines_at(const std::vector<std::optional<TermId>>& leaves);
     static std::vector<Change> changes(const std::vector<Machine>& before, const std::vector<Machine>& after);
     std::vector<Event> offers_at(TermId term);
-    Event offer(TermId term, const process::Transition& transition);
     void add_offers(std::size_t raw, Step& step);
 
     [[nodiscard]] EndKind end_kind() const;
     [[nodiscard]] bool time_passes_in_loop() const;
+    [[nodiscard]] std::vector<process::Transition> transitions_at(TermId term) const;
     [[nodiscard]] std::vector<Event> named(const process::EventSet& set) const;
     [[nodiscard]] bool writes_are_urgent() const;
     [[nodiscard]] std::vector<Cause> causes() const;
@@ -87,73 +67,19 @@ private:
     const Context& context_;
     const csp_emit::Obligation& obligation_;
     const refine::Counterexample& counterexample_;
-    Meanings meanings_;
+    StepReader reader_;
     Run run_;
-    std::map<TermId, std::vector<Call>> calls_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;
 };
 
-/// Whether two are the same for a reader of the model.
-bool same(const Event& one, const Event& other) {
-    return one.kind == other.kind && one.component == other.component && one.text == other.text &&
-           one.element == other.element;
-}
-
-bool among(const std::vector<Event>& events, const Event& event) {
-    return std::any_of(events.begin(), events.end(), [&](const Event& each) { return same(each, event); });
-}
-
 // ---------------------------------------------------------------- steps
-
-/// What stands for a machine's first definition in front of it is looked through.
-const std::vector<Call>& Interpreter::calls_of(TermId term) {
-    const auto [found, added] = calls_.try_emplace(term);
-    if (!added) return found->second;
-    process::TermStore& terms = context_.session.terms();
-    for (std::size_t i = 0; i < most_unfoldings; ++i) {
-        found->second = meanings_.calls(process::describe(terms, term));
-        const TermId next = found->second.empty() ? terms.unfolded(term, 1) : term;
-        if (next == term) break;
-        term = next;
-    }
-    return found->second;
-}
-
-/// Components of one name are one machine: a variable may be kept beside it.
-std::vector<Machine> Interpreter::machines_of(const std::vector<std::vector<Call>>& leaves) const {
-    std::vector<Machine> result;
-    std::vector<Call> memories;
-    for (const std::vector<Call>& leaf : leaves)
-        for (const Call& call : leaf) {
-            if (call.definition->memory)
-                memories.push_back(call);
-            else
-                result.push_back(meanings_.machine(call));
-        }
-    for (const Call& memory : memories) {
-        const auto owner = std::find_if(result.begin(), result.end(), [&](const Machine& machine) {
-            return machine.component == memory.definition->component;
-        });
-        if (owner == result.end()) continue;
-        for (Variable& variable : meanings_.variables(memory)) {
-            // What the machine has read is what the memory holds.
-            const auto known = std::find_if(owner->variables.begin(), owner->variables.end(),
-                                            [&](const Variable& each) { return each.name == variable.name; });
-            if (known == owner->variables.end())
-                owner->variables.push_back(std::move(variable));
-            else
-                *known = std::move(variable);
-        }
-    }
-    return result;
-}
 
 std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<TermId>>& leaves) {
     std::vector<std::vector<Call>> calls;
     for (const auto& leaf : leaves)
-        if (leaf) calls.push_back(calls_of(*leaf));
-    return machines_of(calls);
+        if (leaf) calls.push_back(reader_.calls_of(*leaf));
+    return reader_.machines_of(calls);
 }
 
 /// Clocks and countdowns change with time, and what is temporary is nobody's variable.
@@ -174,48 +100,13 @@ std::vector<Change> Interpreter::changes(const std::vector<Machine>& before, con
     return result;
 }
 
-/// Which of several components that move together the step is reported for: a machine before what connects machines,
-/// who acts before who is acted on.
-std::pair<Event, std::vector<Event>> Interpreter::happens(const std::vector<Move>& moves,
-                                                          const std::string& whole) const {
-    struct Candidate {
-        Event event;
-        bool known, machine;
-    };
-    std::vector<Candidate> candidates;
-    for (const Move& move : moves) {
-        const bool machine = !move.before.empty() && !move.before.front().definition->memory;
-        const bool known = meanings_.knows(move.name);
-        candidates.push_back(
-            {machine ? meanings_.event(move.name, move.before.front(), move.after) : meanings_.event(move.name), known,
-             machine});
-    }
-    const auto rank = [](const Candidate& each) {
-        const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
-        return std::tuple(!each.known, !each.machine, !acts);
-    };
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
-    const auto tock = std::find_if(candidates.begin(), candidates.end(),
-                                   [](const Candidate& each) { return each.event.kind == Kind::tock; });
-    if (tock != candidates.end()) return {tock->event, {}};
-    if (candidates.empty() || (!candidates.front().known && meanings_.knows(whole)))
-        return {meanings_.event(whole), {}};
-    std::vector<Event> with;
-    for (std::size_t i = 1; i < candidates.size(); ++i) {
-        const Candidate& each = candidates[i];
-        const bool other = each.known && each.machine && each.event.component != candidates.front().event.component;
-        if (other && !among(with, each.event)) with.push_back(each.event);
-    }
-    return {candidates.front().event, with};
-}
-
-std::vector<Move> Interpreter::moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before) {
-    std::vector<Move> moves;
+std::vector<ComponentStep> Interpreter::moves_of(const Moment& moment,
+                                                 const std::vector<std::optional<TermId>>& before) {
+    std::vector<ComponentStep> moves;
     for (const Mover& mover : moment.movers) {
-        Move move{name(mover.event), {}, {}};
-        if (before[mover.leaf]) move.before = calls_of(*before[mover.leaf]);
-        if (moment.leaves[mover.leaf]) move.after = calls_of(*moment.leaves[mover.leaf]);
+        ComponentStep move{name(mover.event), {}, {}};
+        if (before[mover.leaf]) move.before = reader_.calls_of(*before[mover.leaf]);
+        if (moment.leaves[mover.leaf]) move.after = reader_.calls_of(*moment.leaves[mover.leaf]);
         moves.push_back(std::move(move));
     }
     return moves;
@@ -247,8 +138,8 @@ bool Interpreter::read_apart() {
         const bool none = counterexample_.steps.empty() && counterexample_.loop.empty();
         if (none) break;
         const refine::Step& raw = raw_step(moment.raw);
-        auto [event, with] =
-            happens(moves_of(moment, *before), moment.shown ? name_of(raw.event, raw.revealed) : name(process::tau));
+        auto [event, with] = reader_.happens(
+            moves_of(moment, *before), moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau));
         add_step(moment.raw, moment.shown, std::move(event), std::move(with), machines_at(moment.leaves));
         before = &moment.leaves;
     }
@@ -256,11 +147,11 @@ bool Interpreter::read_apart() {
 }
 
 void Interpreter::read_whole() {
-    run_.initial = machines_of({meanings_.calls(counterexample_.initial)});
+    run_.initial = reader_.machines_of({reader_.meanings().calls(counterexample_.initial)});
     for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
-        add_step(raw, true, meanings_.event(name_of(step.event, step.revealed)), {},
-                 machines_of({meanings_.calls(step.state)}));
+        add_step(raw, true, reader_.meanings().event(reader_.name_of(step.event, step.revealed)), {},
+                 reader_.machines_of({reader_.meanings().calls(step.state)}));
     }
 }
 
@@ -308,14 +199,14 @@ void Interpreter::fold_tocks() {
 
 // ---------------------------------------------------------------- offers
 
-Event Interpreter::offer(TermId term, const process::Transition& transition) {
-    std::vector<Move> moves;
-    for (const process::Move& each : context_.session.moves(term, transition)) {
-        Move move{name_of(each.step.event, each.step.revealed), calls_of(each.part), {}};
-        move.after = meanings_.calls(process::describe(context_.session.terms(), each.step.target));
-        moves.push_back(std::move(move));
+/// Nothing where its definitions cannot be evaluated: what else was possible is not part of the verdict.
+std::vector<process::Transition> Interpreter::transitions_at(TermId term) const {
+    try {
+        return context_.session.transitions(term);
+    } catch (const cspm::EvaluationError&) {
+    } catch (const process::SemanticsError&) {
     }
-    return happens(moves, name_of(transition.event, transition.revealed)).first;
+    return {};
 }
 
 /// What else the run could have done in front of this step; looked up once for each state.
@@ -323,9 +214,9 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
     const TermId term = term_before(raw);
     const auto [found, added] = offers_.try_emplace(term);
     if (added)
-        for (const process::Transition& each : context_.session.transitions(term)) {
+        for (const process::Transition& each : transitions_at(term)) {
             if (++looked_at_ > most_looked_at) break;
-            found->second.emplace_back(each, offer(term, each));
+            found->second.emplace_back(each, reader_.happens(term, each).event);
         }
     const refine::Step& taken = raw_step(raw);
     for (const auto& [transition, event] : found->second) {
@@ -346,7 +237,7 @@ void Interpreter::add_offers() {
 
 std::vector<Event> Interpreter::named(const process::EventSet& set) const {
     std::vector<Event> result;
-    for (const process::Event event : set) result.push_back(meanings_.event(name(event)));
+    for (const process::Event event : set) result.push_back(reader_.meanings().event(name(event)));
     return result;
 }
 
@@ -355,9 +246,9 @@ std::vector<Event> Interpreter::offered_at_the_end() {
     if (counterexample_.terms.empty() || counterexample_.kind == ViolationKind::trace || run_.loop_start)
         return named(counterexample_.offered);
     std::vector<Event> result;
-    for (const process::Transition& each : context_.session.transitions(counterexample_.terms.back())) {
+    for (const process::Transition& each : transitions_at(counterexample_.terms.back())) {
         if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
-        Event event = offer(counterexample_.terms.back(), each);
+        Event event = reader_.happens(counterexample_.terms.back(), each).event;
         if (!among(result, event)) result.push_back(std::move(event));
     }
     return result;
@@ -415,7 +306,7 @@ EndKind Interpreter::end_kind() const {
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
     return std::any_of(counterexample_.offered.begin(), counterexample_.offered.end(), [&](process::Event offered) {
-        const Event event = meanings_.event(name(offered));
+        const Event event = reader_.meanings().event(name(offered));
         return event.kind == Kind::assignment &&
                std::none_of(machines.begin(), machines.end(),
                             [&](const Machine& machine) { return machine.component == event.component; });
@@ -499,7 +390,7 @@ std::vector<Event> Interpreter::refused() const {
             if (std::find(counterexample_.offered.begin(), counterexample_.offered.end(), event) !=
                 counterexample_.offered.end())
                 continue;
-            Event missing = meanings_.event(name(event));
+            Event missing = reader_.meanings().event(name(event));
             if (!among(result, missing)) result.push_back(std::move(missing));
         }
     return result;
@@ -511,7 +402,7 @@ void Interpreter::read_end() {
     end.offered = offered_at_the_end();
     if (counterexample_.kind == ViolationKind::trace && !run_.steps.empty()) end.event = run_.steps.back().event;
     if (counterexample_.kind == ViolationKind::nondeterminism && counterexample_.event)
-        end.event = meanings_.event(name(*counterexample_.event));
+        end.event = reader_.meanings().event(name(*counterexample_.event));
     if (counterexample_.kind == ViolationKind::trace && !counterexample_.required.empty())
         end.allowed = named(counterexample_.required.front());
     if (counterexample_.kind == ViolationKind::refusal) {

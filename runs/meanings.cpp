@@ -178,20 +178,33 @@ Event Meanings::event(const std::string& name) const {
     return result;
 }
 
+Meanings::Offers Meanings::possible(const std::string& name, const Call& before, const std::vector<Call>& after) {
+    const std::string owner = before.definition->component + "::";
+    if (!name.starts_with(owner)) return {};
+    const std::string relative = name.substr(owner.size());
+    Offers offers;
+    for (const auto& offer : before.definition->offers)
+        if (relative == offer->event || relative.starts_with(offer->event + ".")) offers.push_back(offer.get());
+    if (offers.size() > 1)
+        std::erase_if(offers, [&](const csp_emit::OfferMeaning* offer) { return !leads_to(*offer, after); });
+    return offers;
+}
+
 Event Meanings::event(const std::string& name, const Call& before, const std::vector<Call>& after) const {
     Event result = event(name);
-    const std::string owner = before.definition->component + "::";
-    if (!name.starts_with(owner)) return result;
-    const std::string relative = name.substr(owner.size());
-    std::vector<const OfferMeaning*> possible;
-    for (const auto& offer : before.definition->offers)
-        if (relative == offer->event || relative.starts_with(offer->event + ".")) possible.push_back(offer.get());
-    if (possible.size() > 1)
-        std::erase_if(possible, [&](const OfferMeaning* offer) { return !leads_to(*offer, after); });
-    if (possible.size() != 1) return result;
-    result.via = possible.front()->text;
-    result.element = possible.front()->origin.element;
-    if (const auto at = place(possible.front()->origin.span)) result.place = at;
+    const Offers offers = possible(name, before, after);
+    if (offers.size() != 1) return result;
+    result.via = offers.front()->text;
+    result.element = offers.front()->origin.element;
+    if (const auto at = place(offers.front()->origin.span)) result.place = at;
+    return result;
+}
+
+std::vector<std::string> Meanings::elements(const std::string& name, const Call& before,
+                                            const std::vector<Call>& after) const {
+    std::vector<std::string> result;
+    for (const csp_emit::OfferMeaning* offer : possible(name, before, after)) result.push_back(offer->origin.element);
+    if (const Event whole = event(name); result.empty() && !whole.element.empty()) result.push_back(whole.element);
     return result;
 }
 

@@ -33,6 +33,10 @@ public:
     [[nodiscard]] Event event(const std::string& name) const;
     /// The same, done where the process is in this definition: which transition or statement does it, if one alone can.
     [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
+    /// The elements, transitions and statements, one of which makes the event happen there; more than one where the
+    /// definitions do not tell.
+    [[nodiscard]] std::vector<std::string> elements(const std::string& name, const Call& before,
+                                                    const std::vector<Call>& after) const;
     /// The known definitions in a process's description.
     [[nodiscard]] std::vector<Call> calls(const std::string& description) const;
     /// The machine that is in this definition.
@@ -43,6 +47,9 @@ public:
 private:
     [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
     [[nodiscard]] std::optional<Call> call(std::string_view text) const;
+    using Offers = std::vector<const csp_emit::OfferMeaning*>;
+    /// The transitions and statements there that may be behind the event.
+    [[nodiscard]] static Offers possible(const std::string& name, const Call& before, const std::vector<Call>& after);
 
     const csp_emit::Provenance& provenance_;
     const ir::System& system_;

@@ -325,6 +325,8 @@ std::string information_text(const Listed& information) {
             ++reached;
         else if (a->answer == Answer::holds)
             words.push_back(property);
+        else if (property == "every transition fires" && a->answer == Answer::fails)
+            words.push_back(a->reason);
         else if (a->answer != Answer::fails)
             words.push_back(fmt::format("{}: not known", property));
         else if (state)

@@ -1,5 +1,6 @@
 // The verb `check`: assertions to verdicts.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <new>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "checker/cspm/session.hpp"
 #include "diagnostics/escape.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "runs/exercised.hpp"
 #include "runs/interpreter.hpp"
 
 namespace robochart::app {
@@ -73,6 +75,36 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
     }
 }
 
+/// A state of a term takes long beside one of a compiled machine.
+constexpr std::uint64_t most_states_for_firing = 20'000;
+
+/// Which transitions fire, by a visit of all states.
+void decide_firing(const Context& context, const csp_emit::FiringQuestion& question, AssertionReport& report) {
+    const runs::Context reading{context.emission.provenance, context.project.system, context.project.instantiation,
+                                context.project.sources, context.session};
+    runs::StepReader reader(reading);
+    try {
+        const auto found = runs::exercised(reader, context.session.process(question.process), most_states_for_firing,
+                                           [&] { context.options.run->budget().poll(); });
+        report.statistics.states = found.states;
+        report.searched = true;
+        std::vector<std::string> never;
+        for (const csp_emit::TransitionInside& each : question.transitions)
+            if (!found.elements.contains(runs::exercised_element(each.component, each.origin.element)))
+                never.push_back(fmt::format("{} ({})", each.text, context.project.sources.place(each.origin.span)));
+        report.answer = never.empty() ? Answer::holds : found.all ? Answer::fails : Answer::inconclusive;
+        if (!never.empty()) report.reason = fmt::format("never taken: {}", fmt::join(never, ", "));
+        if (report.answer == Answer::inconclusive)
+            report.reason = fmt::format("{} has not been taken in the first {} states", never.front(), found.states);
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.reason = said(context.project, error);
+    } catch (const process::SemanticsError& error) {
+        report.answer = Answer::error;
+        report.reason = error.what();
+    }
+}
+
 /// All assertions must hold: the first that does not ends it. Or one suffices: the first that holds does, and only if
 /// each of them fails the claim does; where one of them is not known and none holds, nothing is known of the claim.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
@@ -121,8 +153,9 @@ void announce(const Context& context, Report& report) {
                                   obligation.information};
             if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
         }
-        one.answer = obligation.assertions.empty() ? Answer::no_check : Answer::inconclusive;
-        one.reason = obligation.assertions.empty() ? obligation.reason : not_decided;
+        const bool decidable = obligation.firing || !obligation.assertions.empty();
+        one.answer = decidable ? Answer::inconclusive : Answer::no_check;
+        one.reason = decidable ? not_decided : obligation.reason;
         report.assertions.push_back(std::move(one));
     }
 }
@@ -160,7 +193,10 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         if (!wanted(context, obligation)) continue;
         const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + obligation.title);
         AssertionReport one = report.assertions[at];
-        if (!obligation.assertions.empty()) {
+        if (obligation.firing) {
+            one.reason.clear();
+            decide_firing(context, *obligation.firing, one);
+        } else if (!obligation.assertions.empty()) {
             one.reason.clear();
             decide(context, obligation, one);
         }

@@ -318,13 +318,8 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
 }
 
 std::vector<process::Transition> Session::transitions(process::TermId term) {
-    try {
-        const auto found = impl_->semantics.successors(term);
-        return {found.begin(), found.end()};
-    } catch (const EvaluationError&) {
-    } catch (const process::SemanticsError&) {
-    }
-    return {};
+    const auto found = impl_->semantics.successors(term);
+    return {found.begin(), found.end()};
 }
 
 std::vector<process::Move> Session::moves(process::TermId term, const process::Transition& step) {

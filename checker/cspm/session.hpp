@@ -55,7 +55,7 @@ public:
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
     /// The same within limits; none where one is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-    /// What a term can do; nothing where its definitions cannot be evaluated.
+    /// What a term can do. Throws EvaluationError or process::SemanticsError where its definitions cannot be evaluated.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
     /// One of these taken apart: what each component does in it.
     [[nodiscard]] std::vector<process::Move> moves(process::TermId term, const process::Transition& step);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -81,6 +82,20 @@ struct Provenance {
     std::map<std::string, DefinitionMeaning> definitions;
 };
 
+/// A transition of a machine inside a component.
+struct TransitionInside {
+    std::string component;  ///< the instance of the machine, "P::M::c::s"
+    std::string text;       ///< "c::s: t1: S1 -> S2", or "t1: S1 -> S2" of the component's own
+    ir::Origin origin;
+};
+
+/// The question which transitions of a component fire: an assertion for each would need an event for each, so all
+/// states of the process are visited instead.
+struct FiringQuestion {
+    cspm::ExprPtr process;
+    std::vector<TransitionInside> transitions;
+};
+
 /// One check to be made: an assertion of the model in one time, as one or more CSPM assertions.
 struct Obligation {
     ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
@@ -94,6 +109,7 @@ struct Obligation {
     Time time = Time::untimed;
     std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too
     std::vector<cspm::DeclPtr> assertions;   ///< members of the script below; empty: no check exists (`reason`)
+    std::optional<FiringQuestion> firing;    ///< decided without an assertion: whether all of these fire
     bool one_suffices = false;               ///< the claim holds if one of the assertions does; else all must hold
     std::string reason;  ///< why there is no check; else what is so if it fails and no single run shows it
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "csp_emit/machine/rules/transitions.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 
@@ -112,11 +113,9 @@ DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& runnin
     if (!transition.trigger) return nullptr;
     auto& known = offers_[{frame, "transition " + std::to_string(id.index)}];
     if (!known)
-        known = std::make_shared<const OfferMeaning>(
-            OfferMeaning{tables_.frames[frame].events.at(transition.trigger->event.index) + ".in",
-                         transition.name + ": " + owner.nodes[transition.source.index].path + " -> " +
-                             owner.nodes[transition.target.index].path,
-                         transition.origin, transition.name, owner.nodes[transition.target.index].origin.element});
+        known = std::make_shared<const OfferMeaning>(OfferMeaning{
+            tables_.frames[frame].events.at(transition.trigger->event.index) + ".in", ir::text_of(owner, transition),
+            transition.origin, transition.name, owner.nodes[transition.target.index].origin.element});
     return known;
 }
 

@@ -50,6 +50,11 @@ private:
 
 }  // namespace
 
+std::string text_of(const Machine& machine, const Transition& transition) {
+    return transition.name + ": " + machine.nodes[transition.source.index].path + " -> " +
+           machine.nodes[transition.target.index].path;
+}
+
 std::string qualified(const ComponentRef& ref) {
     return ref.package.empty() ? ref.path : ref.package + "::" + ref.path;
 }

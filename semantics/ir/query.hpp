@@ -19,6 +19,9 @@ namespace robochart::ir {
 /// The operations a machine's own statements call, ascending, each once.
 [[nodiscard]] std::vector<OperationId> called_operations(const Machine&);
 
+/// For people: "t1: S1 -> S2".
+[[nodiscard]] std::string text_of(const Machine&, const Transition&);
+
 /// RoboTool's name of a constant that a process takes as a parameter: `const_<package>_<path>_<constant>`, the path
 /// being the defining component's (`S`, `C`), then the reference's inside a controller (`C::stm_ref`, `C::op_ref`).
 [[nodiscard]] std::string constant_name(const std::string& package, const std::string& path,

@@ -23,6 +23,7 @@ std::map<std::string, std::string> answers(const std::string& rct, Time time = T
     cspm::Session session(emission.script);
     std::map<std::string, std::string> result;
     for (const Obligation& obligation : emission.obligations) {
+        if (obligation.firing) continue;  // no assertion: tests/app/command/firing_test.cpp
         EXPECT_EQ(obligation.assertions.size(), 1U);
         const bool holds = session.check(*obligation.assertions.front(), {}).verdict.outcome == refine::Outcome::holds;
         result[obligation.component + ": " + obligation.property_text] =

@@ -2,6 +2,7 @@
 #include "csp_emit/machine/tables/hidden_events.hpp"
 
 #include "checker/cspm/syntax/build.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 
@@ -22,8 +23,7 @@ ExprPtr HiddenEvents::transition(std::uint32_t frame, ir::TransitionId id) {
         found->second = context_.names.unique("TID_" + frames_[frame].prefix + flatten(transition.name));
         EventMeaning meaning;
         meaning.kind = MeaningKind::transition;
-        meaning.text = transition.name + ": " + owner.nodes[transition.source.index].path + " -> " +
-                       owner.nodes[transition.target.index].path;
+        meaning.text = ir::text_of(owner, transition);
         meaning.origin = transition.origin;
         // Constructors are printed with the module they belong to.
         mean(provenance_, context_.path, "internal__." + context_.path + "::" + found->second, meaning);

@@ -1,0 +1,77 @@
+// See exercised.hpp.
+#include "runs/exercised.hpp"
+
+#include <deque>
+#include <tuple>
+#include <utility>
+
+namespace robochart::runs {
+namespace {
+
+using process::TermId;
+using process::Transition;
+
+class Search {
+public:
+    explicit Search(StepReader& reader) : reader_(reader) {}
+
+    Exercised run(TermId process, std::uint64_t most, const std::function<void()>& poll);
+
+private:
+    void meet(TermId term) {
+        if (seen_.insert(term).second) waiting_.push_back(term);
+    }
+    void note(TermId term, const Transition& step);
+    void note(const ComponentStep& step);
+
+    StepReader& reader_;
+    Exercised result_;
+    std::set<TermId> seen_;
+    std::deque<TermId> waiting_;
+    /// A component does the same steps in many states of the whole.
+    std::set<std::tuple<TermId, process::Event, TermId>> noted_;
+};
+
+void Search::note(const ComponentStep& step) {
+    for (const Call& before : step.before) {
+        if (before.definition->memory) continue;
+        for (const std::string& element : reader_.meanings().elements(step.name, before, step.after))
+            result_.elements.insert(exercised_element(before.definition->component, element));
+    }
+}
+
+void Search::note(TermId term, const Transition& step) {
+    for (const process::Move& move : reader_.context().session.moves(term, step)) {
+        const process::Event event = move.step.event == process::tau ? move.step.revealed : move.step.event;
+        if (noted_.insert({move.part, event, move.step.target}).second) note(reader_.component_step(move));
+    }
+}
+
+Exercised Search::run(TermId process, std::uint64_t most, const std::function<void()>& poll) {
+    for (meet(process); !waiting_.empty(); waiting_.pop_front()) {
+        if (result_.states == most) {
+            result_.all = false;
+            break;
+        }
+        ++result_.states;
+        poll();
+        const TermId term = waiting_.front();
+        for (const Transition& step : reader_.context().session.transitions(term)) {
+            note(term, step);
+            meet(step.target);
+        }
+    }
+    return std::move(result_);
+}
+
+}  // namespace
+
+std::string exercised_element(const std::string& component, const std::string& element) {
+    return component + " " + element;
+}
+
+Exercised exercised(StepReader& reader, TermId process, std::uint64_t most, const std::function<void()>& poll) {
+    return Search(reader).run(process, most, poll);
+}
+
+}  // namespace robochart::runs

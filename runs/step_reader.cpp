@@ -1,0 +1,115 @@
+// See step_reader.hpp.
+#include "runs/step_reader.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace robochart::runs {
+
+using process::TermId;
+
+namespace {
+
+constexpr std::size_t most_unfoldings = 20;
+
+}  // namespace
+
+bool same(const Event& one, const Event& other) {
+    return one.kind == other.kind && one.component == other.component && one.text == other.text &&
+           one.element == other.element;
+}
+
+bool among(const std::vector<Event>& events, const Event& event) {
+    return std::any_of(events.begin(), events.end(), [&](const Event& each) { return same(each, event); });
+}
+
+const std::vector<Call>& StepReader::calls_of(TermId term) {
+    const auto [found, added] = calls_.try_emplace(term);
+    if (!added) return found->second;
+    process::TermStore& terms = context_.session.terms();
+    for (std::size_t i = 0; i < most_unfoldings; ++i) {
+        found->second = meanings_.calls(process::describe(terms, term));
+        const TermId next = found->second.empty() ? terms.unfolded(term, 1) : term;
+        if (next == term) break;
+        term = next;
+    }
+    return found->second;
+}
+
+std::vector<Machine> StepReader::machines_of(const std::vector<std::vector<Call>>& components) const {
+    std::vector<Machine> result;
+    std::vector<Call> memories;
+    for (const std::vector<Call>& component : components)
+        for (const Call& call : component) {
+            if (call.definition->memory)
+                memories.push_back(call);
+            else
+                result.push_back(meanings_.machine(call));
+        }
+    for (const Call& memory : memories) {
+        const auto owner = std::find_if(result.begin(), result.end(), [&](const Machine& machine) {
+            return machine.component == memory.definition->component;
+        });
+        if (owner == result.end()) continue;
+        for (Variable& variable : meanings_.variables(memory)) {
+            // What the machine has read is what the memory holds.
+            const auto known = std::find_if(owner->variables.begin(), owner->variables.end(),
+                                            [&](const Variable& each) { return each.name == variable.name; });
+            if (known == owner->variables.end())
+                owner->variables.push_back(std::move(variable));
+            else
+                *known = std::move(variable);
+        }
+    }
+    return result;
+}
+
+Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std::string& whole) const {
+    struct Candidate {
+        Event event;
+        bool known, machine;
+    };
+    std::vector<Candidate> candidates;
+    for (const ComponentStep& move : steps) {
+        const bool machine = !move.before.empty() && !move.before.front().definition->memory;
+        const bool known = meanings_.knows(move.name);
+        candidates.push_back(
+            {machine ? meanings_.event(move.name, move.before.front(), move.after) : meanings_.event(move.name), known,
+             machine});
+    }
+    const auto rank = [](const Candidate& each) {
+        const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
+        return std::tuple(!each.known, !each.machine, !acts);
+    };
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
+    const auto tock = std::find_if(candidates.begin(), candidates.end(),
+                                   [](const Candidate& each) { return each.event.kind == Kind::tock; });
+    if (tock != candidates.end()) return {tock->event, {}};
+    if (candidates.empty() || (!candidates.front().known && meanings_.knows(whole)))
+        return {meanings_.event(whole), {}};
+    std::vector<Event> with;
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        const Candidate& each = candidates[i];
+        const bool other = each.known && each.machine && each.event.component != candidates.front().event.component;
+        if (other && !among(with, each.event)) with.push_back(each.event);
+    }
+    return {candidates.front().event, with};
+}
+
+ComponentStep StepReader::component_step(const process::Move& move) {
+    return {name_of(move.step.event, move.step.revealed), calls_of(move.part),
+            meanings_.calls(process::describe(context_.session.terms(), move.step.target))};
+}
+
+std::vector<ComponentStep> StepReader::taken_apart(TermId whole, const process::Transition& step) {
+    std::vector<ComponentStep> steps;
+    for (const process::Move& each : context_.session.moves(whole, step)) steps.push_back(component_step(each));
+    return steps;
+}
+
+Happening StepReader::happens(TermId whole, const process::Transition& step) {
+    return happens(taken_apart(whole, step), name_of(step.event, step.revealed));
+}
+
+}  // namespace robochart::runs

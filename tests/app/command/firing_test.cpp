@@ -1,0 +1,99 @@
+// The core property "every transition fires": what is said of models in which it is plain why a transition is taken or
+// never is.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string checked(const std::string& model, const std::vector<std::string>& more = {}) {
+    const TemporaryFile file("m.rct", model);
+    std::vector<std::string> words{"check", file.path(), "--core", "--no-cache"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran ran = run(words);
+    EXPECT_LE(ran.exit, 1) << ran.out << ran.err;
+    return ran.out;
+}
+
+TEST(Firing, AllThatCanBeTakenAre) {
+    const std::string out = checked(R"(stm S { event e : nat event o initial i junction j var x : nat
+state A { } state B { initial k state C { } transition t4 { from k to C } }
+transition t0 { from i to A }
+transition t1 { from A to j trigger e?x }
+transition t2 { from j to B condition x == 0 action send o }
+transition t3 { from j to A condition x > 0 }
+transition t5 { from B to A trigger e?x } })");
+    EXPECT_THAT(out, HasSubstr("every transition fires"));
+    EXPECT_THAT(out, Not(HasSubstr("never taken")));
+}
+
+TEST(Firing, ATransitionWhoseGuardIsNeverTrue) {
+    const std::string out = checked(R"(stm S { event e initial i var x : nat
+state A { entry x = 1 } state B { }
+transition t0 { from i to A }
+transition t1 { from A to B trigger e }
+transition t2 { from B to A trigger e condition x > 1 }
+transition t3 { from B to B trigger e condition x == 1 } })");
+    EXPECT_THAT(out, HasSubstr("never taken: t2: B -> A ("));
+    EXPECT_THAT(out, HasSubstr("m.rct:5)"));
+    EXPECT_THAT(out, Not(HasSubstr("t3")));
+}
+
+/// Sends `o` never.
+const std::string silent = R"(stm Silent { event o initial i state A { } state B { entry send o }
+transition t0 { from i to A } transition t1 { from A to B condition false } transition t2 { from B to A } }
+)";
+
+// The machine alone takes `never` from anybody; in the controller nobody sends it.
+TEST(Firing, IsAskedInTheContextOfEachComponent) {
+    const std::string out = checked(silent + R"(stm S { event e event never initial i state A { } state B { }
+transition t0 { from i to A } transition t1 { from A to A trigger e } transition t2 { from A to B trigger never }
+transition t3 { from B to A trigger e } }
+controller C { event e sref s = S sref u = Silent connection C on e to s on e connection u on o to s on never })");
+    const std::string inside =
+        out.substr(out.find("controller C"), out.find("state machine") - out.find("controller C"));
+    EXPECT_THAT(inside, HasSubstr("never taken: s: t2: A -> B ("));
+    EXPECT_THAT(inside, HasSubstr("s: t3: B -> A ("));
+    EXPECT_THAT(inside, Not(HasSubstr("s: t1")));
+    EXPECT_THAT(out.substr(out.find("state machine S\n")), HasSubstr("every transition fires"));
+}
+
+// Of one definition that runs twice.
+TEST(Firing, IsAskedOfEachInstance) {
+    const std::string out = checked(silent + R"(stm S { event e initial i state A { } state B { }
+transition t0 { from i to A } transition t1 { from A to B trigger e } transition t2 { from B to A } }
+controller C { event e sref one = S sref two = S sref u = Silent
+connection C on e to one on e connection u on o to two on e })");
+    const std::string inside =
+        out.substr(out.find("controller C"), out.find("state machine") - out.find("controller C"));
+    EXPECT_THAT(inside, HasSubstr("two: t1: A -> B ("));
+    EXPECT_THAT(inside, Not(HasSubstr("one: t1")));
+}
+
+TEST(Firing, IsNotKnownWhereThereAreTooManyStates) {
+    const std::string out =
+        checked(R"(stm S { event e : nat event f : nat event g : nat initial i var x : nat var y : nat var z : nat
+state A { } state B { }
+transition t0 { from i to A }
+transition t1 { from A to A trigger e?x } transition t4 { from A to A trigger f?y } transition t5 { from A to A trigger g?z }
+transition t2 { from A to B condition x < y /\ y < z /\ z < x } transition t3 { from B to A } })",
+                {"--untimed", "--range", "nat=0..29", "--format", "json"});
+    const auto report = nlohmann::json::parse(out);
+    for (const auto& row : report["assertions"])
+        if (row["core"]["property"] == "every transition fires") {
+            EXPECT_EQ(row["answer"], "inconclusive");
+            EXPECT_THAT(row["reason"].get<std::string>(), HasSubstr("has not been taken in the first 20000 states"));
+            return;
+        }
+    FAIL() << out;
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
