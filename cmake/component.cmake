@@ -78,3 +78,20 @@ function(robochart_tests name)
   target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)
   gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
 endfunction()
+
+# robochart_embed_texts(RESULT FOLDER folder HEADER header NAMESPACE n FUNCTION f): a source that builds the files of a folder
+# below the current one into the program (embed_texts.cmake); its path is in RESULT.
+function(robochart_embed_texts result)
+  cmake_parse_arguments(EMBED "" "FOLDER;HEADER;NAMESPACE;FUNCTION" "" ${ARGN})
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${EMBED_FOLDER})
+  set(script ${CMAKE_SOURCE_DIR}/cmake/embed_texts.cmake)
+  set(made ${CMAKE_CURRENT_BINARY_DIR}/${result}.cpp)
+  file(GLOB_RECURSE texts CONFIGURE_DEPENDS ${folder}/*)
+  add_custom_command(
+    OUTPUT ${made}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DHEADER=${EMBED_HEADER} -DNAMESPACE=${EMBED_NAMESPACE}
+            -DFUNCTION=${EMBED_FUNCTION} -DOUTPUT=${made} -P ${script}
+    DEPENDS ${texts} ${script}
+    VERBATIM)
+  set(${result} ${made} PARENT_SCOPE)
+endfunction()

@@ -1,11 +1,14 @@
-# Builds the texts of cpp_emit/projects into the program: one table from path to text. The layout switch is no text.
-file(GLOB_RECURSE paths RELATIVE ${PROJECTS_DIR} ${PROJECTS_DIR}/*)
-list(REMOVE_ITEM paths .clang-format)
+# Builds the texts of a folder into the program, as a function from a path below it to the text there.
+# cmake -DFOLDER=DIR -DHEADER=FILE -DNAMESPACE=N -DFUNCTION=F -DOUTPUT=FILE.cpp -P embed_texts.cmake
+# HEADER declares `std::string F(std::string_view path);` in NAMESPACE.
+file(GLOB_RECURSE paths RELATIVE ${FOLDER} ${FOLDER}/*)
+list(REMOVE_ITEM paths .clang-format)  # the layout switch is no text
 list(SORT paths)
-set(text "// Texts of cpp_emit/projects, built in by embed_projects.cmake.\n#include \"cpp_emit/project.hpp\"\n\n#include <stdexcept>\n\nnamespace robochart::cpp_emit {\n\nstd::string project_template(std::string_view path) {\n")
+get_filename_component(name ${FOLDER} NAME)
+set(text "// The texts of ${name}, built in by embed_texts.cmake.\n#include \"${HEADER}\"\n\n#include <stdexcept>\n\nnamespace ${NAMESPACE} {\n\nstd::string ${FUNCTION}(std::string_view path) {\n")
 foreach(path ${paths})
-  file(READ ${PROJECTS_DIR}/${path} content)
-  string(APPEND text "    if (path == \"${path}\")\n        return R\"--project--(${content})--project--\";\n")
+  file(READ ${FOLDER}/${path} content)
+  string(APPEND text "    if (path == \"${path}\")\n        return R\"--text--(${content})--text--\";\n")
 endforeach()
-string(APPEND text "    throw std::logic_error(\"no text \" + std::string(path));\n}\n\n}  // namespace robochart::cpp_emit\n")
+string(APPEND text "    throw std::logic_error(\"no text \" + std::string(path));\n}\n\n}  // namespace ${NAMESPACE}\n")
 file(WRITE ${OUTPUT} "${text}")

@@ -24,6 +24,7 @@ const std::vector<VerbRow>& verb_table() {
     static const std::vector<VerbRow> rows{
         {Verb::verify, "verify", "",
          "everything: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL..."},
+        {Verb::init, "init", "", "write a new project: a small robot, and what is claimed of it", "[NAME]"},
         {Verb::validate, "validate", "", "read the model and report what is wrong with it, nothing else", "MODEL..."},
         {Verb::check, "check", "", "read the model and decide its assertions", "MODEL..."},
         {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL..."},
@@ -95,7 +96,8 @@ constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
 constexpr Verbs searching = models | of(Verb::cspm);
 constexpr Verbs limited = searching | of(Verb::validate) | of(Verb::format) | of(Verb::simulate);
-constexpr Verbs all_verbs = limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::help) | of(Verb::version);
+constexpr Verbs all_verbs =
+    limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::init) | of(Verb::help) | of(Verb::version);
 
 using Kind = Argument::Kind;
 
@@ -244,6 +246,9 @@ const std::vector<OptionRow>& option_table() {
          [](Options& o, const std::string&) { o.diff = true; }},
         {"--assertions", Group::files, of(Verb::format), {}, "read standard input (-) as an assertion file",
          [](Options& o, const std::string&) { o.assertions = true; }},
+
+        {"--simulation", Group::files, of(Verb::init), {}, "with a scenario for `simulate`",
+         [](Options& o, const std::string&) { o.simulation = true; }},
 
         {"-o,--out", Group::output, models | of(Verb::simulate),
          {.kind = Kind::folder, .name = "DIR", .usual = "out"}, "folder for the files written",

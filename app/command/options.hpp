@@ -37,6 +37,7 @@ enum class Verb {
     cspm,
     explain,
     format,
+    init,
     lsp,
     simulate,
     validate,
@@ -72,6 +73,7 @@ struct Options {
     bool quiet = false;
     bool cache = true;           ///< take what earlier runs have worked out, and keep what this one does
     bool fix = false;            ///< validate: apply certain fixes to the files
+    bool simulation = false;     ///< init: with a scenario
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
     bool core = false;

@@ -13,6 +13,7 @@ Exit export_process(const Options&);  ///< cspm --export
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
 Exit run_format(const Options&);
+Exit run_init(const Options&);
 Exit run_simulate(const Options&);  ///< in the embedded world
 Exit run_lsp();                     ///< serves an editor on stdin and stdout until it leaves
 

@@ -1,5 +1,5 @@
 # Completion of robochart-verify for fish, made by `robochart-verify help --generate fish`.
-set -g __robochart_verify_verbs verify validate check emit conform cspm simulate format explain lsp help version
+set -g __robochart_verify_verbs verify init validate check emit conform cspm simulate format explain lsp help version
 
 # The verb of the command line, `emit` with what it writes; `none` before there is one.
 function __robochart_verify_verb
@@ -24,6 +24,7 @@ function __robochart_verify_is
 end
 
 complete -c robochart-verify -n '__robochart_verify_is none help' -a verify -d 'everything: read, check assertions, export CSP, generate C++, conform (the default)'
+complete -c robochart-verify -n '__robochart_verify_is none help' -a init -d 'write a new project: a small robot, and what is claimed of it'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a validate -d 'read the model and report what is wrong with it, nothing else'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a check -d 'read the model and decide its assertions'
 complete -c robochart-verify -f -n '__robochart_verify_is emit' -a csp -d 'write the CSP semantics as scripts for FDR'
@@ -72,6 +73,7 @@ complete -c robochart-verify -n '__robochart_verify_is "validate"' -l fix -d 'ap
 complete -c robochart-verify -n '__robochart_verify_is "format"' -l check -d 'write nothing; list the files that would change, exit 1 if there are any'
 complete -c robochart-verify -n '__robochart_verify_is "format"' -l diff -d 'write nothing; show what would change'
 complete -c robochart-verify -n '__robochart_verify_is "format"' -l assertions -d 'read standard input (-) as an assertion file'
+complete -c robochart-verify -n '__robochart_verify_is "init"' -l simulation -d 'with a scenario for `simulate`'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "simulate"' -s o -l out -x -a '(__fish_complete_directories)' -d 'folder for the files written'
 complete -c robochart-verify -n '__robochart_verify_is "emit csp" "emit cpp" "emit monitor" "emit tests" "simulate"' -l format -x -a 'text json' -d 'how the result is printed'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check"' -l format -x -a 'text json sarif junit' -d 'how the result is printed'
@@ -96,5 +98,5 @@ complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l threads -x
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm"' -l max-states -x -d 'bound on states of a check'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -l no-cache -d 'work out everything anew, and keep nothing for later runs'
 complete -c robochart-verify -n '__robochart_verify_is "lsp"' -l stdio -d 'accepted because editors\' libraries pass it; standard input and output are always used'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate" "format" "explain" "lsp" "help" "version" none' -s h -l help -d 'show the help of the program or of the verb'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "init" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate" "format" "explain" "lsp" "help" "version" none' -s h -l help -d 'show the help of the program or of the verb'
 complete -c robochart-verify -n '__robochart_verify_is none' -l version -d 'show the version'

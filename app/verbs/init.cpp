@@ -1,0 +1,122 @@
+// The verb `init`: a new project that verifies as it stands. A model that is there already is never touched.
+#include "app/verbs/init.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <vector>
+
+#include "app/command/output.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "diagnostics/files.hpp"
+#include "frontend/syntax/lexer.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names of files are made of it, so it ends long before what file systems take.
+constexpr std::size_t longest_name = 64;
+
+/// A file to be written, and whether one that is there already is left as it is.
+struct NewFile {
+    std::string name;
+    std::string text;
+    bool keep = false;
+};
+
+/// Why it cannot be the name of a package; "" if it can.
+std::string unfit(const std::string& name) {
+    const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
+    if (name.empty() || !std::all_of(name.begin(), name.end(), letter) ||
+        std::isalpha(static_cast<unsigned char>(name.front())) == 0)
+        return "a name is made of letters, digits and _, and begins with a letter";
+    return frontend::is_reserved(name) ? "it is a reserved word of RoboChart" : "";
+}
+
+/// The template with every `@KEY@` replaced.
+std::string filled(std::string text, std::string_view key, std::string_view value) {
+    const std::string mark = fmt::format("@{}@", key);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
+        text.replace(at, mark.size(), value);
+    return text;
+}
+
+std::vector<NewFile> files_of(const std::string& name, const Options& options) {
+    const std::string simulate =
+        options.simulation
+            ? fmt::format("robochart-verify simulate {}.scenario   # the controller in a simulated arena\n", name)
+            : "";
+    const auto text = [&](std::string_view path) {
+        return filled(filled(template_text(path), "SIMULATE", simulate), "NAME", name);
+    };
+    std::vector<NewFile> files{{name + ".rct", text("model.rct")}, {name + ".assertions", text("model.assertions")}};
+    if (options.simulation) files.push_back({name + ".scenario", text("model.scenario")});
+    files.push_back({"README.md", text("README.md"), true});
+    files.push_back({".gitignore", text("gitignore"), true});
+    return files;
+}
+
+/// What the folder has already that a new project would mix with; "" if there is nothing.
+std::string in_the_way(const fs::path& folder, const std::vector<NewFile>& files) {
+    std::error_code code;
+    if (fs::exists(folder, code) && !fs::is_directory(folder, code))
+        return fmt::format("{} is there already, and is no folder", folder.string());
+    for (const NewFile& file : files)
+        if (!file.keep && fs::exists(fs::symlink_status(folder / file.name, code)))
+            return fmt::format("{} is there already", (folder / file.name).string());
+    for (const std::string& path : diagnostics::files_below(folder.string(), false).files)
+        if (fs::path(path).extension() == ".rct") return fmt::format("there is a model already: {}", path);
+    return "";
+}
+
+Exit refused(const std::string& why) {
+    print_error("robochart-verify: {}; nothing is written\n", why);
+    return Exit::bad_input;
+}
+
+/// False, with a message, if a file cannot be written.
+bool write(const fs::path& folder, const std::vector<NewFile>& files, const Options& options) {
+    for (const NewFile& file : files) {
+        options.run->budget().poll();
+        const std::string path = (folder / file.name).string();
+        std::error_code code;
+        if (file.keep && fs::exists(fs::symlink_status(folder / file.name, code))) {
+            print("{} is left as it is\n", path);
+            continue;
+        }
+        const std::string error =
+            diagnostics::write_below(folder.string(), file.name, file.text, &options.run->budget());
+        if (!error.empty()) {
+            print_error("robochart-verify: {}\n", error);
+            return false;
+        }
+        print("{}\n", path);
+    }
+    return true;
+}
+
+}  // namespace
+
+Exit run_init(const Options& options) {
+    if (options.inputs.size() > 1) throw UsageError("init makes one project, so it takes one NAME");
+    const std::string given = options.inputs.empty() ? "." : options.inputs.front();
+    std::error_code code;
+    const fs::path whole = fs::absolute(given, code).lexically_normal();
+    const std::string name = (whole.filename().empty() ? whole.parent_path() : whole).filename().string();
+    if (const std::string why = unfit(name); !why.empty())
+        throw UsageError(fmt::format("'{}' cannot be the name of a project: {}", name, why));
+    const fs::path folder = fs::path(given).lexically_normal();
+    const std::vector<NewFile> files = files_of(name, options);
+    if (const std::string why = in_the_way(folder, files); !why.empty()) return refused(why);
+    if (!write(folder, files, options)) return Exit::bad_input;
+    print("\nnext: robochart-verify {}\n", folder.string());
+    return Exit::success;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,12 @@
+// The files of a new project as they are built into the program (app/templates), for the verb `init`.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace robochart::app {
+
+/// The text of app/templates/`path`, in which `@NAME@` stands for the project's name.
+[[nodiscard]] std::string template_text(std::string_view path);
+
+}  // namespace robochart::app

@@ -1,0 +1,90 @@
+// `init`: what it writes verifies as it stands, and nothing that is there is lost.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Init, WritesAProjectThatVerifiesAtOnce) {
+    const Ran ran = run_shell(
+        "\"$verify\" init wanderer && \"$verify\" format --check wanderer && \"$verify\" wanderer --no-cache && "
+        "\"$verify\" check wanderer --core");
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("wanderer/wanderer.rct\nwanderer/wanderer.assertions\nwanderer/README.md\n"
+                                   "wanderer/.gitignore\n\nnext: robochart-verify wanderer\n"));
+    EXPECT_THAT(ran.out, HasSubstr("1 of 1 controllers conform"));
+    EXPECT_THAT(ran.out, HasSubstr("next: robochart-verify wanderer\n"));
+    EXPECT_THAT(ran.err, Not(HasSubstr("warning")));
+}
+
+TEST(Init, WithASimulation) {
+    const Ran ran = run_shell(
+        "\"$verify\" init wanderer --simulation && cat wanderer/README.md && cd wanderer && "
+        "\"$verify\" simulate wanderer.scenario --no-cache --no-pictures");
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("robochart-verify simulate wanderer.scenario"));
+    EXPECT_THAT(ran.out, HasSubstr("1 of 1 bands hold"));
+}
+
+TEST(Init, LeavesNoMarkOfATemplate) {
+    const Ran ran = run_shell("\"$verify\" init a --simulation && \"$verify\" init b && cat a/* a/.gitignore b/*");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(ran.out, Not(HasSubstr("@")));
+}
+
+// Names of the model's own parts, and words of CSPM and C++.
+TEST(Init, TakesNamesThatOtherLanguagesReserve) {
+    for (const std::string name : {"Robot", "Wander", "Motors", "class", "tock", "STOP", "Seq"}) {
+        const Ran ran = run_shell("\"$verify\" init " + name + " && \"$verify\" --no-cache " + name);
+        EXPECT_EQ(ran.exit, 0) << name << "\n" << ran.out << ran.err;
+    }
+}
+
+TEST(Init, RefusesWhatIsNoName) {
+    for (const std::string name : {"state", "2wheels", "_x", "my-robot", "a b", "..", "/", "''",
+                                   "\"$(printf 'a\\nb')\"", "\"$(printf 'a%.0s' $(seq 65))\""}) {
+        const Ran ran =
+            run_shell("\"$verify\" init " + (name == "a b" ? "'a b'" : name) + "; echo $?; ls -A | grep -v txt");
+        EXPECT_THAT(ran.err, HasSubstr("cannot be the name of a project: ")) << name;
+        EXPECT_EQ(ran.out, "4\n") << name;
+    }
+    EXPECT_EQ(run({"init", "a", "b"}).exit, 4);
+}
+
+TEST(Init, HereTakesTheNameOfTheFolder) {
+    const Ran ran = run_shell(
+        "mkdir robot && cd robot && echo mine > README.md && \"$verify\" init; echo $?; ls -A; "
+        "cat README.md");
+    EXPECT_THAT(ran.out, HasSubstr("./README.md is left as it is"));
+    EXPECT_THAT(ran.out, HasSubstr("0\n.gitignore\nREADME.md\nrobot.assertions\nrobot.rct\nmine\n"));
+}
+
+TEST(Init, NeverTouchesAModel) {
+    const Ran other = run_shell("mkdir r && echo x > r/other.rct && \"$verify\" init r; echo $?; ls -A r");
+    EXPECT_THAT(other.err, HasSubstr("there is a model already: r/other.rct; nothing is written"));
+    EXPECT_EQ(other.out, "2\nother.rct\n");
+    const Ran same = run_shell("mkdir r && ln -s nowhere r/r.assertions && \"$verify\" init r; echo $?; ls -A r");
+    EXPECT_THAT(same.err, HasSubstr("r/r.assertions is there already; nothing is written"));
+    EXPECT_EQ(same.out, "2\nr.assertions\n");
+    const Ran file = run_shell("touch r && \"$verify\" init r; echo $?");
+    EXPECT_THAT(file.err, HasSubstr("r is there already, and is no folder"));
+    EXPECT_EQ(file.out, "2\n");
+}
+
+TEST(Init, SaysWhyNothingCanBeWritten) {
+    const Ran ran = run_shell("\"$verify\" init /proc/robot; echo $?");
+    EXPECT_THAT(ran.err, HasSubstr("/proc/robot"));
+    EXPECT_EQ(ran.out, "2\n");
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
