@@ -189,7 +189,7 @@ std::string Writer::write() {
         out_ += fmt::format("{}then for ever:\n", indent_);
         add(loop());
     }
-    out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
+    if (!run_.end.why.empty()) out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
     return std::move(out_);
 }
 

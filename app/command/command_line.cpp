@@ -66,7 +66,7 @@ void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
     add_options(*sub, of(row.verb), options);
     if (const std::string input = row.input; !input.empty()) {
         const std::size_t begin = input.front() == '[' ? 1 : 0;
-        const std::string name = input.substr(begin, input.find_first_of(".]") - begin);
+        const std::string name = input.substr(begin, input.find_first_of(".] ") - begin);
         sub->add_option(name, options.inputs)->required(begin == 0);
     }
     sub->callback([&options, &row] { options.verb = row.verb; });

@@ -35,6 +35,8 @@ const std::vector<VerbRow>& verb_table() {
          "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL..."},
         {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL..."},
         {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT..."},
+        {Verb::step, "step", "", "animate the semantics by hand: of a component, or of a process of a CSPM script",
+         "MODEL [COMPONENT]"},
         {Verb::simulate, "simulate", "",
          "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
         {Verb::format, "format", "", "write model and assertion files in the standard layout, in place", "FILE..."},
@@ -95,7 +97,7 @@ constexpr Verbs models = checking | emitting | of(Verb::conform);
 constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
 constexpr Verbs searching = models | of(Verb::cspm);
-constexpr Verbs limited = searching | of(Verb::validate) | of(Verb::format) | of(Verb::simulate);
+constexpr Verbs limited = searching | of(Verb::step) | of(Verb::validate) | of(Verb::format) | of(Verb::simulate);
 constexpr Verbs all_verbs =
     limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::init) | of(Verb::help) | of(Verb::version);
 
@@ -147,7 +149,7 @@ const std::vector<OptionRow>& option_table() {
          "only this assertion of each script, counted from 1", take_assertion},
         {"--timed", Group::checking, checking | of(Verb::emit_csp), {}, "only the timed semantics",
          [](Options& o, const std::string&) { o.times = Times::timed; }, "--untimed"},
-        {"--untimed", Group::checking, checking | of(Verb::emit_csp), {}, "only the untimed semantics",
+        {"--untimed", Group::checking, checking | of(Verb::emit_csp) | of(Verb::step), {}, "only the untimed semantics",
          [](Options& o, const std::string&) { o.times = Times::untimed; }},
         {"--core", Group::checking, checking | of(Verb::emit_csp), {},
          "also the core properties of every component; without it they are checked where the model has no assertions",
@@ -160,20 +162,20 @@ const std::vector<OptionRow>& option_table() {
         {"--types", Group::checking, of(Verb::cspm), {}, "print the type of every name and stop",
          [](Options& o, const std::string&) { o.types = true; }},
 
-        {"--const", Group::model, models | of(Verb::simulate),
+        {"--const", Group::model, models | of(Verb::step) | of(Verb::simulate),
          {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant the model leaves open",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
-        {"--range", Group::model, models, {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
+        {"--range", Group::model, models | of(Verb::step), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
          "carrier of nat, int or real; lengths of Seq, times of clock, elements of given",
          [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::validate) | of(Verb::simulate),
+        {"--allow", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::simulate),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
-        {"--deny-warnings", Group::model, models | of(Verb::validate) | of(Verb::simulate), {},
+        {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::simulate), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
         {"--component", Group::code, coding, {.kind = Kind::name, .name = "NAME"},

@@ -40,6 +40,7 @@ enum class Verb {
     init,
     lsp,
     simulate,
+    step,
     validate,
     help,
     version

@@ -19,6 +19,9 @@ struct LoadedScript {
     std::vector<cspm::NamedType> types;
 };
 
+/// The process as an assertion of the script: so it is read, and type checked as a process, where it will be evaluated.
+/// `origin`: what findings name as its text. Null, with diagnostics, where it cannot be.
+[[nodiscard]] cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin);
 void load_script(const std::string& path, LoadedScript& loaded);
 /// As text to standard error, or as JSON to standard output where that is what is asked for.
 void show_findings(const LoadedScript& loaded, const Options& options);

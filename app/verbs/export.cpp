@@ -18,17 +18,17 @@
 #include "checker/lts/graph.hpp"
 
 namespace robochart::app {
-namespace {
 
-/// The process as an assertion of the script: so it is read, and type checked as a process, where it will be evaluated.
-cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process) {
-    const auto source = loaded.sources.add("--export", "assert (" + process + "\n) :[divergence free]\n");
+cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
+    const auto source = loaded.sources.add(origin, "assert (" + process + "\n) :[divergence free]\n");
     cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
     if (!loaded.diagnostics.ok() || read.decls.size() != 1) return nullptr;
     loaded.script.decls.push_back(read.decls.front());
     loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
     return loaded.diagnostics.ok() ? read.decls.front() : nullptr;
 }
+
+namespace {
 
 /// The script's definitions without what it asks and prints.
 cspm::Script definitions(const cspm::Script& script) {
@@ -58,7 +58,7 @@ void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, cons
 
 Exit export_from(LoadedScript& loaded, const Options& options) {
     const std::string& format = options.exported[0];
-    const cspm::DeclPtr asked = asked_process(loaded, options.exported[1]);
+    const cspm::DeclPtr asked = asked_process(loaded, options.exported[1], "--export");
     if (!asked) {
         show_findings(loaded, options);
         return Exit::bad_input;

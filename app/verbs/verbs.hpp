@@ -15,6 +15,7 @@ Exit run_validate(const Options&);
 Exit run_format(const Options&);
 Exit run_init(const Options&);
 Exit run_simulate(const Options&);  ///< in the embedded world
+Exit run_step(const Options&);      ///< reads its commands from standard input
 Exit run_lsp();                     ///< serves an editor on stdin and stdout until it leaves
 
 /// Decides the model's assertions in the times asked for.

@@ -1,0 +1,442 @@
+// The verb `step`: a component, or a process of a script, animated by hand in the terminal. Commands are read from
+// standard input, a line each; docs/step.md has them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "app/command/option_table.hpp"
+#include "app/command/output.hpp"
+#include "app/command/pipeline.hpp"
+#include "app/command/run.hpp"
+#include "app/command/script.hpp"
+#include "app/report/structure_text.hpp"
+#include "app/verbs/step_files.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "diagnostics/splitmix64.hpp"
+#include "runs/stepper.hpp"
+#include "runs/text.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// Hidden steps that are taken in one go where nothing else can happen.
+constexpr std::size_t most_settled = 10'000;
+/// Steps that `until` looks for what it waits for.
+constexpr std::size_t most_until = 100'000;
+
+std::string place_of(const std::optional<runs::Place>& place) {
+    return place ? fmt::format("   {}:{}", place->file, place->line) : "";
+}
+
+std::string text_of(const runs::Offer& offer) {
+    std::string text = offer.happening.event.text;
+    if (offer.happening.event.kind == runs::Kind::input && offer.happening.event.via.find(" -> ") != std::string::npos)
+        text += fmt::format(" ({})", offer.happening.event.via);
+    for (const runs::Event& other : offer.happening.with) text += fmt::format("; {}: {}", other.component, other.text);
+    return text;
+}
+
+std::string text_of(const runs::Machine& machine) {
+    std::vector<std::string> values;
+    for (const runs::Variable& each : machine.variables)
+        if (each.kind != runs::VariableKind::constant && each.value)
+            values.push_back(fmt::format("{} = {}", each.name, *each.value));
+    return fmt::format("{}{}{}", machine.text, values.empty() ? "" : ", ", fmt::join(values, ", "));
+}
+
+/// A command of the terminal.
+struct Command {
+    const char* name;
+    const char* argument;
+    const char* help;
+};
+
+constexpr Command commands[] = {
+    {"N", "", "take the offer of this number"},
+    {"undo", "[N]", "go back one choice, or to step N of the way"},
+    {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first"},
+    {"random", "[N]", "take N offers by chance, one without N"},
+    {"until", "TEXT", "take offers by chance until a state, a value or an event with this text"},
+    {"why", "[TEXT]", "why transitions that leave active states are not on offer"},
+    {"find", "TEXT", "the offers with this text"},
+    {"way", "", "how it has come here"},
+    {"watch", "[NAME]", "show this variable alone; all without NAME"},
+    {"tree", "", "the structure of the process, its operators and components"},
+    {"internal", "", "stop at hidden steps too, or do not any more"},
+    {"save", "FILE", "write the way: FILE.trace a log, FILE.assertions an assertion that it stays possible"},
+    {"load", "FILE", "go the way of a log from the beginning"},
+    {"help", "", "this list"},
+    {"quit", "", "leave"},
+};
+
+class Console {
+public:
+    Console(runs::Stepper& stepper, const Options& options, Stepped stepped)
+        : stepper_(stepper), options_(options), stepped_(std::move(stepped)) {}
+
+    /// Until the input ends. The exit code: wrong commands of a file fail.
+    Exit run();
+
+private:
+    bool obey(const std::string& line);
+    bool take(const std::string& word);
+    void undo(const std::string& word);
+    void tock(const std::string& word);
+    void random(const std::string& word);
+    void until(const std::string& text);
+    void why(const std::string& text);
+    void find(const std::string& text);
+    void way();
+    void save(const std::string& path);
+    void load(const std::string& path);
+    void settle();
+    void show();
+    void wrong(const std::string& text);
+    [[nodiscard]] bool chance();
+    /// Since the way had so many steps.
+    [[nodiscard]] bool has(const std::string& text, std::size_t steps);
+    std::optional<std::size_t> number(const std::string& word, std::size_t otherwise);
+
+    runs::Stepper& stepper_;
+    const Options& options_;
+    Stepped stepped_;
+    std::vector<std::size_t> choices_;  ///< how long the way was in front of each
+    std::string watched_;
+    std::uint64_t chance_ = 1;  ///< state of the generator: the same choices in every run
+    bool internal_ = false;
+    bool failed_ = false;
+    bool person_ = isatty(STDIN_FILENO) == 1;
+};
+
+void Console::wrong(const std::string& text) {
+    print_error("{}\n", text);
+    failed_ = true;
+}
+
+std::optional<std::size_t> Console::number(const std::string& word, std::size_t otherwise) {
+    if (word.empty()) return otherwise;
+    std::size_t value = 0;
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (code == std::errc() && end == word.data() + word.size() && value <= 1'000'000) return value;
+    wrong(fmt::format("{}: a whole number is wanted, at most 1000000", word));
+    return std::nullopt;
+}
+
+void Console::settle() {
+    if (!internal_) stepper_.settle(most_settled);
+}
+
+void Console::show() {
+    std::string heading = stepped_.name;
+    if (stepped_.time == csp_emit::Time::timed) heading += fmt::format(", t={}", stepper_.time());
+    print("\n{}, step {}\n", heading, stepper_.way().size());
+    std::vector<runs::Machine> machines = stepper_.machines();
+    if (machines.empty())  // at the beginning they are behind the definitions of the compositions
+        for (const runs::Standing& each : stepper_.components())
+            if (!each.calls.empty()) machines.push_back(each.machine);
+    for (const runs::Machine& machine : machines) {
+        if (watched_.empty()) print("  {}: {}\n", machine.component, text_of(machine));
+        for (const runs::Variable& each : machine.variables)
+            if (each.name == watched_) print("  {}: {} = {}\n", machine.component, each.name, each.value.value_or("-"));
+    }
+    if (machines.empty())
+        print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.here()));
+    const std::vector<runs::Offer>& offers = stepper_.offers();
+    for (std::size_t i = 0; i < offers.size(); ++i)
+        print("{:>4}  {}{}{}\n", i + 1, offers[i].hidden ? "(hidden) " : "", text_of(offers[i]),
+              place_of(offers[i].happening.event.place));
+    if (offers.empty()) print("      nothing can happen any more\n");
+}
+
+bool Console::take(const std::string& word) {
+    std::size_t offer = 0;
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), offer);
+    if (code != std::errc() || end != word.data() + word.size()) return false;
+    if (offer < 1 || offer > stepper_.offers().size()) {
+        wrong(fmt::format("there is no offer {}", word));
+        return true;
+    }
+    choices_.push_back(stepper_.way().size());
+    stepper_.take(offer - 1);
+    settle();
+    show();
+    return true;
+}
+
+void Console::undo(const std::string& word) {
+    if (word.empty()) {
+        if (choices_.empty()) return wrong("there is no choice to go back from");
+        stepper_.back_to(choices_.back());
+        choices_.pop_back();
+        return show();
+    }
+    const auto steps = number(word, 0);
+    if (!steps) return;
+    if (*steps > stepper_.way().size()) return wrong(fmt::format("the way has only {} steps", stepper_.way().size()));
+    stepper_.back_to(*steps);
+    while (!choices_.empty() && choices_.back() >= *steps) choices_.pop_back();
+    show();
+}
+
+void Console::tock(const std::string& word) {
+    const auto units = number(word, 1);
+    for (std::size_t i = 0; units && i < *units; ++i) {
+        options_.run->budget().poll();
+        const std::vector<runs::Offer>& offers = stepper_.offers();
+        if (offers.empty() || offers.back().happening.event.kind != runs::Kind::tock) {
+            wrong("time cannot pass here");
+            break;
+        }
+        choices_.push_back(stepper_.way().size());
+        stepper_.take(offers.size() - 1);
+        settle();
+    }
+    show();
+}
+
+/// False where nothing can happen.
+bool Console::chance() {
+    options_.run->budget().poll();
+    const std::size_t offers = stepper_.offers().size();
+    if (offers == 0) return false;
+    choices_.push_back(stepper_.way().size());
+    stepper_.take(diagnostics::splitmix64(chance_) % offers);
+    settle();
+    return true;
+}
+
+void Console::random(const std::string& word) {
+    const auto steps = number(word, 1);
+    for (std::size_t i = 0; steps && i < *steps && chance(); ++i) {
+    }
+    show();
+}
+
+bool Console::has(const std::string& text, std::size_t steps) {
+    const std::vector<runs::Taken>& way = stepper_.way();
+    for (std::size_t i = steps; i < way.size(); ++i)
+        if (text_of(way[i].offer).find(text) != std::string::npos) return true;
+    for (const runs::Machine& machine : stepper_.machines())
+        if (text_of(machine).find(text) != std::string::npos) return true;
+    return false;
+}
+
+void Console::until(const std::string& text) {
+    if (text.empty()) return wrong("until what?");
+    std::size_t steps = 0;
+    bool goes_on = true;
+    std::size_t before = 0;
+    do {
+        before = stepper_.way().size();
+        goes_on = chance();
+    } while (goes_on && ++steps < most_until && !has(text, before));
+    if (!goes_on || steps == most_until) wrong(fmt::format("`{}` was not met in {} choices", text, steps));
+    show();
+}
+
+void Console::why(const std::string& text) {
+    std::size_t shown = 0;
+    for (const runs::Absence& each : stepper_.absences()) {
+        if (each.text.find(text) == std::string::npos) continue;
+        print("  {}: {}: {}{}\n", each.component, each.text, each.reason, place_of(each.place));
+        ++shown;
+    }
+    if (shown == 0)
+        print("  {}\n", text.empty() ? "every transition that leaves an active state is on offer"
+                                     : "no other transition that leaves an active state has this text");
+}
+
+void Console::find(const std::string& text) {
+    const std::vector<runs::Offer>& offers = stepper_.offers();
+    for (std::size_t i = 0; i < offers.size(); ++i)
+        if (text_of(offers[i]).find(text) != std::string::npos) print("{:>4}  {}\n", i + 1, text_of(offers[i]));
+}
+
+void Console::way() {
+    if (!stepped_.project) {
+        std::vector<std::string> names;
+        for (const runs::Taken& each : stepper_.way())
+            names.push_back(each.offer.hidden ? fmt::format("τ({})", each.offer.name) : each.offer.name);
+        return app::print_text(fmt::format("  <{}>\n", fmt::join(names, ", ")));
+    }
+    app::print_text(runs::text(stepper_.run(stepped_.time), "  "));
+}
+
+void Console::save(const std::string& path) {
+    const std::string error = save_way(stepper_, stepped_, path, *options_.run);
+    if (!error.empty()) return wrong(error);
+    print("{}\n", path);
+}
+
+void Console::load(const std::string& path) {
+    const Followed followed = follow_log(stepper_, stepped_, path, *options_.run);
+    choices_.clear();
+    if (!followed.error.empty()) wrong(followed.error);
+    settle();
+    show();
+}
+
+bool Console::obey(const std::string& line) {
+    std::istringstream words(line);
+    std::string name, rest;
+    words >> name;
+    std::getline(words >> std::ws, rest);
+    while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.back())) != 0) rest.pop_back();
+    if (name.empty() || take(name)) return true;
+    const auto is = [&](std::string_view whole) {  // any beginning of it
+        return name == whole || (name.size() < whole.size() && whole.starts_with(name));
+    };
+    if (is("quit")) return false;
+    if (is("undo") || is("back"))
+        undo(rest);
+    else if (is("tock"))
+        tock(rest);
+    else if (is("random"))
+        random(rest);
+    else if (name.size() > 2 && is("until"))
+        until(rest);
+    else if (is("why"))
+        why(rest);
+    else if (is("find"))
+        find(rest);
+    else if (name.size() > 2 && is("way"))
+        way();
+    else if (is("watch"))
+        watched_ = rest, show();
+    else if (is("tree"))
+        print("{}", structure_text(stepper_.structure(), stepper_.reader().context().session.event_table()));
+    else if (is("internal"))
+        internal_ = !internal_, settle(), show();
+    else if (is("save"))
+        save(rest);
+    else if (is("load"))
+        load(rest);
+    else if (is("help") || name == "?")
+        for (const Command& each : commands)
+            print("  {:<16} {}\n", fmt::format("{} {}", each.name, each.argument), each.help);
+    else {
+        std::vector<std::string> known;
+        for (const Command& each : commands) known.emplace_back(each.name);
+        wrong(fmt::format("there is no command '{}'{}; `help` lists them", name, did_you_mean(name, known)));
+    }
+    return true;
+}
+
+Exit Console::run() {
+    settle();
+    show();
+    for (std::string line;;) {
+        if (person_) print("> ");
+        finish_output();
+        if (!std::getline(std::cin, line)) break;
+        options_.run->budget().poll();
+        if (!obey(line)) break;
+    }
+    return failed_ && !person_ ? Exit::failed : Exit::success;
+}
+
+/// The components that can be animated, each with its part.
+using Candidates = std::vector<std::pair<Project*, ir::ComponentRef>>;
+
+Candidates candidates(const std::vector<Part>& parts, const std::string& wanted) {
+    Candidates result;
+    for (const Part& part : parts)
+        if (part.project->diagnostics.ok() && !part.again)
+            for (const ir::ComponentRef& each : code_components(part.project->system, wanted))
+                result.emplace_back(part.project.get(), each);
+    return result;
+}
+
+/// The one that is meant. Throws UsageError where that is none, or several.
+std::pair<Project*, ir::ComponentRef> meant(const std::vector<Part>& parts, const std::string& wanted) {
+    const Candidates found = candidates(parts, wanted);
+    if (found.size() == 1) return found.front();
+    std::vector<std::string> names;
+    for (const auto& [project, component] : found.empty() ? candidates(parts, "") : found)
+        names.push_back(ir::qualified(component));
+    std::vector<std::string> known = names;  // with and without packages
+    for (const std::string& name : names) known.push_back(name.substr(name.rfind(':') + 1));
+    if (found.empty())
+        throw UsageError(fmt::format("the model has no component '{}'{}; it has {}", wanted,
+                                     did_you_mean(wanted, known), fmt::join(names, ", ")));
+    throw UsageError(fmt::format("which component? {}", fmt::join(names, ", ")));
+}
+
+Exit step_component(const Options& options) {
+    Options model = options;
+    model.inputs.resize(1);
+    const std::vector<Part> parts = load_parts(model);
+    for (const Part& part : parts)
+        if (!show_diagnostics(*part.project, options)) return refusal(*part.project);
+    const auto [project, component] = meant(parts, options.inputs.size() > 1 ? options.inputs[1] : "");
+    const csp_emit::Time time = options.times == Times::untimed ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    const csp_emit::Emission& emission = emit_csp(*project, options, time);
+    if (!project->diagnostics.ok()) {
+        show_findings(*project, options);
+        return refusal(*project);
+    }
+    const std::string name = ir::qualified(component);
+    const auto process = std::find_if(emission.components.begin(), emission.components.end(),
+                                      [&](const csp_emit::ComponentProcesses& each) { return each.path == name; });
+    if (process == emission.components.end()) throw UsageError(fmt::format("{} has no process of its own", name));
+    cspm::Session session(emission.script, &options.run->budget());
+    const runs::Context context{emission.provenance, project->system, project->instantiation, project->sources,
+                                session};
+    runs::StepReader reader(context);
+    runs::Stepper stepper(reader, session.process(process->process));
+    return Console(stepper, options, {name, options.inputs.front(), project, time}).run();
+}
+
+Exit step_script(const Options& options) {
+    if (options.inputs.size() < 2) throw UsageError("which process of the script? `step FILE.csp PROCESS`");
+    LoadedScript loaded;
+    loaded.diagnostics.within(&options.run->budget());
+    load_script(options.inputs.front(), loaded);
+    const cspm::DeclPtr asked =
+        loaded.diagnostics.ok() ? asked_process(loaded, options.inputs[1], options.inputs[1]) : nullptr;
+    if (!asked) {
+        show_findings(loaded, options);
+        return Exit::bad_input;
+    }
+    cspm::Session session(loaded.script, &options.run->budget());
+    const csp_emit::Provenance nothing;
+    const ir::System no_system;
+    const ir::Instantiation no_instantiation;
+    const runs::Context context{nothing, no_system, no_instantiation, loaded.sources, session};
+    runs::StepReader reader(context);
+    runs::Stepper stepper(reader, session.process(asked->assertion.specification));
+    return Console(stepper, options, {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed})
+        .run();
+}
+
+}  // namespace
+
+Exit run_step(const Options& options) {
+    if (options.inputs.size() > 2) throw UsageError("step takes a model and a component, or a script and a process");
+    options.run->last_word([](const std::string& why) {
+        print_error("robochart-verify: {}\n", why);
+        return Exit::inconclusive;
+    });
+    const std::string extension = std::filesystem::path(options.inputs.front()).extension().string();
+    const bool script = extension == ".csp" || extension == ".cspm" || extension == ".fdr3";
+    try {
+        return script ? step_script(options) : step_component(options);
+    } catch (const cspm::EvaluationError& error) {
+        print_error("robochart-verify: {}\n", error.what());
+    } catch (const process::SemanticsError& error) {
+        print_error("robochart-verify: {}\n", error.what());
+    }
+    return Exit::bad_input;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,160 @@
+// See stepper.hpp.
+#include "runs/stepper.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "runs/interpreter.hpp"
+#include "runs/timeline.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::runs {
+
+std::int64_t Stepper::time() const {
+    return std::count_if(way_.begin(), way_.end(),
+                         [](const Taken& each) { return each.offer.happening.event.kind == Kind::tock; });
+}
+
+std::vector<Offer> Stepper::offers_at(process::TermId state) const {
+    std::vector<Offer> found;
+    for (const process::Transition& step : reader_.context().session.transitions(state))
+        found.push_back({step, reader_.happens(state, step), reader_.name_of(step.event, step.revealed),
+                         step.event == process::tau});
+    std::stable_partition(found.begin(), found.end(),
+                          [](const Offer& each) { return each.happening.event.kind != Kind::tock; });
+    return found;
+}
+
+const std::vector<Offer>& Stepper::offers() {
+    if (!offers_) offers_ = offers_at(here_);
+    return *offers_;
+}
+
+void Stepper::take(std::size_t offer) {
+    way_.push_back({here_, offers().at(offer)});
+    here_ = way_.back().offer.step.target;
+    offers_.reset();
+}
+
+void Stepper::back_to(std::size_t steps) {
+    if (steps >= way_.size()) return;
+    here_ = way_[steps].before;
+    way_.resize(steps);
+    offers_.reset();
+}
+
+std::size_t Stepper::settle(std::size_t most) {
+    std::set<process::TermId> met{here_};
+    std::size_t taken = 0;
+    while (taken < most && offers().size() == 1 && offers().front().hidden) {
+        take(0);
+        ++taken;
+        if (!met.insert(here_).second) break;
+    }
+    return taken;
+}
+
+std::vector<Standing> Stepper::components() {
+    std::vector<Standing> result;
+    const auto whole = structure();
+    if (!whole) return result;
+    for (const auto& leaf : timeline(*whole, 0).initial) {
+        if (!leaf) continue;
+        Standing one{*leaf, reader_.calls_of(*leaf), {}};
+        std::vector<Machine> machines = reader_.machines_of({one.calls});
+        if (!machines.empty()) one.machine = std::move(machines.front());
+        result.push_back(std::move(one));
+    }
+    // Where the whole is read, what is kept beside a machine has been added to it.
+    for (Machine& machine : machines())
+        for (Standing& each : result)
+            if (each.machine.component == machine.component) each.machine = machine;
+    return result;
+}
+
+std::set<std::string> Stepper::offered_elements() {
+    std::set<std::string> result;
+    for (const Offer& offer : offers())
+        for (const ComponentStep& step : reader_.taken_apart(here_, offer.step))
+            for (const Call& before : step.before)
+                for (const std::string& element : reader_.meanings().elements(step.name, before, step.after))
+                    result.insert(before.definition->component + " " + element);
+    return result;
+}
+
+/// What the component would do on its own.
+std::set<std::string> Stepper::ready_elements(const Standing& standing) {
+    std::set<std::string> result;
+    process::TermStore& terms = reader_.context().session.terms();
+    for (const process::Transition& step : reader_.context().session.transitions(standing.term))
+        for (const Call& before : standing.calls)
+            for (const std::string& element :
+                 reader_.meanings().elements(reader_.name_of(step.event, step.revealed), before,
+                                             reader_.meanings().calls(process::describe(terms, step.target))))
+                result.insert(element);
+    return result;
+}
+
+std::string Stepper::reason(const ir::Transition& transition, const Standing& standing, bool ready) const {
+    if (ready) return "the machine is ready for it, but its surroundings do not take part or something comes first";
+    if (!standing.machine.text.starts_with("in ")) return "the machine is not at rest: " + standing.machine.text;
+    if (!transition.guard) return "something else comes first";
+    const diagnostics::Span span = transition.guard->span;
+    std::string text;
+    if (span.known()) text = reader_.context().sources.text(span.source).substr(span.begin, span.end - span.begin);
+    std::vector<std::string> values;
+    for (const Variable& each : standing.machine.variables)
+        if (each.value && each.kind != VariableKind::countdown && text.find(each.name) != std::string::npos)
+            values.push_back(each.name + " = " + *each.value);
+    return fmt::format("its condition{} does not hold{}", text.empty() ? "" : " `" + text + "`",
+                       values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
+}
+
+std::vector<Absence> Stepper::absences() {
+    std::vector<Absence> result;
+    const std::set<std::string> offered = offered_elements();
+    for (const Standing& standing : components()) {
+        const std::vector<std::string>& active = standing.machine.active;
+        std::optional<std::set<std::string>> ready;
+        for (const ir::Machine& machine : reader_.context().system.machines) {
+            for (const ir::Transition& each : machine.transitions) {
+                const std::string& source = machine.nodes[each.source.index].origin.element;
+                if (std::find(active.begin(), active.end(), source) == active.end()) continue;
+                if (offered.contains(standing.machine.component + " " + each.origin.element)) continue;
+                if (!ready) ready = ready_elements(standing);
+                result.push_back({standing.machine.component, ir::text_of(machine, each),
+                                  reason(each, standing, ready->contains(each.origin.element)),
+                                  reader_.meanings().place(each.origin.span)});
+            }
+        }
+    }
+    return result;
+}
+
+std::optional<process::Behaviour> Stepper::structure() const {
+    refine::Counterexample nothing;
+    nothing.terms = {here_};
+    return reader_.context().session.behaviour(nothing);
+}
+
+Run Stepper::run(csp_emit::Time time) const {
+    refine::Counterexample way;
+    way.kind = refine::ViolationKind::no_trace;
+    process::TermStore& terms = reader_.context().session.terms();
+    way.initial = process::describe(terms, initial_);
+    way.terms = {initial_};
+    for (const Taken& each : way_) {
+        const process::Transition& step = each.offer.step;
+        way.steps.push_back({step.event, step.revealed, process::describe(terms, step.target)});
+        way.terms.push_back(step.target);
+    }
+    csp_emit::Obligation none;
+    none.time = time;
+    Run result = interpret(reader_.context(), none, way);
+    result.end.why.clear();
+    return result;
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,232 @@
+// Walks by chance: what the stepper offers is what the compiled process, which verdicts are about, can do.
+#include "runs/stepper.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "diagnostics/splitmix64.hpp"
+#include "tests/csp_emit/fixture.hpp"
+#include "tests/random_models/models/well_formed.hpp"
+#include "tests/rounds.hpp"
+#include "tests/source_folder.hpp"
+
+namespace robochart::runs {
+namespace {
+
+using csp_emit::Time;
+using csp_emit::testing::Model;
+using lts::Word;
+
+/// A component that is being animated, with all that this needs.
+struct Animation {
+    Animation(std::unique_ptr<Model> read, Time time, const std::string& path)
+        : model(std::move(read)), emission(model->emit(time)), session(emission.script) {
+        for (const csp_emit::ComponentProcesses& each : emission.components)
+            if (each.path == path || path.empty()) process = each.process;
+        stepper.emplace(reader, session.process(process));
+    }
+
+    std::unique_ptr<Model> model;
+    csp_emit::Emission emission;
+    cspm::Session session;
+    Context context{emission.provenance, model->system, model->instantiation, model->sources, session};
+    StepReader reader{context};
+    cspm::ExprPtr process;
+    std::optional<Stepper> stepper;
+};
+
+/// The states of the compiled process that the way may have led to: the same events may lead to several.
+class Shadow {
+public:
+    explicit Shadow(lts::TransitionSystem& system) : system_(&system) {
+        std::vector<Word> first(system.width());
+        system.initial(first);
+        states_ = {first};
+    }
+
+    using Names = std::multimap<std::string, std::vector<Word>>;
+
+    [[nodiscard]] Names steps(const std::vector<Word>& state) {
+        struct Sink : lts::SuccessorSink {
+            Names found;
+            const lts::EventTable* events = nullptr;
+            void add(lts::Event event, lts::StateView target, lts::Event) override {
+                found.insert({events->name(event), {target.begin(), target.end()}});
+            }
+        } sink;
+        sink.events = &system_->events();
+        system_->successors(state, sink);
+        return std::move(sink.found);
+    }
+
+    /// Keeps the states that offer just this; false if there is none. Steps of one name may be fewer: the compiler
+    /// takes states that behave alike for one.
+    [[nodiscard]] bool offers(const std::set<std::string>& names) {
+        std::erase_if(states_, [&](const std::vector<Word>& state) {
+            std::set<std::string> own;
+            for (const auto& [name, target] : steps(state)) own.insert(name);
+            return own != names;
+        });
+        return !states_.empty();
+    }
+    void take(const std::string& name) {
+        std::set<std::vector<Word>> next;
+        for (const std::vector<Word>& state : states_) {
+            const Names all = steps(state);
+            const auto [begin, end] = all.equal_range(name);
+            for (auto at = begin; at != end; ++at) next.insert(at->second);
+        }
+        states_.assign(next.begin(), next.end());
+    }
+
+private:
+    lts::TransitionSystem* system_;
+    std::vector<std::vector<Word>> states_;
+};
+
+/// The name that the environment knows. Hidden events have one: the compiler takes states that behave alike for one,
+/// whatever their hidden events are.
+std::string visible(const Offer& offer) {
+    return offer.hidden ? "τ" : offer.name;
+}
+
+/// How many steps of the walk agreed; a failure where one does not.
+std::size_t walk(Animation& animation, std::size_t steps, std::uint64_t seed) {
+    const auto system = animation.session.system(animation.process);
+    Shadow shadow(*system);
+    Stepper& stepper = *animation.stepper;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const std::vector<Offer>& offers = stepper.offers();
+        std::set<std::string> names;
+        for (const Offer& each : offers) names.insert(visible(each));
+        if (!shadow.offers(names)) {
+            ADD_FAILURE() << "step " << i << ": no state of the compiled process offers the same";
+            return i;
+        }
+        if (offers.empty()) {
+            stepper.back_to(0);
+            shadow = Shadow(*system);
+            continue;
+        }
+        const std::size_t chosen = diagnostics::splitmix64(seed) % offers.size();
+        shadow.take(visible(offers[chosen]));
+        stepper.take(chosen);
+    }
+    return steps;
+}
+
+TEST(Stepper, OffersWhatTheCompiledCaseStudiesCanDo) {
+    for (const Time time : {Time::untimed, Time::timed})
+        for (const std::string study : {"aggregation", "swarm_taxis"}) {
+            Animation animation(csp_emit::testing::project((tests::source_folder() / "corpus").string() + "/" + study),
+                                time, "");
+            const std::size_t steps = study == "aggregation" ? 10'000 : 2500;
+            EXPECT_EQ(walk(animation, steps, 1), steps) << study;
+        }
+}
+
+TEST(Stepper, OffersWhatCompiledRandomModelsCanDo) {
+    for (std::uint64_t seed = 0; seed < tests::rounds(20); ++seed)
+        for (const Time time : {Time::untimed, Time::timed}) {
+            SCOPED_TRACE("seed " + std::to_string(seed));
+            std::vector<std::pair<std::string, std::string>> texts;
+            for (const auto& each : random_models::well_formed(seed, random_models::Shape::timed_core()))
+                texts.emplace_back(each.path, each.text);
+            Animation animation(csp_emit::testing::model_of(texts), time, "");
+            (void)walk(animation, 500, seed);
+        }
+}
+
+const char* const lamp = R"(stm S { event e : nat event f initial i var x : nat clock T
+state Off { } state On { entry #T; wait(2) }
+transition t0 { from i to Off }
+transition t1 { from Off to On trigger e?x condition x > 0 }
+transition t2 { from On to Off trigger f condition since(T) >= 3 } })";
+
+/// The offer with this text.
+std::size_t offer(Stepper& stepper, const std::string& text) {
+    const auto& offers = stepper.offers();
+    for (std::size_t i = 0; i < offers.size(); ++i)
+        if (offers[i].happening.event.text.find(text) != std::string::npos) return i;
+    ADD_FAILURE() << "no offer " << text;
+    return 0;
+}
+
+TEST(Stepper, GoesAndComesBack) {
+    Animation animation(csp_emit::testing::model(lamp), Time::timed, "S");
+    Stepper& stepper = *animation.stepper;
+    stepper.settle(100);
+    const process::TermId rest = stepper.here();
+    const std::size_t steps = stepper.way().size();
+    ASSERT_EQ(stepper.machines().size(), 1U);
+    EXPECT_EQ(stepper.machines().front().text, "in Off");
+    EXPECT_EQ(stepper.offers().back().happening.event.kind, Kind::tock) << "time comes last";
+    stepper.take(offer(stepper, "input e with 2"));
+    EXPECT_NE(stepper.here(), rest);
+    stepper.back_to(steps);
+    EXPECT_EQ(stepper.here(), rest);
+    EXPECT_EQ(stepper.way().size(), steps);
+    stepper.back_to(0);
+    EXPECT_TRUE(stepper.way().empty());
+    EXPECT_EQ(stepper.time(), 0);
+}
+
+TEST(Stepper, SaysWhyATransitionIsNotOnOffer) {
+    Animation animation(csp_emit::testing::model(lamp), Time::timed, "S");
+    Stepper& stepper = *animation.stepper;
+    stepper.settle(100);
+    EXPECT_TRUE(stepper.absences().empty());
+    stepper.take(offer(stepper, "input e with 2"));
+    stepper.settle(100);
+    ASSERT_EQ(stepper.absences().size(), 1U);
+    EXPECT_THAT(stepper.absences().front().reason,
+                ::testing::HasSubstr("the machine is not at rest: entry action of On"));
+    while (stepper.machines().front().text != "in On") {
+        stepper.take(stepper.offers().size() - 1);
+        stepper.settle(100);
+    }
+    EXPECT_EQ(stepper.time(), 2);
+    ASSERT_EQ(stepper.absences().size(), 1U);
+    EXPECT_EQ(stepper.absences().front().text, "t2: On -> Off");
+    EXPECT_EQ(stepper.absences().front().reason, "its condition `since(T) >= 3` does not hold (since(T) = 2)");
+    stepper.take(stepper.offers().size() - 1);
+    EXPECT_TRUE(stepper.absences().empty()) << "three units after the reset";
+}
+
+// `Silent` would send, and the controller connects nothing that receives.
+TEST(Stepper, KnowsWhereTheSurroundingsDoNotTakePart) {
+    Animation animation(csp_emit::testing::model(R"(
+stm A { event e initial i state S { } state T { } transition t0 { from i to S } transition t1 { from S to T trigger e } }
+stm B { event e initial i state S { entry wait(5); send e } transition t0 { from i to S } }
+controller C { sref a = A sref b = B connection b on e to a on e })"),
+                        Time::timed, "C");
+    Stepper& stepper = *animation.stepper;
+    for (int i = 0; i < 20 && (stepper.machines().empty() || stepper.time() < 1); ++i) stepper.take(0);
+    const auto absences = stepper.absences();
+    ASSERT_EQ(absences.size(), 1U);
+    EXPECT_EQ(absences.front().text, "t1: S -> T");
+    EXPECT_THAT(absences.front().reason, ::testing::HasSubstr("its surroundings do not take part"));
+}
+
+TEST(Stepper, MakesARunOfTheWay) {
+    Animation animation(csp_emit::testing::model(lamp), Time::timed, "S");
+    Stepper& stepper = *animation.stepper;
+    stepper.settle(100);
+    stepper.take(offer(stepper, "input e with 1"));
+    stepper.settle(100);
+    stepper.take(offer(stepper, "time unit"));
+    const runs::Run run = stepper.run(Time::timed);
+    EXPECT_EQ(run.time, 1);
+    ASSERT_GE(run.steps.size(), 3U);
+    EXPECT_TRUE(run.end.why.empty());
+    const bool received = std::any_of(run.steps.begin(), run.steps.end(),
+                                      [](const Step& step) { return step.event.text == "input e with 1"; });
+    EXPECT_TRUE(received);
+}
+
+}  // namespace
+}  // namespace robochart::runs
