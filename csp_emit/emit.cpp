@@ -10,6 +10,7 @@
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/script_library.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/block_claims.hpp"
 #include "csp_emit/compose/controller.hpp"
 #include "csp_emit/compose/instantiations.hpp"
 #include "csp_emit/compose/module.hpp"
@@ -283,6 +284,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     for (std::size_t i = 0; i < files.size(); ++i)
         append(result.script.decls,
                cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
+    DeclsOfFiles decls_of_files;
+    for (const FileBlocks& file : files) decls_of_files[file.file] = file.others;
+    check_block_claims(project, decls_of_files, emitted.provenance);
     result.obligations = obligations(project, names, emitted);
     if (options.core_properties)
         for (Obligation& each : core_properties(project, names, emitted)) result.obligations.push_back(std::move(each));

@@ -356,7 +356,10 @@ std::string Interpreter::why() const {
                                       : cause.text);
             if (!reasons.empty()) return fmt::format("time cannot pass: {}", fmt::join(reasons, ", and "));
             std::vector<std::string> alternatives;
-            for (const auto& each : end.required) alternatives.push_back(list(each));
+            for (const auto& each : end.required)
+                alternatives.push_back(each.size() < 2    ? list(each)
+                                       : each.size() == 2 ? fmt::format("both of {}", list(each))
+                                                          : fmt::format("all of {}", list(each)));
             return fmt::format("it offers {}, and must offer at least {}", list(end.offered),
                                fmt::join(alternatives, ", or "));
         }
@@ -400,7 +403,10 @@ void Interpreter::read_end() {
     End& end = run_.end;
     end.kind = end_kind();
     end.offered = offered_at_the_end();
-    if (counterexample_.kind == ViolationKind::trace && !run_.steps.empty()) end.event = run_.steps.back().event;
+    // Steps inside compressed processes behind it are not the offending one.
+    const auto last =
+        std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& each) { return each.count > 0; });
+    if (counterexample_.kind == ViolationKind::trace && last != run_.steps.rend()) end.event = last->event;
     if (counterexample_.kind == ViolationKind::nondeterminism && counterexample_.event)
         end.event = reader_.meanings().event(name(*counterexample_.event));
     if (counterexample_.kind == ViolationKind::trace && !counterexample_.required.empty())

@@ -21,6 +21,7 @@
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "csp_emit/base/rules.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "diagnostics/spelling.hpp"
@@ -449,9 +450,17 @@ std::string refused_document(const Project& project, Format format) {
 
 void show_findings(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
-    if (options.quiet && good) return;
     diagnostics::TextStyle style;
     style.color = color_wanted(options.color, STDERR_FILENO);
+    if (options.quiet && good) {
+        // Verdicts about a model whose numbers are not in it are not let stand without a word.
+        diagnostics::Diagnostics kept;
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+            if (each.rule == &ir::rules::literal_outside_range || each.rule == &csp_emit::rules::inputs_hidden)
+                kept.report(*each.rule, each.span, each.arguments);
+        if (kept.warnings() > 0) print_error_styled(diagnostics::render_text(project.sources, kept, style));
+        return;
+    }
     print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
     if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
 }

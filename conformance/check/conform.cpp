@@ -2,6 +2,7 @@
 #include "conformance/check/conform.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -17,6 +18,7 @@
 #include "conformance/model/cyclic_model.hpp"
 #include "conformance/model/normal_form.hpp"
 #include "conformance/model/normal_form_system.hpp"
+#include "conformance/model/provenance_text.hpp"
 #include "conformance/model/representatives.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
@@ -149,6 +151,18 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
     result.reason = std::move(reason);
 }
 
+/// Where the model is, behind ", at ", by its elements instead of the definitions of the script.
+void say_place(std::optional<Aside>& aside, const csp_emit::Provenance& provenance,
+               const diagnostics::SourceManager& sources) {
+    constexpr std::string_view mark = ", at ";
+    const std::size_t at = aside ? aside->reason.find(mark) : std::string::npos;
+    if (at == std::string::npos) return;
+    const std::vector<std::string> elements =
+        elements_of_state(aside->reason.substr(at + mark.size()), provenance, sources);
+    if (!elements.empty())
+        aside->reason = fmt::format("{}, {}", aside->reason.substr(0, at), fmt::join(elements, "; "));
+}
+
 /// `sources`: where the model was read from; null: outcomes that are the model's are not explained in its words.
 Result judged(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
               const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
@@ -161,9 +175,12 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
         cspm::Session session(script.definitions);
         Result result = checked(session, process, interface, code, options, places);
         const Alphabet alphabet(interface, session.event_table());
-        if (sources != nullptr)
+        if (sources != nullptr) {
+            say_place(result.register_cycles, script.provenance, *sources);
+            say_place(result.deadlines, script.provenance, *sources);
             explain_standstill(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
                                options);
+        }
         decide_for_all(result, session, process, alphabet, represented, options);
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);

@@ -50,6 +50,15 @@ const Rule constant_without_use{
     "A constant or parameter that an assertion sets counts for the components that have it: where the value is "
     "declared, or where it is provided to what requires it. Here neither side of the assertion takes it, so the "
     "assertion is decided as if the clause were not there."};
+const Rule block_without_process{
+    "RC-C11", Severity::error, "assertion {0} is about the csp block {1}, which defines no process {1}",
+    "An assertion names a block, and the script has what the block defines: so a block that an assertion names defines "
+    "a process of its own name. It may define others beside it."};
+const Rule inputs_hidden{
+    "RC-C12", Severity::warning, "assertion {} compares what {} refuses, but there inputs are hidden: {}",
+    "A hidden event happens by itself, without anybody who sends it. A state that can do one is unstable and refuses "
+    "nothing, so the claim demands nothing of it, and may hold where the model is wrong. Hide only calls, outputs and "
+    "writes; leave inputs visible, and let the specification say what it thinks of them."};
 const Rule probabilistic_choice{
     "RC-C21", Severity::note, "probabilistic junction {} counts as a free choice: CSP has no probabilities",
     "Every transition that leaves the junction may be taken, whatever its probability, as at a junction whose "
@@ -57,10 +66,10 @@ const Rule probabilistic_choice{
     "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 10> table{
-        &unsupported,      &recursive_call,          &missing_in_caller,    &reserved_name,
-        &too_many_points,  &instantiations_replaced, &constant_without_use, &name_of_another,
-        &one_name_for_two, &probabilistic_choice};
+    static constexpr std::array<const Rule*, 12> table{
+        &unsupported,      &recursive_call,          &missing_in_caller,     &reserved_name,
+        &too_many_points,  &instantiations_replaced, &constant_without_use,  &name_of_another,
+        &one_name_for_two, &probabilistic_choice,    &block_without_process, &inputs_hidden};
     return table;
 }
 

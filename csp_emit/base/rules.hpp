@@ -17,6 +17,8 @@ extern const diagnostics::Rule constant_without_use;     // RC-C08
 extern const diagnostics::Rule name_of_another;          // RC-C09
 extern const diagnostics::Rule one_name_for_two;         // RC-C10
 extern const diagnostics::Rule probabilistic_choice;     // RC-C21
+extern const diagnostics::Rule block_without_process;    // RC-C11
+extern const diagnostics::Rule inputs_hidden;            // RC-C12
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -77,15 +78,24 @@ Json trials_json(const RunResult& result) {
 
 std::string value_text(const Scenario& scenario, const Band& band, double value) {
     if (std::isnan(value)) return "never";
-    switch (dimension_of(scenario, band)) {
+    const Dimension dimension = dimension_of(scenario, band);
+    const double factor = dimension == Dimension::share ? 100 : 1;
+    const auto inside = [&](double each) { return band.low <= each && each <= band.high; };
+    // A value outside is not rounded to one inside.
+    constexpr int most_digits = 15;
+    int digits = 1;
+    std::string number = fmt::format("{:.{}f}", factor * value, digits);
+    while (digits < most_digits && !inside(value) && inside(std::strtod(number.c_str(), nullptr) / factor))
+        number = fmt::format("{:.{}f}", factor * value, ++digits);
+    switch (dimension) {
         case Dimension::time:
-            return fmt::format("{:.1f} s", value);
+            return number + " s";
         case Dimension::share:
-            return fmt::format("{:.1f} %", 100 * value);
+            return number + " %";
         case Dimension::length:
-            return fmt::format("{:.1f} cm", value);
+            return number + " cm";
         default:
-            return fmt::format("{:.1f}", value);
+            return number;
     }
 }
 

@@ -212,6 +212,22 @@ TypeId ExpressionTypes::lambda(const Term& term) {
     return store_.make(TypeKind::function, types);
 }
 
+namespace {
+
+/// " (id__, x)": how a function's parameters are called, where its first equation names them all.
+std::string parameters_text(const Symbol* function) {
+    if (function == nullptr || function->owner == nullptr || function->owner->equations.empty()) return "";
+    const auto& groups = function->owner->equations.front().groups;
+    std::vector<std::string> names;
+    for (const PatternTerm& each : groups.empty() ? std::vector<PatternTerm>{} : groups.front()) {
+        if (each.syntax == nullptr || each.syntax->kind != PatternKind::name) return "";
+        names.push_back(each.syntax->text);
+    }
+    return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
+}
+
+}  // namespace
+
 TypeId ExpressionTypes::application(const Term& term) {
     const Term& function = *term.args[0];
     const std::size_t count = term.args.size() - 1;
@@ -225,7 +241,8 @@ TypeId ExpressionTypes::application(const Term& term) {
             const std::string subject =
                 inner(function).symbol != nullptr ? "'" + inner(function).symbol->name + "'" : "this function";
             throw TypeFault{&rules::wrong_arity,
-                            {subject, arguments_text(wanted.size() - 1), arguments_text(count)},
+                            {subject, arguments_text(wanted.size() - 1) + parameters_text(inner(function).symbol),
+                             arguments_text(count)},
                             {},
                             term.syntax->span};
         }

@@ -1,0 +1,156 @@
+// See block_claims.hpp. Definitions are followed by their names, whatever their arguments: what a set may hold counts.
+#include "csp_emit/block_claims.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "checker/cspm/syntax/lookup.hpp"
+#include "csp_emit/base/rules.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using cspm::DeclPtr;
+using cspm::ExprKind;
+using cspm::ExprPtr;
+
+void each_part(const cspm::Expr& expr, const std::function<void(const ExprPtr&)>& visit) {
+    for (const ExprPtr& each : expr.args) visit(each);
+    for (const cspm::Field& each : expr.fields)
+        if (each.value) visit(each.value);
+    for (const cspm::Clause& each : expr.clauses) visit(each.value);
+    for (const cspm::Link& each : expr.links) {
+        visit(each.from);
+        visit(each.to);
+    }
+    for (const DeclPtr& each : expr.decls)
+        if (each->body) visit(each->body);
+}
+
+/// One claim about a process of a block.
+class Claim {
+public:
+    Claim(const std::vector<DeclPtr>& decls, const Provenance& provenance) : provenance_(provenance) { declare(decls); }
+
+    [[nodiscard]] bool defines(const std::string& name) const { return declared_.contains(name); }
+    /// The inputs that the process hides, as it names them.
+    [[nodiscard]] std::set<std::string> hidden_inputs(const std::string& process) {
+        follow_name(process);
+        return std::move(hidden_);
+    }
+
+private:
+    /// What is in timed sections is in the scope around them.
+    void declare(const std::vector<DeclPtr>& decls) {
+        for (const DeclPtr& decl : decls) {
+            if (decl->kind == cspm::DeclKind::timed) declare(decl->decls);
+            for (const std::string& name : cspm::declared_names(*decl)) declared_[name].push_back(decl);
+        }
+    }
+    void follow_name(const std::string& name) {
+        if (!followed_.insert(name).second) return;
+        if (const auto found = declared_.find(name); found != declared_.end())
+            for (const DeclPtr& decl : found->second)
+                if (decl->body) follow(decl->body);
+    }
+    void follow(const ExprPtr& expr) {
+        if (!expr) return;
+        if (expr->kind == ExprKind::name) follow_name(expr->text);
+        if (expr->kind == ExprKind::hide && expr->args.size() == 2) hide(expr->args[1]);
+        if (expr->kind == ExprKind::project && expr->args.size() == 2) project(expr->args[0], expr->args[1]);
+        each_part(*expr, [&](const ExprPtr& part) { follow(part); });
+    }
+
+    /// The names in an expression, and in what these names stand for. An event `e.out` is not all of `e`.
+    void names(const ExprPtr& expr, std::set<std::string>& result) const {
+        if (!expr) return;
+        if (expr->kind == ExprKind::dot && expr->args.size() > 1 && expr->args[0]->kind == ExprKind::name &&
+            expr->args[1]->kind == ExprKind::name) {
+            result.insert(expr->args[0]->text + "." + expr->args[1]->text);
+            return;
+        }
+        if (expr->kind == ExprKind::name && result.insert(expr->text).second)
+            if (const auto found = declared_.find(expr->text); found != declared_.end())
+                for (const DeclPtr& decl : found->second) names(decl->body, result);
+        each_part(*expr, [&](const ExprPtr& part) { names(part, result); });
+    }
+
+    /// What the environment decides: events received, variables written from outside.
+    [[nodiscard]] static bool decided_outside(MeaningKind kind) {
+        return kind == MeaningKind::trigger || kind == MeaningKind::external_write;
+    }
+    [[nodiscard]] bool is_input(const std::string& event) const {
+        const auto found = provenance_.events.find(event);
+        return found != provenance_.events.end() && decided_outside(found->second.kind);
+    }
+
+    void hide(const ExprPtr& set) {
+        std::set<std::string> all;
+        names(set, all);
+        for (const std::string& name : all)
+            if (is_input(name) || is_input(name + ".in")) hidden_.insert(name);
+    }
+    /// All inputs of the components that the process is made of, but those of the set.
+    void project(const ExprPtr& process, const ExprPtr& set) {
+        std::set<std::string> kept, inside;
+        names(set, kept);
+        names(process, inside);
+        for (const std::string& name : inside) {
+            const std::size_t end = name.rfind("::");
+            if (end == std::string::npos || !name.ends_with("__")) continue;
+            const std::string prefix = name.substr(0, end + 2);
+            const auto& events = provenance_.events;
+            for (auto at = events.lower_bound(prefix); at != events.end() && at->first.starts_with(prefix); ++at) {
+                const std::string& event = at->first;
+                if (!decided_outside(at->second.kind) || event.find("::", prefix.size()) != std::string::npos) continue;
+                if (!kept.contains(event) && !kept.contains(event.substr(0, event.find('.', prefix.size()))))
+                    hidden_.insert(event);
+            }
+        }
+    }
+
+    const Provenance& provenance_;
+    std::map<std::string, std::vector<DeclPtr>> declared_;
+    std::set<std::string> followed_, hidden_;
+};
+
+bool with_refusals(const ir::Property& property) {
+    const bool compared = property.kind == ir::PropertyKind::refines || property.kind == ir::PropertyKind::equals;
+    return compared && property.model != ir::PropertyModel::traces;
+}
+
+}  // namespace
+
+void check_block_claims(const Project& project, const DeclsOfFiles& files, const Provenance& provenance) {
+    std::set<std::string> reported;
+    for (const ir::Property& property : project.system.properties) {
+        const bool both = property.timed && property.untimed;
+        if (project.timed() ? !property.timed || both : !property.untimed) continue;
+        for (const ir::ComponentRef* const side : {&property.subject, &property.other}) {
+            if (side->kind != ir::ComponentKind::process || side->definition >= project.system.csp_blocks.size())
+                continue;
+            const ir::CspBlock& block = project.system.csp_blocks[side->definition];
+            const auto decls = files.find(block.file);
+            if (decls == files.end()) continue;
+            Claim claim(decls->second, provenance);
+            if (!claim.defines(block.name)) {
+                if (reported.insert(block.name).second)
+                    project.diagnostics.report(rules::block_without_process, property.origin.span,
+                                               {property.name, block.name});
+                continue;
+            }
+            if (side != &property.subject && property.kind != ir::PropertyKind::equals) continue;
+            if (!with_refusals(property)) continue;
+            const std::set<std::string> hidden = claim.hidden_inputs(block.name);
+            if (!hidden.empty())
+                project.diagnostics.report(rules::inputs_hidden, property.origin.span,
+                                           {property.name, block.name, fmt::format("{}", fmt::join(hidden, ", "))});
+        }
+    }
+}
+
+}  // namespace robochart::csp_emit
