@@ -15,31 +15,6 @@ constexpr std::string_view file_mark = "// file: ";
 
 using Lines = std::vector<std::string>;
 
-struct Block {
-    std::string language;
-    std::size_t line;
-    Lines lines;
-};
-
-std::vector<Block> blocks(const std::string& document) {
-    std::vector<Block> result;
-    std::istringstream text(document);
-    std::optional<Block> open;
-    std::size_t number = 0;
-    for (std::string line; std::getline(text, line);) {
-        ++number;
-        const bool is_fence = line.starts_with(fence);
-        if (is_fence && open) {
-            result.push_back(*std::exchange(open, std::nullopt));
-        } else if (is_fence) {
-            open = Block{line.substr(fence.size()), number, {}};
-        } else if (open) {
-            open->lines.push_back(line);
-        }
-    }
-    return result;
-}
-
 std::string joined(const Lines& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
@@ -81,7 +56,62 @@ bool equal_until(Place shown, Place end, Place printed, Place printed_end) {
     return std::equal(shown, end, printed, [](const auto& a, const auto& b) { return plain(a) == plain(b); });
 }
 
+/// Text between backquotes of a paragraph.
+void add_inline(const std::string& paragraph, std::size_t line, std::vector<Inline>& out) {
+    for (std::size_t open = paragraph.find('`'); open != std::string::npos;) {
+        const std::size_t close = paragraph.find('`', open + 1);
+        if (close == std::string::npos) return;
+        out.push_back({line, paragraph.substr(open + 1, close - open - 1)});
+        open = paragraph.find('`', close + 1);
+    }
+}
+
 }  // namespace
+
+std::vector<Block> blocks(const std::string& document) {
+    std::vector<Block> result;
+    std::istringstream text(document);
+    std::optional<Block> open;
+    std::size_t number = 0;
+    for (std::string line; std::getline(text, line);) {
+        ++number;
+        const bool is_fence = line.starts_with(fence);
+        if (is_fence && open) {
+            result.push_back(*std::exchange(open, std::nullopt));
+        } else if (is_fence) {
+            open = Block{line.substr(fence.size()), number, {}};
+        } else if (open) {
+            open->lines.push_back(line);
+        }
+    }
+    return result;
+}
+
+std::vector<Inline> inline_code(const std::string& document) {
+    std::vector<Inline> result;
+    std::istringstream text(document);
+    std::string paragraph;
+    std::size_t number = 0;
+    std::size_t begin = 1;
+    bool in_block = false;
+    const auto finish = [&] {
+        add_inline(paragraph, begin, result);
+        paragraph.clear();
+        begin = number + 1;
+    };
+    for (std::string line; std::getline(text, line);) {
+        ++number;
+        const bool is_fence = line.starts_with(fence);
+        if (is_fence) in_block = !in_block;
+        // Rows of tables and items of lists stand alone.
+        const bool alone = line.empty() || line.starts_with('|') || line.starts_with("* ") || line.starts_with('#');
+        if (is_fence || in_block || alone) finish();
+        if (!is_fence && !in_block) paragraph += (paragraph.empty() ? "" : " ") + line;
+        if (line.starts_with('|')) finish();
+    }
+    finish();
+    return result;
+}
 
 std::vector<Step> steps(const std::string& document) {
     std::vector<Step> result;
