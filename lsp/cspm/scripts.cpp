@@ -60,7 +60,7 @@ void Scripts::close(const std::string& uri) {
 }
 
 void Scripts::refresh(const std::string& uri) {
-    const std::string file = file_at(path_of_uri(uri));
+    const std::string file = file_of(path_of_uri(uri));
     if (opened(file) == nullptr) forget(file);
 }
 
@@ -78,8 +78,15 @@ const ScriptDocument* Scripts::opened(const std::string& file) const {
     return nullptr;
 }
 
+/// Links may have changed since a document was opened; it stays the document of its path.
+std::string Scripts::file_of(const std::string& path) const {
+    for (const auto& [uri, document] : documents_)
+        if (document->path == path) return document->file;
+    return file_at(path);
+}
+
 std::optional<SourceId> Scripts::load(ScriptReading& reading, const std::string& path, std::string& error) {
-    const std::string file = file_at(path);
+    const std::string file = file_of(path);
     reading.asked.insert(file);
     const ScriptDocument* document = opened(file);
     std::optional<SourceId> source;

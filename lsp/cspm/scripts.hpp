@@ -73,6 +73,7 @@ private:
     void forget(const std::string& file);
     void read(ScriptDocument& document);
     [[nodiscard]] std::optional<SourceId> load(ScriptReading& reading, const std::string& path, std::string& error);
+    [[nodiscard]] std::string file_of(const std::string& path) const;
     [[nodiscard]] const ScriptDocument* opened(const std::string& file) const;
     [[nodiscard]] bool is_part_of_another(const ScriptDocument& document) const;
 

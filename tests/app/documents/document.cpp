@@ -1,6 +1,7 @@
 #include "tests/app/documents/document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -11,7 +12,7 @@ namespace robochart::app::testing {
 namespace {
 
 constexpr std::string_view fence = "```";
-constexpr std::string_view file_mark = "// file: ";
+constexpr std::array<std::string_view, 2> file_marks = {"// file: ", "-- file: "};
 
 using Lines = std::vector<std::string>;
 
@@ -19,6 +20,14 @@ std::string joined(const Lines& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
     return text;
+}
+
+/// What the first line calls the file; "" if it does not.
+std::string file_name(const Block& block) {
+    for (const std::string_view mark : file_marks)
+        if (!block.lines.empty() && block.lines.front().starts_with(mark))
+            return block.lines.front().substr(mark.size());
+    return {};
 }
 
 ShownSession session(const Block& block) {
@@ -118,8 +127,8 @@ std::vector<Step> steps(const std::string& document) {
     for (const Block& block : blocks(document)) {
         if (block.language == "console") {
             result.emplace_back(session(block));
-        } else if (!block.lines.empty() && block.lines.front().starts_with(file_mark)) {
-            result.emplace_back(ShownFile{block.lines.front().substr(file_mark.size()), joined(block.lines)});
+        } else if (const std::string name = file_name(block); !name.empty()) {
+            result.emplace_back(ShownFile{name, joined(block.lines)});
         }
     }
     return result;

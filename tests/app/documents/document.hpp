@@ -25,7 +25,7 @@ struct Inline {
 };
 [[nodiscard]] std::vector<Inline> inline_code(const std::string& document);
 
-/// A block whose first line is `// file: NAME`.
+/// A block whose first line is `// file: NAME`, or `-- file: NAME` as CSPM has it.
 struct ShownFile {
     std::string name;
     std::string text;

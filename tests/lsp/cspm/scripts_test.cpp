@@ -147,6 +147,23 @@ TEST(Scripts, FilesOnDiskMayChange) {
     EXPECT_EQ(client.codes(folder.uri("a.csp")), "CSPM-P15@1") << "the file has another name now";
 }
 
+/// A file is the same whichever links lead to it, also while these change.
+TEST(Scripts, MayBeReachedByLinks) {
+    const Folder folder;
+    folder.write("parts/b.csp", "Q = STOP\n");
+    std::filesystem::create_directory_symlink(folder.path() + "/parts", folder.path() + "/link");
+    Client client;
+    client.open(folder.uri("a.csp"), "include \"parts/b.csp\"\nP = Q\n");
+    client.open(folder.uri("link/b.csp"), "Q = Lost\n");
+    EXPECT_EQ(client.codes(folder.uri("link/b.csp")), "CSPM-T01@1") << "under the name that the editor knows";
+    folder.remove("link");
+    client.change(folder.uri("link/b.csp"), "Q = Gone\n\n");
+    EXPECT_EQ(client.codes(folder.uri("link/b.csp")), "CSPM-T01@1");
+    EXPECT_EQ(hovered(client, folder.uri("link/b.csp"), 0, 5).substr(0, 13), "**CSPM-T01** ");
+    client.close(folder.uri("link/b.csp"));
+    EXPECT_EQ(client.codes(folder.uri("link/b.csp")) + client.codes(folder.uri("a.csp")), "");
+}
+
 /// The whole is one of them, so that each has its names.
 TEST(Scripts, FilesMayIncludeThemselves) {
     const Folder folder;
