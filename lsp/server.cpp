@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+#include "lsp/cspm/answers.hpp"
 #include "lsp/features/capabilities.hpp"
 #include "lsp/features/documents.hpp"
 #include "lsp/features/features.hpp"
@@ -77,7 +78,8 @@ diagnostics::Limits limits_of(const Interruption& interruption) {
 
 }  // namespace
 
-Server::Server(std::function<void(const std::string&)> send) : budget_(limits_of(interruption_)), session_(&budget_) {
+Server::Server(std::function<void(const std::string&)> send)
+    : budget_(limits_of(interruption_)), session_(&budget_), scripts_(&budget_) {
     session_.send = [send = std::move(send)](const Json& message) { send(json_text(message)); };
 }
 
@@ -105,6 +107,7 @@ void Server::idle() {
     const Interruption::Work work(interruption_, nullptr);
     try {
         publish(session_);
+        publish_scripts(session_, scripts_);
     } catch (const diagnostics::LimitReached&) {
         // What is newer comes first; then it is tried again.
     } catch (const std::exception& error) {
@@ -162,6 +165,7 @@ Json Server::answer(const std::string& method, View params) {
     }
     const auto row = row_of(requests, method);
     if (row == requests.end()) throw Refusal(ErrorCode::method_not_found, fmt::format("no method `{}`", method));
+    if (asks_for_script(scripts_, params)) return answer_for_script(session_, scripts_, method, params);
     return row->answer(session_, params);
 }
 
@@ -182,7 +186,7 @@ void Server::notification(const std::string& method, View params) {
     const auto row = row_of(notifications, method);
     if (phase_ != Phase::running || row == notifications.end()) return;
     try {
-        row->handle(session_, params);
+        if (!notify_script(session_, scripts_, method, params)) row->handle(session_, params);
     } catch (const std::exception& error) {
         log(method, error.what());
     }

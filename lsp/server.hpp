@@ -9,6 +9,7 @@
 #include <string>
 
 #include "diagnostics/budget.hpp"
+#include "lsp/cspm/scripts.hpp"
 #include "lsp/protocol/interruption.hpp"
 #include "lsp/workspace/session.hpp"
 
@@ -55,6 +56,7 @@ private:
     Interruption interruption_;
     diagnostics::Budget budget_;  ///< ends what `interruption_` says should end
     Session session_;
+    Scripts scripts_;
     std::deque<Message> queue_;
     Phase phase_ = Phase::fresh;
     std::optional<int> exit_code_;

@@ -10,4 +10,8 @@ std::string with_commas(std::uint64_t value) {
     return digits;
 }
 
+std::string counted(std::uint64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", with_commas(count), noun, count == 1 ? "" : "s");
+}
+
 }  // namespace robochart::app

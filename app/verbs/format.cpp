@@ -141,6 +141,7 @@ std::string Formatting::closing() const {
 Exit Formatting::run() {
     for (const std::string& path : options_.inputs) input(path);
     const bool filters = options_.inputs == std::vector<std::string>{"-"};
+    finish_output();  // where both streams are one, the sum comes last
     if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing());
     if (failed_) return Exit::bad_input;
     return options_.check && changed_ > 0 ? Exit::failed : Exit::success;

@@ -213,12 +213,11 @@ void print_totals(const Totals& totals, const Options& options) {
     if (!totals.reported.empty() && !options.quiet) print("\n");
     if (totals.replaced > 0 && !options.quiet)
         print(
-            "{} values are outside the finite instantiation; the model only passes such values on, so they were "
-            "replaced (docs/traces.md)\n",
-            with_commas(totals.replaced));
+            "{} outside the finite instantiation replaced, as the model only passes such values on (docs/traces.md)\n",
+            counted(totals.replaced, "value"));
     if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
-    print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n",
-          with_commas(totals.runs), totals.logs, with_commas(totals.cycles), with_commas(totals.accepted),
+    print("{} in {}, {}: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", counted(totals.runs, "run"),
+          counted(totals.logs, "log"), counted(totals.cycles, "cycle"), with_commas(totals.accepted),
           with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
 }
 

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <set>
 
 #include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"
 #include "lsp/features/keywords.hpp"
+#include "lsp/protocol/findings.hpp"
 #include "lsp/workspace/describe.hpp"
 
 namespace robochart::lsp {
@@ -59,19 +59,6 @@ std::string about(Project& project, const Occurrence& name, bool markdown) {
     return {};
 }
 
-std::string explanations(const Target& target, bool markdown) {
-    std::string out;
-    std::set<std::string_view> shown;
-    for (const diagnostics::Diagnostic& finding : findings_about(target)) {
-        const bool here = finding.span.begin <= target.offset && target.offset <= finding.span.end;
-        if (!here || !shown.insert(finding.rule->explanation).second) continue;
-        const auto* pattern = markdown ? "{}**{}** {}" : "{}{}: {}";
-        out += fmt::format(fmt::runtime(pattern), out.empty() ? "" : "\n\n", finding.rule->code,
-                           finding.rule->explanation);
-    }
-    return out;
-}
-
 /// A word with its meaning.
 struct Word {
     Span span;
@@ -114,15 +101,11 @@ Json hover(Session& session, View params) {
     const std::optional<Word> word = name == nullptr ? reserved_word_at(target) : std::nullopt;
     std::string text = name != nullptr ? about(target.project, *name, markdown) : std::string();
     if (word) text = word->text;
-    const std::string rules = explanations(target, markdown);
+    const std::string rules = explanations(findings_about(target), target.offset, markdown);
     if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += rules;
-    if (text.empty()) return {};
-    Json result = Json::object(
-        {{"contents", Json::object({{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}})}});
     const Span span = name != nullptr ? name->span : word ? word->span : Span();
-    if (span.known()) result["range"] = range(target.project.sources(), span, session.client.encoding);
-    return result;
+    return hover_answer(target.project.sources(), std::move(text), span, session.client.encoding, markdown);
 }
 
 }  // namespace robochart::lsp

@@ -123,7 +123,10 @@ public:
         : text_(text), source_(source), diagnostics_(diagnostics) {}
 
     std::vector<Token> run() {
-        while (skip_space(), at_ < text_.size()) token();
+        while (skip_space(), at_ < text_.size()) {
+            diagnostics_.poll();
+            token();
+        }
         emit(Tok::newline, at_, plain);
         emit(Tok::end, at_, plain);
         return std::move(tokens_);

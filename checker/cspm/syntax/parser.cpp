@@ -66,6 +66,7 @@ Span Parser::since(Span from) const {
 }
 
 Parser::Depth::Depth(Parser& parser) : parser_(parser) {
+    parser_.diagnostics_.poll();
     if (++parser_.depth_ <= max_depth) return;
     --parser_.depth_;
     parser_.fail(rules::too_deep, parser_.peek().span, {std::to_string(max_depth)});

@@ -1,5 +1,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <vector>
@@ -24,18 +26,25 @@ namespace {
 // Puts the declarations of included files in place of the `include` lines.
 class Includer {
 public:
-    Includer(SourceManager& sources, Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {}
+    // Files that include others several times each make a script exponentially long.
+    static constexpr std::size_t max_open = 200;
+    static constexpr std::size_t max_files = 10000;
+
+    Includer(const SourceManager& sources, Diagnostics& diagnostics, const Loader& load)
+        : sources_(sources), diagnostics_(diagnostics), load_(load) {}
 
     std::vector<DeclPtr> file(const std::filesystem::path& path, Span from) {
+        diagnostics_.poll();
         const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored_);
         if (std::ranges::find(open_, canonical) != open_.end()) {
             diagnostics_.report(rules::include_cycle, from, {path.string()});
             return {};
         }
         std::string cause;
-        const auto source = sources_.load(path.string(), cause);
+        const auto source = text_of(path.string(), cause);
         if (!source) {
-            diagnostics_.report(rules::include_failed, from, {path.string(), cause});
+            if (!full_) diagnostics_.report(rules::include_failed, from, {path.string(), cause});
+            full_ = files_ > max_files || bytes_ > SourceManager::max_bytes;
             return {};
         }
         open_.push_back(canonical);
@@ -45,6 +54,19 @@ public:
     }
 
 private:
+    std::optional<SourceId> text_of(const std::string& path, std::string& cause) {
+        if (open_.size() >= max_open) cause = fmt::format("files include one another {} deep", max_open);
+        if (++files_ > max_files) cause = fmt::format("the script includes more than {} files", max_files);
+        if (!cause.empty()) return std::nullopt;
+        const auto source = load_(path, cause);
+        if (!source) return std::nullopt;
+        bytes_ += sources_.text(*source).size();
+        if (bytes_ <= SourceManager::max_bytes) return source;
+        cause =
+            fmt::format("the script with all that it includes is longer than {} MB", SourceManager::max_bytes >> 20U);
+        return std::nullopt;
+    }
+
     std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder) {
         std::vector<DeclPtr> result;
         for (const DeclPtr& decl : decls) {
@@ -63,16 +85,25 @@ private:
         return result;
     }
 
-    SourceManager& sources_;
+    const SourceManager& sources_;
     Diagnostics& diagnostics_;
+    const Loader& load_;
+    std::size_t files_ = 0;
+    std::size_t bytes_ = 0;
+    bool full_ = false;  // it has been said that there is too much
     std::vector<std::filesystem::path> open_;
     std::error_code ignored_;
 };
 
 }  // namespace
 
+Script read_file(SourceManager& sources, const std::string& path, Diagnostics& diagnostics, const Loader& load) {
+    return {Includer(sources, diagnostics, load).file(path, {})};
+}
+
 Script read_file(SourceManager& sources, const std::string& path, Diagnostics& diagnostics) {
-    return {Includer(sources, diagnostics).file(path, {})};
+    return read_file(sources, path, diagnostics,
+                     [&sources](const std::string& each, std::string& error) { return sources.load(each, error); });
 }
 
 }  // namespace robochart::cspm

@@ -1,9 +1,14 @@
 #include "checker/cspm/types/type_check.hpp"
 
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
 #include "checker/cspm/types/builtin_types.hpp"
 #include "checker/cspm/types/deep_stack.hpp"
 #include "checker/cspm/types/infer.hpp"
 #include "checker/cspm/types/names.hpp"
+#include "checker/cspm/types/terms.hpp"
 
 namespace robochart::cspm {
 
@@ -19,9 +24,82 @@ std::vector<NamedType> named_types(const types::ResolvedScript& script, types::T
     return result;
 }
 
+/// Walks over everything that points to a symbol.
+class NameTableMaker {
+public:
+    explicit NameTableMaker(types::TypeStore& store) : store_(store) {}
+
+    NameTable run(const types::ResolvedScript& script) {
+        for (const types::Symbol& each : script.symbols)
+            if (each.span.known()) (void)number_of(each);
+        for (const types::Term& each : script.terms) term(each);
+        for (const types::DeclarationList& list : script.lists)
+            for (const types::Declaration& each : list.items) declaration(each);
+        const auto place = [](const NameUse& use) { return std::tuple(use.span.source, use.span.begin, use.span.end); };
+        std::ranges::sort(table_.uses, {}, place);
+        return std::move(table_);
+    }
+
+private:
+    std::size_t number_of(const types::Symbol& symbol) {
+        const auto [at, fresh] = numbers_.emplace(&symbol, table_.names.size());
+        if (!fresh) return at->second;
+        KnownName& known = table_.names.emplace_back();
+        known.name = symbol.name;
+        known.span = symbol.span;
+        const bool typed =
+            !symbol.failed && symbol.scheme.type != types::no_type && symbol.kind != types::SymbolKind::module;
+        if (typed) known.type = types::TypeWriter(store_).with_constraints(symbol.scheme.type);
+        return at->second;
+    }
+    void use(Span span, const types::Symbol* symbol) {
+        if (symbol != nullptr && span.known()) table_.uses.push_back({span, number_of(*symbol)});
+    }
+
+    void pattern(const types::PatternTerm& pattern) {
+        if (pattern.syntax != nullptr) use(pattern.syntax->span, pattern.symbol);
+        for (const types::PatternTerm& each : pattern.args) this->pattern(each);
+    }
+    void clauses(const std::vector<types::ClauseTerm>& clauses) {
+        for (const types::ClauseTerm& each : clauses) pattern(each.pattern);
+    }
+    void term(const types::Term& term) {
+        if (term.syntax != nullptr) use(term.syntax->span, term.symbol);
+        for (const types::FieldTerm& each : term.fields) pattern(each.pattern);
+        for (const types::PatternTerm& each : term.patterns) pattern(each);
+        clauses(term.clauses);
+        clauses(term.link_clauses);
+    }
+    void declaration(const types::Declaration& declaration) {
+        pattern(declaration.pattern);
+        for (const types::EquationTerm& each : declaration.equations) equation(each, declaration);
+        if (declaration.kind != DeclKind::subtype) return;
+        for (const types::ConstructorTerm& each : declaration.constructors) constructor(each);
+    }
+    void equation(const types::EquationTerm& equation, const types::Declaration& function) {
+        if (!function.binds.empty()) use(beginning(equation.span, *function.binds.front()), function.binds.front());
+        for (const auto& group : equation.groups)
+            for (const types::PatternTerm& each : group) pattern(each);
+    }
+    void constructor(const types::ConstructorTerm& constructor) {
+        if (constructor.symbol != nullptr) use(beginning(constructor.span, *constructor.symbol), constructor.symbol);
+    }
+    /// The name that something begins with.
+    static Span beginning(Span span, const types::Symbol& symbol) {
+        const std::size_t colons = symbol.name.rfind(':');
+        const std::size_t length = symbol.name.size() - (colons == std::string::npos ? 0 : colons + 1);
+        span.end = std::min(span.end, span.begin + static_cast<std::uint32_t>(length));
+        return span;
+    }
+
+    types::TypeStore& store_;
+    NameTable table_;
+    std::unordered_map<const types::Symbol*, std::size_t> numbers_;
+};
+
 }  // namespace
 
-std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostics& diagnostics) {
+std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostics& diagnostics, NameTable* table) {
     std::vector<NamedType> result;
     on_deep_stack([&] {
         types::TypeStore store;
@@ -30,6 +108,7 @@ std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostic
             const auto resolved = types::NameResolver(store, builtins, diagnostics).run(script);
             types::Inference(*resolved, store, diagnostics).run();
             result = named_types(*resolved, store);
+            if (table != nullptr) *table = NameTableMaker(store).run(*resolved);
         } catch (const types::TypeOverflow&) {  // reported where it was found
         }
     });

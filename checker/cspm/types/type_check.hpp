@@ -3,6 +3,7 @@
 // without a dynamic error of types.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,30 @@ struct NamedType {
     std::string type;
 };
 
+/// A declared or predefined name.
+struct KnownName {
+    std::string name;  ///< qualified
+    Span span;         ///< of its declaration, or of the name alone if it is a variable; unknown if it is predefined
+    std::string type;  ///< in FDR's notation; "" if the declaration is wrong
+};
+
+/// A place where a name stands; so does the beginning of each equation of a function.
+struct NameUse {
+    Span span;
+    std::size_t name = 0;  ///< number in `NameTable::names`
+};
+
+/// Which declaration each name of a script means, by place: for editors.
+struct NameTable {
+    std::vector<KnownName> names;
+    std::vector<NameUse> uses;  ///< by place
+};
+
 /// Checks names and types of a whole script (files with their includes read in place, `read_file`); findings are
 /// CSPM-T rules. Returns the types of its names in the order of declaration; a name whose declaration is wrong has
-/// none. Never throws for bad input; deep or enormous types are findings too.
-std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostics& diagnostics);
+/// none. Never throws for bad input; deep or enormous types are findings too. `table`, if there is one, is filled with
+/// all names by place.
+std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostics& diagnostics,
+                                   NameTable* table = nullptr);
 
 }  // namespace robochart::cspm

@@ -25,8 +25,8 @@ struct Continuation {
 /// once all calls are: until then its node is empty.
 class CallSharing {
 public:
-    CallSharing(const ActivationRecords& frames, ParameterTable& cells, PointTable& points, FamilyCalls& calls)
-        : frames_(frames), cells_(cells), points_(points), calls_(calls) {}
+    CallSharing(ParameterTable& cells, PointTable& points, FamilyCalls& calls)
+        : cells_(cells), points_(points), calls_(calls) {}
 
     /// Gives the stack its value inside a call: this return address pushed.
     void push(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside);
@@ -63,7 +63,6 @@ private:
         cspm::ExprPtr outer;
     };
 
-    const ActivationRecords& frames_;
     ParameterTable& cells_;
     PointTable& points_;
     FamilyCalls& calls_;

@@ -39,7 +39,7 @@ struct MachineTables {
     HiddenEvents events{context, frames, provenance};
     ClockWatch watch{context, frames, cells, provenance};
     PointTable points{context, frames};
-    CallSharing sharing{frames, cells, points, family_calls};
+    CallSharing sharing{cells, points, family_calls};
 };
 
 }  // namespace robochart::csp_emit

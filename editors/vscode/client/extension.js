@@ -7,11 +7,14 @@ const { checkAssertion } = require("./check");
 const { Lenses } = require("./lenses");
 const { findProgram } = require("./program");
 
-/** The texts the server is asked about; scripts in CSPM are only coloured. */
-const documentSelector = [
+/** The texts that verdicts depend on. */
+const models = [
     { scheme: "file", language: "robochart" },
     { scheme: "file", language: "robochart-assertions" },
 ];
+
+/** The texts the server is asked about. */
+const documentSelector = [...models, { scheme: "file", language: "cspm" }];
 
 /** The command of the server's lenses; the server offers them to those who name it at the start. */
 const checkCommand = "robochart.check";
@@ -68,7 +71,7 @@ async function check(uri, name) {
 }
 
 function textChanged(event) {
-    if (documentSelector.some((each) => each.language === event.document.languageId)) lenses.forget();
+    if (models.some((each) => each.language === event.document.languageId)) lenses.forget();
 }
 
 async function start() {

@@ -1,6 +1,7 @@
 #include "tests/app/documents/document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -11,39 +12,22 @@ namespace robochart::app::testing {
 namespace {
 
 constexpr std::string_view fence = "```";
-constexpr std::string_view file_mark = "// file: ";
+constexpr std::array<std::string_view, 2> file_marks = {"// file: ", "-- file: "};
 
 using Lines = std::vector<std::string>;
-
-struct Block {
-    std::string language;
-    std::size_t line;
-    Lines lines;
-};
-
-std::vector<Block> blocks(const std::string& document) {
-    std::vector<Block> result;
-    std::istringstream text(document);
-    std::optional<Block> open;
-    std::size_t number = 0;
-    for (std::string line; std::getline(text, line);) {
-        ++number;
-        const bool is_fence = line.starts_with(fence);
-        if (is_fence && open) {
-            result.push_back(*std::exchange(open, std::nullopt));
-        } else if (is_fence) {
-            open = Block{line.substr(fence.size()), number, {}};
-        } else if (open) {
-            open->lines.push_back(line);
-        }
-    }
-    return result;
-}
 
 std::string joined(const Lines& lines) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
     return text;
+}
+
+/// What the first line calls the file; "" if it does not.
+std::string file_name(const Block& block) {
+    for (const std::string_view mark : file_marks)
+        if (!block.lines.empty() && block.lines.front().starts_with(mark))
+            return block.lines.front().substr(mark.size());
+    return {};
 }
 
 ShownSession session(const Block& block) {
@@ -81,15 +65,70 @@ bool equal_until(Place shown, Place end, Place printed, Place printed_end) {
     return std::equal(shown, end, printed, [](const auto& a, const auto& b) { return plain(a) == plain(b); });
 }
 
+/// Text between backquotes of a paragraph.
+void add_inline(const std::string& paragraph, std::size_t line, std::vector<Inline>& out) {
+    for (std::size_t open = paragraph.find('`'); open != std::string::npos;) {
+        const std::size_t close = paragraph.find('`', open + 1);
+        if (close == std::string::npos) return;
+        out.push_back({line, paragraph.substr(open + 1, close - open - 1)});
+        open = paragraph.find('`', close + 1);
+    }
+}
+
 }  // namespace
+
+std::vector<Block> blocks(const std::string& document) {
+    std::vector<Block> result;
+    std::istringstream text(document);
+    std::optional<Block> open;
+    std::size_t number = 0;
+    for (std::string line; std::getline(text, line);) {
+        ++number;
+        const bool is_fence = line.starts_with(fence);
+        if (is_fence && open) {
+            result.push_back(*std::exchange(open, std::nullopt));
+        } else if (is_fence) {
+            open = Block{line.substr(fence.size()), number, {}};
+        } else if (open) {
+            open->lines.push_back(line);
+        }
+    }
+    return result;
+}
+
+std::vector<Inline> inline_code(const std::string& document) {
+    std::vector<Inline> result;
+    std::istringstream text(document);
+    std::string paragraph;
+    std::size_t number = 0;
+    std::size_t begin = 1;
+    bool in_block = false;
+    const auto finish = [&] {
+        add_inline(paragraph, begin, result);
+        paragraph.clear();
+        begin = number + 1;
+    };
+    for (std::string line; std::getline(text, line);) {
+        ++number;
+        const bool is_fence = line.starts_with(fence);
+        if (is_fence) in_block = !in_block;
+        // Rows of tables and items of lists stand alone.
+        const bool alone = line.empty() || line.starts_with('|') || line.starts_with("* ") || line.starts_with('#');
+        if (is_fence || in_block || alone) finish();
+        if (!is_fence && !in_block) paragraph += (paragraph.empty() ? "" : " ") + line;
+        if (line.starts_with('|')) finish();
+    }
+    finish();
+    return result;
+}
 
 std::vector<Step> steps(const std::string& document) {
     std::vector<Step> result;
     for (const Block& block : blocks(document)) {
         if (block.language == "console") {
             result.emplace_back(session(block));
-        } else if (!block.lines.empty() && block.lines.front().starts_with(file_mark)) {
-            result.emplace_back(ShownFile{block.lines.front().substr(file_mark.size()), joined(block.lines)});
+        } else if (const std::string name = file_name(block); !name.empty()) {
+            result.emplace_back(ShownFile{name, joined(block.lines)});
         }
     }
     return result;

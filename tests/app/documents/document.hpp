@@ -8,7 +8,24 @@
 
 namespace robochart::app::testing {
 
-/// A block whose first line is `// file: NAME`.
+/// A fenced block.
+struct Block {
+    std::string language;  ///< what stands behind its fence
+    std::size_t line;      ///< of its fence in the document, from 1
+    std::vector<std::string> lines;
+};
+
+/// The blocks of a document, in its order.
+[[nodiscard]] std::vector<Block> blocks(const std::string& document);
+
+/// Text in backquotes, outside blocks.
+struct Inline {
+    std::size_t line;  ///< of the beginning of its paragraph in the document, from 1
+    std::string text;  ///< on one line
+};
+[[nodiscard]] std::vector<Inline> inline_code(const std::string& document);
+
+/// A block whose first line is `// file: NAME`, or `-- file: NAME` as CSPM has it.
 struct ShownFile {
     std::string name;
     std::string text;

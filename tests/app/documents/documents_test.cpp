@@ -87,8 +87,11 @@ TEST_P(Document, PrintsWhatItShows) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheProject, Document, ::testing::ValuesIn(documents()),
-                         [](const auto& document) { return fs::path(document.param).stem().string(); });
+INSTANTIATE_TEST_SUITE_P(OfTheProject, Document, ::testing::ValuesIn(documents()), [](const auto& document) {
+    std::string name = fs::path(document.param).stem().string();
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 TEST(Steps, AreFilesAndSessions) {
     const std::vector<Step> all = steps(

@@ -17,9 +17,11 @@ namespace {
 
 using lsp::Json;
 
-/// One project; nothing of it is on disk.
-constexpr std::array<std::string_view, 3> uris = {"file:///fuzzed/a.rct", "file:///fuzzed/b.rct",
-                                                  "file:///fuzzed/c.assertions"};
+/// One project, and scripts in CSPM beside it; nothing of them is on disk.
+constexpr std::array<std::string_view, 5> uris = {"file:///fuzzed/a.rct", "file:///fuzzed/b.rct",
+                                                  "file:///fuzzed/c.assertions", "file:///fuzzed/d.csp",
+                                                  "file:///fuzzed/e.csp"};
+constexpr std::size_t models = 3;
 using Texts = std::array<std::optional<std::string>, uris.size()>;
 
 constexpr std::array<std::string_view, 22> methods = {"textDocument/codeAction",
@@ -181,7 +183,7 @@ std::string run_editor(std::string_view bytes) {
     Editor editor(texts);
     for (std::size_t at = 0; at + 3 <= std::min(end, 3 * most_steps); at += 3) {
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
-        const std::size_t wanted = byte(0) / 32U % texts.size();
+        const std::size_t wanted = byte(0) / 32U % (texts[models] ? texts.size() : models);
         const std::size_t file = texts[wanted] ? wanted : 0;
         if (byte(0) % 2 == 0) {
             editor.ask(methods.at(byte(0) / 2U % methods.size()), file, byte(1) % 64, byte(2) % 128);

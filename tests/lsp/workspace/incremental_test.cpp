@@ -24,12 +24,15 @@ using testing::Client;
 /// Texts of several files, edited through a server.
 class Editing {
 public:
-    explicit Editing(std::vector<std::string> texts, std::uint32_t seed) : texts_(std::move(texts)), random_(seed) {
+    enum class Language { robochart, cspm };
+    Editing(std::vector<std::string> texts, std::uint32_t seed, Language language = Language::robochart)
+        : texts_(std::move(texts)), random_(seed), language_(language) {
         for (std::size_t i = 0; i < texts_.size(); ++i) client.open(uri(i), texts_[i]);
     }
 
-    static std::string uri(std::size_t i) {
-        return "file:///p/" + std::to_string(i) + (i == 0 ? ".assertions" : ".rct");
+    [[nodiscard]] std::string uri(std::size_t i) const {
+        const char* const suffix = language_ == Language::cspm ? ".csp" : i == 0 ? ".assertions" : ".rct";
+        return "file:///p/" + std::to_string(i) + suffix;
     }
 
     /// A change somewhere, sent as ranges.
@@ -42,6 +45,7 @@ public:
             const std::size_t length =
                 pick(4) == 0 ? std::min<std::size_t>(text.size() - begin, pick(40)) : pick(2) == 0;
             const std::size_t end = std::min(text.size(), begin + length);
+            const std::vector<std::string>& pieces = language_ == Language::cspm ? pieces_of_scripts : pieces_of_models;
             const std::string piece = pieces[pick(pieces.size())];
             list.push_back(Json::object({{"range", range_of(text, begin, end)}, {"text", piece}}));
             text.replace(begin, end - begin, piece);
@@ -73,10 +77,11 @@ public:
                                     {"range", range_of(texts_[file], place, place)},
                                     {"newName", "fresh_name"},
                                     {"context", Json::object({{"includeDeclaration", true}})}});
-        for (const char* method : {"textDocument/hover", "textDocument/definition", "textDocument/references",
-                                   "textDocument/completion", "textDocument/documentHighlight",
-                                   "textDocument/signatureHelp", "textDocument/codeAction", "textDocument/foldingRange",
-                                   "textDocument/prepareRename", "textDocument/rename", "textDocument/formatting"}) {
+        for (const char* method :
+             {"textDocument/hover", "textDocument/definition", "textDocument/references", "textDocument/completion",
+              "textDocument/documentHighlight", "textDocument/signatureHelp", "textDocument/codeAction",
+              "textDocument/foldingRange", "textDocument/prepareRename", "textDocument/rename",
+              "textDocument/formatting", "textDocument/documentSymbol", "textDocument/selectionRange"}) {
             const Answer response = client.ask(method, params);
             EXPECT_NE(response["error"]["code"].number(), -32603) << method << response.write();
         }
@@ -98,12 +103,17 @@ private:
         return Json::object({{"line", line}, {"character", offset - start}});
     }
 
-    const std::vector<std::string> pieces = {
+    const std::vector<std::string> pieces_of_models = {
         "",       "",           "x",     "{",  "}",   "(",  " ",    "\n",    ";",   "::",         "state Q ",
         "^",      "import ",    "/*",    "*/", "//",  "\"", "stm ", "from ", "1.5", "= ",         "event",
         " : nat", "csp-begin ", "speed", "S",  "p::", ".",  "[|",   "|]",    "<{",  "requires I "};
+    const std::vector<std::string> pieces_of_scripts = {
+        "",       "",          "",      "x",  "(",    ")",   "<",   ">",  "{",     "}",    "\n", "\n",
+        "= ",     " -> ",      " [] ",  "->", "{-",   "-}",  "--",  "\"", "?x",    "!1",   "::", " within ",
+        "let x=", "channel x", "print", "^",  "\\ x", "[|x", "<-3", "@",  "STOP ", "P(1)", "[[", "include \"0.csp\"\n"};
     std::vector<std::string> texts_;
     std::mt19937 random_;
+    Language language_;
 };
 
 std::vector<std::string> corpus_texts() {
@@ -130,6 +140,37 @@ TEST(Incremental, IsTheSameAsFromScratch) {
 TEST(Incremental, NothingFailsInTextsHoweverBroken) {
     for (std::uint32_t seed = 100; seed < 100 + tests::rounds(6); ++seed) {
         Editing editing(corpus_texts(), seed);
+        for (int round = 0; round < 60; ++round) {
+            editing.edit();
+            editing.probe();
+        }
+    }
+}
+
+/// Two scripts, of which one includes the other, as long as both can be read.
+std::vector<std::string> scripts_of_tests() {
+    const std::filesystem::path tests = tests::source_folder().string() + "/tests";
+    return {
+        contents(tests / "app/phases/timed_script.csp"), contents(tests / "fuzz/regressions/script/while_typed.csp"),
+        "include \"0.csp\"\nchannel c_ : {0..2}.Bool\nmodule M_(p)\n  q = p + 1\nexports\n  R_(x) = c_!x?b -> R_(q)\n"
+        "endmodule\ninstance I_ = M_(1)\nfold_(f, <>) = 0\nfold_(f, <x>^s) = f(x, fold_(f, s))\n"
+        "assert I_::R_(1) :[deadlock free]\n"};
+}
+
+TEST(Incremental, ScriptsAreTheSameAsFromScratch) {
+    for (std::uint32_t seed = 1; seed <= tests::rounds(3); ++seed) {
+        Editing editing(scripts_of_tests(), seed, Editing::Language::cspm);
+        for (int round = 0; round < 15; ++round) {
+            for (int i = 0; i < 4; ++i) editing.edit();
+            editing.expect_as_anew();
+            ASSERT_FALSE(::testing::Test::HasFailure()) << "seed " << seed << " round " << round;
+        }
+    }
+}
+
+TEST(Incremental, NothingFailsInScriptsHoweverBroken) {
+    for (std::uint32_t seed = 100; seed < 100 + tests::rounds(4); ++seed) {
+        Editing editing(scripts_of_tests(), seed, Editing::Language::cspm);
         for (int round = 0; round < 60; ++round) {
             editing.edit();
             editing.probe();

@@ -21,6 +21,12 @@ test("starts `PROGRAM lsp`", async () => {
     assert.deepStrictEqual(log, [["start", program, "lsp"]]);
 });
 
+test("the server is asked about models, assertions and scripts on disk", async () => {
+    const { handlers } = await activated({ "robochart.server.path": program });
+    const languages = handlers.documents.map((each) => `${each.scheme}:${each.language}`);
+    assert.deepStrictEqual(languages, ["file:robochart", "file:robochart-assertions", "file:cspm"]);
+});
+
 test("a missing program is said once, with the setting and a way to it", async () => {
     const { log } = await activated({ "robochart.server.path": "/nowhere/robochart-verify" });
     await new Promise(setImmediate);

@@ -37,6 +37,7 @@ function loadExtension(settings, failure) {
             Object.assign(this, { server, options });
             handlers.middleware = options.middleware;
             handlers.options = options.initializationOptions;
+            handlers.documents = options.documentSelector;
         }
         getFeature(method) {
             const fire = () => log.push(["refresh", method]);

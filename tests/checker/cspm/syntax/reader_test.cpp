@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
+#include <string>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "tests/checker/cspm/support.hpp"
@@ -170,6 +172,30 @@ TEST(ReaderTest, IncludesAreReadOnceAPlaceAndCyclesRefused) {
     EXPECT_EQ(codes("c.csp"), "CSPM-P16");
     EXPECT_EQ(codes("missing.csp"), "CSPM-P15");
     std::filesystem::remove_all(folder);
+}
+
+/// The texts come from the caller, so nothing is on disk. Files number 0, 1, …, each including the next ones.
+std::string code_of_chain(std::size_t files, std::size_t times) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;
+    const Script script = read_file(sources, "0", found,
+                                    [&](const std::string& path, std::string&) -> std::optional<diagnostics::SourceId> {
+                                        const std::size_t next = std::stoull(path) + 1;
+                                        std::string text = next < files ? "" : "x = 1\n";
+                                        for (std::size_t i = 0; i < times && next < files; ++i)
+                                            text += "include \"" + std::to_string(next) + "\"\n";
+                                        return sources.add(path, text);
+                                    });
+    const auto all = found.sorted();
+    EXPECT_LE(all.size(), 1U) << "it is said once";
+    return all.empty() ? std::to_string(script.decls.size()) : std::string(all[0].rule->code);
+}
+
+TEST(ReaderTest, IncludesAreBoundedInDepthAndNumber) {
+    EXPECT_EQ(code_of_chain(200, 1), "1");
+    EXPECT_EQ(code_of_chain(201, 1), "CSPM-P15") << "deeper than 200";
+    EXPECT_EQ(code_of_chain(13, 2), "4096") << "8,191 files";
+    EXPECT_EQ(code_of_chain(60, 2), "CSPM-P15") << "2^60 files";
 }
 
 }  // namespace

@@ -1,0 +1,341 @@
+// Every command in a document is run, or is listed here with the reason why not; the verbs and options that documents
+// name exist. The language of a block says which it is: `console` is run, `sh` is not, `text` holds no commands.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "app/command/option_table.hpp"
+#include "tests/app/command.hpp"
+#include "tests/app/documents/document.hpp"
+#include "tests/contents.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::IsEmpty;
+
+// ---------------------------------------------------------------- what is not run
+
+struct NotRun {
+    std::string_view document;  ///< "": any
+    std::string_view command;   ///< how it begins
+    std::string_view reason;
+};
+
+constexpr std::array not_run = {
+    NotRun{"", "scripts/", "builds, tests or measures, for minutes"},
+    NotRun{"", "cmake ", "builds"},
+    NotRun{"", "ctest ", "runs the tests of a build tree"},
+    NotRun{"", "build/", "a program of a build tree that is not built for these tests"},
+    NotRun{"", "setarch -R build/", "needs ARGoS"},
+    NotRun{"docs/cli.md", "robochart-verify ", "how each verb is called, with what it does behind it"},
+    NotRun{"docs/cpp.md", "$ build/M_console", "a conversation on a terminal"},
+    NotRun{"editors/vscode/README.md", "code ", "needs VS Code"},
+    NotRun{"editors/vscode/README.md", "ln -s", "needs VS Code"},
+    NotRun{"editors/vscode/README.md", "npm ", "fetches packages"},
+    NotRun{"simulation/adapters/argos/README.md", "git clone ", "fetches ARGoS"},
+};
+
+/// Languages of blocks that are no commands: other tests or other programs read them.
+constexpr std::array<std::string_view, 12> no_commands = {
+    "robochart", "assertions", "scenario", "cspm", "cpp", "cmake", "yaml", "lua", "elisp", "toml", "json", "text"};
+
+// ---------------------------------------------------------------- documents
+
+/// All that is written in Markdown, but for the history, templates and what is not ours.
+std::vector<std::string> written_documents() {
+    std::vector<std::string> result;
+    const fs::path root = repository("");
+    for (auto at = fs::recursive_directory_iterator(root); at != fs::recursive_directory_iterator(); ++at) {
+        const std::string name = at->path().filename().string();
+        const bool skipped = name.starts_with('.') || name.starts_with("build") || name == "node_modules" ||
+                             name == "out" || name == "templates";
+        if (at->is_directory() && skipped) at.disable_recursion_pending();
+        if (at->is_regular_file() && at->path().extension() == ".md" && name != "CHANGELOG.md")
+            result.push_back(fs::relative(at->path(), root).string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::string first_word(const std::string& text) {
+    std::istringstream words(text);
+    std::string word;
+    words >> word;
+    return word;
+}
+
+/// What the lines of a block ask to run: those behind `$ ` if there are any, else all. A line may go on in the next
+/// one; comments and what is indented belong to the line above.
+std::vector<std::string> commands_of(const Block& block) {
+    const bool marked = std::any_of(block.lines.begin(), block.lines.end(),
+                                    [](const std::string& line) { return line.starts_with("$ "); });
+    std::vector<std::string> result;
+    bool continues = false;
+    for (const std::string& line : block.lines) {
+        if (!continues && !line.empty() && !line.starts_with(' ') && !line.starts_with('#') &&
+            (!marked || line.starts_with("$ ")))
+            result.push_back(line);
+        continues = line.ends_with('\\');
+    }
+    return result;
+}
+
+bool looks_like_command(const std::string& line) {
+    static const std::set<std::string> programs = {
+        "robochart-verify", "$",   "cmake", "ctest",  "cpack", "sudo",   "apt",
+        "apt-get",          "git", "npm",   "docker", "pip",   "python3"};
+    const std::string word = first_word(line);
+    return programs.contains(word) || word.starts_with("scripts/") || word.starts_with("build/") ||
+           word.starts_with("./");
+}
+
+const NotRun* exception_for(const std::string& document, const std::string& command) {
+    const auto* const found = std::find_if(not_run.begin(), not_run.end(), [&](const NotRun& each) {
+        return (each.document.empty() || each.document == document) && command.starts_with(each.command);
+    });
+    return found == not_run.end() ? nullptr : found;
+}
+
+/// The faults of a document; `used` takes the exceptions that it needs.
+std::vector<std::string> faults_of(const std::string& document, std::set<const NotRun*>& used) {
+    std::vector<std::string> faults;
+    for (const Block& block : blocks(tests::contents(repository(document)))) {
+        const std::string place = document + ":" + std::to_string(block.line) + ": ";
+        const std::string language = first_word(block.language);
+        if (language == "console") continue;
+        if (language == "sh") {
+            for (const std::string& command : commands_of(block)) {
+                const NotRun* const exception = exception_for(document, command);
+                if (exception == nullptr) faults.push_back(place + "neither run nor excepted: " + command);
+                used.insert(exception);
+            }
+        } else if (std::find(no_commands.begin(), no_commands.end(), language) == no_commands.end()) {
+            faults.push_back(place + "is this `console`, `sh` or `text`?");
+        } else if (language == "text") {
+            for (const std::string& line : block.lines)
+                if (looks_like_command(line)) faults.push_back(place + "a command in a text: " + line);
+        }
+    }
+    return faults;
+}
+
+TEST(CommandsInDocuments, AreRunOrExcepted) {
+    std::set<const NotRun*> used;
+    for (const std::string& document : written_documents()) EXPECT_THAT(faults_of(document, used), IsEmpty());
+    for (const NotRun& each : not_run) EXPECT_TRUE(used.contains(&each)) << "nobody needs it: " << each.command;
+}
+
+/// Other forms of blocks would hide commands from these tests.
+TEST(CommandsInDocuments, StandInFencedBlocks) {
+    for (const std::string& document : written_documents()) {
+        std::istringstream text(tests::contents(repository(document)));
+        bool in_block = false;
+        for (std::string line; std::getline(text, line);) {
+            const bool is_fence = line.starts_with("```");
+            if (is_fence) in_block = !in_block;
+            if (in_block || is_fence) continue;
+            const std::string word = first_word(line);
+            EXPECT_FALSE(word.starts_with("```") || word.starts_with("~~~")) << document << ": " << line;
+            const bool indented = line.starts_with("    ") || line.starts_with('\t');
+            EXPECT_FALSE(indented && looks_like_command(line)) << document << ": " << line;
+        }
+        EXPECT_FALSE(in_block) << document << ": the last block has no end";
+    }
+}
+
+/// `console` is run in these documents: README.md and docs/*.md here, docs/rules/*.md by tests/rules.
+TEST(CommandsInDocuments, SessionsStandWhereTheyAreRun) {
+    for (const std::string& document : written_documents()) {
+        const fs::path folder = fs::path(document).parent_path();
+        if (document == "README.md" || folder == "docs" || folder == "docs/rules") continue;
+        for (const Block& block : blocks(tests::contents(repository(document))))
+            EXPECT_NE(block.language, "console") << document << ":" << block.line;
+    }
+}
+
+TEST(CommandsInDocuments, NameScriptsThatAreThere) {
+    for (const std::string& document : written_documents())
+        for (const Block& block : blocks(tests::contents(repository(document))))
+            for (const std::string& command : commands_of(block))
+                EXPECT_TRUE(block.language != "sh" || !command.starts_with("scripts/") ||
+                            fs::exists(repository(first_word(command))))
+                    << document << ": " << command;
+}
+
+// ---------------------------------------------------------------- verbs and options
+
+using Words = std::vector<std::string>;
+
+/// The words of a command up to where another one begins, without what only synopses have: brackets and dots.
+Words words_of(std::string text) {
+    for (char& c : text)
+        if (c == '[' || c == ']' || c == '\'' || c == '"') c = ' ';
+    Words words;
+    std::istringstream in(text);
+    for (std::string word; in >> word;) {
+        static const std::set<std::string> ends = {"|", ">", "<", ">>", "&&", "||", ";", "#", "\\", "2>", "&"};
+        if (ends.contains(word)) break;
+        const bool last = word.ends_with(';');
+        while (word.ends_with("...") || word.ends_with(';') || word.ends_with("\\|"))
+            word.resize(word.size() - (word.ends_with("...") ? 3 : word.ends_with(';') ? 1 : 2));
+        if (!word.empty()) words.push_back(word);
+        if (last) break;
+    }
+    return words;
+}
+
+Words alternatives(const std::string& word) {
+    Words result;
+    std::istringstream in(word);
+    for (std::string each; std::getline(in, each, '|');) {
+        if (each.ends_with('\\')) each.pop_back();
+        result.push_back(each);
+    }
+    return result;
+}
+
+/// "MODEL", "N": something that the reader puts in.
+bool is_placeholder(const std::string& word) {
+    return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_' || c == '.' || c == '=' || c == '|';
+    });
+}
+
+const OptionRow* option_of(Verbs verb, const std::string& name) {
+    for (const OptionRow* row : options_of(verb))
+        if (name == long_name(*row) || name == short_name(*row)) return row;
+    return nullptr;
+}
+
+/// Why the words behind an option do not fit; "" if they do.
+std::string wrong_words(const OptionRow& row, const Words& given) {
+    for (std::size_t at = 0; at < given.size(); ++at)
+        for (std::string each : alternatives(given[at])) {
+            if (is_placeholder(each)) continue;
+            const std::string why = wrong_word(row.argument, at, each);
+            const bool of_choice = row.argument.kind == Argument::Kind::choice;
+            if (of_choice && !why.empty()) return "`" + each + "` behind " + row.names + ": " + why;
+        }
+    return {};
+}
+
+/// What is wrong with the options of a verb in the rest of a command.
+std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
+    for (; at < words.size(); ++at) {
+        if (!words[at].starts_with('-') || words[at] == "-") continue;
+        const std::size_t equals = words[at].find('=');
+        const OptionRow* const row = option_of(verb, words[at].substr(0, equals));
+        if (row == nullptr) return "no option " + words[at];
+        const std::size_t behind = equals == std::string::npos ? words_behind(row->argument) : 0;
+        Words given;
+        for (std::size_t i = 0; i < behind && at + 1 < words.size(); ++i) given.push_back(words[++at]);
+        if (const std::string why = wrong_words(*row, given); !why.empty()) return why;
+    }
+    return {};
+}
+
+/// What is wrong with the words behind `robochart-verify`; "" if it is nothing.
+std::string wrong_call(const Words& words) {
+    const Words first = first_words();
+    const bool verb_given = !words.empty() && std::find(first.begin(), first.end(), words[0]) != first.end();
+    if (!verb_given) {
+        const bool input = words.empty() || words[0].starts_with('-') || is_placeholder(words[0]) ||
+                           words[0].find_first_of("./") != std::string::npos ||
+                           fs::exists(repository("corpus/" + words[0]));
+        const bool model = input || words.size() > 1;  // a model of the page
+        return model ? wrong_options(of(Verb::verify), words, 0) : "no verb " + words[0];
+    }
+    if (words[0] != "emit") return wrong_options(of(find_verb(words[0])->verb), words, 1);
+    if (words.size() == 1) return {};
+    for (const std::string& thing : alternatives(words[1])) {
+        const VerbRow* const row = find_verb("emit " + thing);
+        if (row == nullptr) return "nothing to emit: " + thing;
+        if (const std::string why = wrong_options(of(row->verb), words, 2); !why.empty()) return why;
+    }
+    return {};
+}
+
+/// The part of a text behind the name of the program, if it is called there: at the text's beginning or behind what
+/// begins a command.
+std::vector<Words> calls_in(const std::string& text) {
+    constexpr std::string_view program = "robochart-verify ";
+    std::vector<Words> result;
+    for (std::size_t at = text.find(program); at != std::string::npos; at = text.find(program, at + 1)) {
+        const std::string before = text.substr(0, at);
+        const std::size_t word = before.find_last_not_of(' ');
+        const bool begins =
+            word == std::string::npos ||
+            (before.ends_with(' ') && std::string_view("$-|;&=:").find(before[word]) != std::string_view::npos);
+        if (begins) result.push_back(words_of(text.substr(at + program.size())));
+    }
+    return result;
+}
+
+/// A verb with its options in the middle of a sentence: `conform --traces`.
+bool is_call_of_verb(const std::string& text) {
+    const Words words = words_of(text);
+    const Words first = first_words();
+    if (words.size() < 2 || std::find(first.begin(), first.end(), words[0]) == first.end()) return false;
+    return words[0] == "emit" ||
+           std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("--"); });
+}
+
+TEST(CommandsInDocuments, HaveVerbsAndOptionsThatExist) {
+    std::size_t calls = 0;
+    const auto check = [&](const std::string& place, const Words& words) {
+        ++calls;
+        EXPECT_EQ(wrong_call(words), "") << place;
+    };
+    for (const std::string& document : written_documents()) {
+        const std::string text = tests::contents(repository(document));
+        for (const Inline& each : inline_code(text)) {
+            const std::string place = document + ":" + std::to_string(each.line) + ": " + each.text;
+            for (const Words& words : calls_in(each.text)) check(place, words);
+            if (is_call_of_verb(each.text)) check(place, words_of(each.text));
+        }
+        for (const Block& block : blocks(text))
+            for (const std::string& line : block.lines) {
+                if (block.language == "console" && !line.starts_with("$ ")) continue;  // the program's own words
+                for (const Words& words : calls_in(line))
+                    check(document + ":" + std::to_string(block.line) + ": " + line, words);
+            }
+    }
+    EXPECT_GT(calls, 200U) << "the documents are full of them";
+}
+
+TEST(CommandsInDocuments, AreReadAsTheyAreWritten) {
+    EXPECT_EQ(wrong_call(words_of("MODEL --print ir")), "");
+    EXPECT_EQ(wrong_call(words_of("help --generate bash|zsh|fish")), "");
+    EXPECT_EQ(wrong_call(words_of("emit csp|cpp MODEL...")), "");
+    EXPECT_EQ(wrong_call(words_of("explain [CODE...]")), "");
+    EXPECT_EQ(wrong_call(words_of("check a.rct > out --nothing")), "");
+    EXPECT_NE(wrong_call(words_of("check MODEL --nothing")), "");
+    EXPECT_NE(wrong_call(words_of("emit nothing MODEL")), "");
+    EXPECT_NE(wrong_call(words_of("chekc")), "");
+    EXPECT_NE(wrong_call(words_of("help --generate csh")), "");
+    EXPECT_NE(wrong_call(words_of("cspm SCRIPT --core")), "") << "an option of other verbs";
+    EXPECT_EQ(calls_in("$ robochart-verify lsp").size(), 1U);
+    EXPECT_EQ(calls_in("- robochart-verify lsp && robochart-verify help").size(), 2U);
+    EXPECT_EQ(calls_in("the program robochart-verify is").size(), 0U);
+}
+
+TEST(InlineCode, StandsOutsideBlocks) {
+    const std::vector<Inline> found =
+        inline_code("a `b\nc` d\n\n```sh\n`x`\n```\n| `e` | `f` |\nopen ` quote\n\n`g`\n");
+    ASSERT_EQ(found.size(), 4U);
+    EXPECT_EQ(found[0].text, "b c");
+    EXPECT_EQ(found[0].line, 1U);
+    EXPECT_EQ(found[2].text, "f");
+    EXPECT_EQ(found[3].text, "g");
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
