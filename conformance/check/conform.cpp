@@ -151,6 +151,32 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
     result.reason = std::move(reason);
 }
 
+/// Of a check that a limit ended: the inputs whose values make the cycles many.
+void say_inputs(Result& result, const Interface& interface) {
+    constexpr double many = 100;
+    constexpr std::size_t most = 3;
+    if (result.outcome != Outcome::inconclusive) return;
+    double valuations = 1;
+    std::vector<const Register*> inputs;
+    for (const Register& each : interface.inputs) {
+        valuations *= each.readings();
+        inputs.push_back(&each);
+    }
+    if (valuations < many) return;
+    std::stable_sort(inputs.begin(), inputs.end(), [](const Register* one, const Register* other) {
+        return one->values.size() > other->values.size();
+    });
+    if (inputs.size() > most) inputs.resize(most);
+    std::vector<std::string> parts;
+    for (const Register* each : inputs)
+        if (each->values.size() > 1)
+            parts.push_back(
+                fmt::format("{} has {} values", each->name.substr(0, each->name.find('.')), each->values.size()));
+    result.reason += fmt::format("; every state of the code has {:.4g} inputs{}{}", valuations,
+                                 parts.empty() ? "" : ": ", fmt::join(parts, ", "));
+    if (!parts.empty()) result.reason += "; --range makes carriers smaller";
+}
+
 /// Where the model is, behind ", at ", by its elements instead of the definitions of the script.
 void say_place(std::optional<Aside>& aside, const csp_emit::Provenance& provenance,
                const diagnostics::SourceManager& sources) {
@@ -182,6 +208,7 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
                                options);
         }
         decide_for_all(result, session, process, alphabet, represented, options);
+        say_inputs(result, interface);
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
         return result;

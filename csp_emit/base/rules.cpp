@@ -67,9 +67,9 @@ const Rule probabilistic_choice{
 
 std::span<const Rule* const> all() {
     static constexpr std::array<const Rule*, 12> table{
-        &unsupported,      &recursive_call,          &missing_in_caller,     &reserved_name,
-        &too_many_points,  &instantiations_replaced, &constant_without_use,  &name_of_another,
-        &one_name_for_two, &probabilistic_choice,    &block_without_process, &inputs_hidden};
+        &unsupported,      &recursive_call,          &missing_in_caller,    &reserved_name,
+        &too_many_points,  &instantiations_replaced, &constant_without_use, &name_of_another,
+        &one_name_for_two, &block_without_process,   &inputs_hidden,        &probabilistic_choice};
     return table;
 }
 

@@ -117,6 +117,7 @@ ChosenConstants chosen_constants(const System& system, const std::map<std::strin
                                  Literals& literals, Diagnostics& diagnostics) {
     ChosenConstants chosen;
     const auto constants = named_constants(system);
+    const std::set<std::string> times = durations(system);
     for (const auto& [option, text] : options) {
         bool known = false;
         for (const auto& constant : constants) {
@@ -127,7 +128,7 @@ ChosenConstants chosen_constants(const System& system, const std::map<std::strin
                 diagnostics.report(rules::bad_constant_value, {}, {option, text, system.type(constant.type).name});
                 break;
             }
-            add_literals(system, *value, false, literals);
+            add_literals(system, *value, times.contains(constant.path.substr(constant.path.rfind(':') + 1)), literals);
             chosen[constant.name] = value;
         }
         if (!known) diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion(option, constants)});

@@ -5,7 +5,8 @@
 //   the type before it (nat in int in real). Choice of ours, where RoboTool counts every literal for every type: a
 //   literal counts for the type its place asks for (`x < 5` with x:real widens real only), a negated literal is one
 //   literal (-5), and literals that are only a wait duration, a deadline, compared with since() or an index do not
-//   widen anything, because they are times and places and no variable's values.
+//   widen anything, because they are times and places and no variable's values; no more do values of constants that are
+//   used as such times alone.
 // * Literals in the values that assertions and options give to constants count, and those of postconditions, which
 //   define functions; preconditions do not.
 // * Strings are the empty one and those written in the model.

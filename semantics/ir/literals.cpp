@@ -25,7 +25,52 @@ bool is_place(const Expr& expr) {
     return expr.kind == ExprKind::integer;
 }
 
+/// What an expression uses constants for.
+struct ConstantUses {
+    std::set<std::string> times, values;
+
+    void add(const std::vector<Constant>& constants, const Expr& expr, bool time) {
+        if (expr.kind == ExprKind::constant && expr.constant.index < constants.size())
+            (time ? times : values).insert(constants[expr.constant.index].name);
+        const bool operands_time = compares_clock(expr);
+        for (const ExprPtr& each : expr.args)
+            if (each) add(constants, *each, operands_time);
+    }
+};
+
+/// The initial values of constants that are durations.
+std::set<const Expr*> values_of_durations(const System& system) {
+    const std::set<std::string> names = durations(system);
+    std::set<const Expr*> result;
+    const auto add = [&](const std::vector<Constant>& constants) {
+        for (const Constant& each : constants)
+            if (each.value && names.contains(each.name)) result.insert(each.value.get());
+    };
+    for (const Machine& machine : system.machines) add(machine.constants);
+    for (const Controller& controller : system.controllers) add(controller.constants);
+    for (const Module& module : system.modules) add(module.platform.constants);
+    return result;
+}
+
 }  // namespace
+
+std::set<std::string> durations(const System& system) {
+    ConstantUses uses;
+    for (const Machine& machine : system.machines)
+        visit_expressions(machine, [&](const Expr& expr, ExprRole role) {
+            uses.add(machine.constants, expr, role == ExprRole::time);
+        });
+    const auto declared = [&](const auto& context) {
+        for (const Constant& each : context.constants)
+            if (each.value) uses.add(context.constants, *each.value, false);
+        for (const Variable& each : context.variables)
+            if (each.initial) uses.add(context.constants, *each.initial, false);
+    };
+    for (const Controller& controller : system.controllers) declared(controller);
+    for (const Module& module : system.modules) declared(module.platform);
+    for (const std::string& name : uses.values) uses.times.erase(name);
+    return std::move(uses.times);
+}
 
 void add_literals(const System& system, const Expr& expr, bool time, Literals& literals) {
     if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real) return add_literal(system, expr, time, literals);
@@ -40,9 +85,10 @@ void add_literals(const System& system, const Expr& expr, bool time, Literals& l
 
 Literals literals_of(const System& system) {
     Literals literals;
+    const std::set<const Expr*> times = values_of_durations(system);
     visit_expressions(system, [&](const Expr& expr, ExprRole role) {
         if (role == ExprRole::probability || (role == ExprRole::place && is_place(expr))) return;
-        add_literals(system, expr, role == ExprRole::time, literals);
+        add_literals(system, expr, role == ExprRole::time || times.contains(&expr), literals);
     });
     for (const auto& function : system.functions)
         for (const auto& condition : function.postconditions) add_literals(system, *condition, false, literals);

@@ -23,6 +23,10 @@ struct Literals {
 };
 
 [[nodiscard]] Literals literals_of(const System&);
+/// The constants, by their names, that are used, and nowhere but as a whole duration or beside since(): their values
+/// are numbers of time units too. Constants of one name are taken for one: that is how a required constant gets its
+/// value.
+[[nodiscard]] std::set<std::string> durations(const System&);
 /// Adds the literals of one expression; `time`: it is a duration as a whole.
 void add_literals(const System&, const Expr&, bool time, Literals&);
 

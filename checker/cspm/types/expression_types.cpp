@@ -1,4 +1,7 @@
 // Types of expressions and patterns (FDR manual, chapter CSPM: functional syntax, defining processes).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <utility>
 
 #include "checker/cspm/types/expression_types.hpp"
