@@ -104,6 +104,7 @@ private:
 
     void match(const Mapping& mapping, std::vector<Element>& elements) {
         for (const Item& item : mapping.items) {
+            diagnostics_.poll();
             Element* found = nullptr;
             for (Element& element : elements)
                 if (element.kind == item.kind && element.published == item.published &&
@@ -291,6 +292,7 @@ private:
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
         for (const Assignment& each : element.item->assignments) {
+            diagnostics_.poll();
             const std::optional<FieldType> field = field_of(*element.item, each.target);
             if (!field) continue;
             const std::string text = each.target.text();
@@ -331,6 +333,7 @@ private:
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
         for (const Assignment& each : element.item->assignments) {
+            diagnostics_.poll();
             const std::optional<FieldType> field = field_of(*element.item, each.source.path);
             if (!field) continue;
             const auto scalar = scalar_of(element, values, each.target, *field, each.source.path);
@@ -448,7 +451,7 @@ private:
     }
 
     void packages() {
-        std::set<std::string> names{"std_msgs"};
+        std::set<std::string> names{"rcl_interfaces", "std_msgs"};
         for (const Topic& topic : plan_.topics) names.insert(topic.message.package);
         if (plan_.stamped()) names.insert("builtin_interfaces");
         plan_.packages.assign(names.begin(), names.end());

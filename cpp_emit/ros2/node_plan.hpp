@@ -89,7 +89,7 @@ struct NodePlan {
     std::vector<Outgoing> outgoing;
     std::vector<Incoming> incoming;
     std::vector<StateTopic> states;
-    std::vector<std::string> packages;  ///< of messages, sorted
+    std::vector<std::string> packages;  ///< of messages, parameters' too, sorted
 
     [[nodiscard]] bool stamped() const;  ///< some field has the time of the cycle
 };

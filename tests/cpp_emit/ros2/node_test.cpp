@@ -1,5 +1,7 @@
 // The node of a generated package in the stub of ROS 2: configured, activated, given messages, cycle by cycle. What it
 // publishes follows from the model and the mapping.
+#include <fmt/format.h>
+
 #include "tests/cpp_emit/models.hpp"
 #include "tests/cpp_emit/ros2/package.hpp"
 
@@ -430,15 +432,80 @@ stm M { requires Twist requires MMessages requires MNode uses MOutbox var s : St
     }
 }
 
-TEST_F(Package, LaunchFileIsPython) {
+/// The launch file in a stub of launch: it starts the node, configures it, and activates it once.
+TEST_F(Package, IsLaunched) {
     emit(testing::model(wheeled), "Mod", wheels, chosen());
-    folder_.run("python3 -c 'import ast; ast.parse(open(\"launch/M.launch.py\").read())'");
-    folder_.run("grep -q \"package='mod'\" launch/M.launch.py && grep -q \"executable='run_mod'\" launch/M.launch.py");
+    write("check.py", R"(
+import runpy
+from launch.actions import DeclareLaunchArgument, EmitEvent, RegisterEventHandler
+from launch_ros.actions import LifecycleNode
+
+made = runpy.run_path('launch/M.launch.py')['generate_launch_description']().entities
+of = lambda kind: [each for each in made if isinstance(each, kind)]
+[node] = of(LifecycleNode)
+assert (node.package, node.executable, node.name, node.namespace) == ('mod', 'run_mod', 'Mod', '')
+assert node.parameters[0].variable_name == 'parameters'
+assert node.parameters[1]['use_sim_time'].variable_name == 'use_sim_time'
+values = {each.name: each.default_value for each in of(DeclareLaunchArgument)}
+assert values == {'parameters': '/share/mod/config/M.yaml', 'autostart': 'true', 'use_sim_time': 'false'}
+[configure] = of(EmitEvent)
+assert configure.event.transition_id == 1 and configure.event.matches(node) and not configure.event.matches(made[0])
+assert configure.condition.predicate_expression.variable_name == 'autostart'
+[handler] = [each.event_handler for each in of(RegisterEventHandler)]
+assert (handler.start_state, handler.goal_state, handler.node) == ('configuring', 'inactive', node)
+[activate] = handler.entities
+assert activate.event.transition_id == 3 and activate.event.matches(node)
+)");
+    folder_.run("PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=" + stub() + "/python python3 check.py");
+}
+
+TEST_F(Package, NamesWhatItNeeds) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
     folder_.run("grep -q '^    cycle: 0.1$' config/M.yaml && grep -q '^    # constants.SPEED: 1.5$' config/M.yaml");
-    folder_.run(
-        "grep -q '<depend>sensor_msgs</depend>' package.xml && "
-        "grep -q '^find_package(geometry_msgs REQUIRED)$' CMakeLists.txt");
+    for (const char* const name : {"builtin_interfaces", "geometry_msgs", "rcl_interfaces", "sensor_msgs", "std_msgs"})
+        folder_.run(
+            fmt::format("grep -q '<depend>{0}</depend>' package.xml && "
+                        "grep -q '^find_package({0} REQUIRED)$' CMakeLists.txt && "
+                        "grep -q '${{{0}_TARGETS}}' CMakeLists.txt",
+                        name));
+    folder_.run("! grep -q my_msgs package.xml");
     folder_.run("grep -q '^install(DIRECTORY launch config DESTINATION share/' CMakeLists.txt");
+}
+
+/// Shared variables that are records, in both directions; one that is written from outside.
+TEST_F(Package, HasVariablesThatAreRecords) {
+    emit(testing::model(R"(package p
+enumeration Light { Red Green }
+datatype Place { x : real lamp : Light }
+datatype Both { first : Place second : nat }
+interface I { var target : Both }
+stm M { requires I initial i state A { }
+    state B { entry target = Both (| first = Place (| x = 2.5, lamp = Light::Green |), second = 3 |) }
+    transition t0 { from i to A } transition t1 { from A to B condition target.second == 7 } }
+)"),
+         "M", R"(ros2 for M {
+    publish variable target as my_msgs/Goal on "target" { x = value.first.x kind = value.first.lamp count = value.second }
+    receive variable target as my_msgs/Goal on "wanted" { value.first.x = x value.first.lamp = kind value.second = count }
+})");
+    drive("M_node.hpp", R"(
+int main() {
+    using my_msgs::msg::Goal;
+    p::MNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    network.tick();
+    EXPECT(taken<Goal>("/target").size() == 1);
+    network.send("/wanted", Goal{1.5, 2, 7});   // no light
+    network.send("/wanted", Goal{1.5, 1, -7});  // no natural number
+    network.tick();
+    EXPECT(taken<Goal>("/target").empty());
+    network.send("/wanted", Goal{1.5, 1, 7});
+    network.tick();
+    const auto targets = taken<Goal>("/target");
+    EXPECT(!targets.empty() && targets.back().x == 2.5F && targets.back().kind == 1 && targets.back().count == 3);
+    EXPECT(taken<std_msgs::msg::String>("/M/state").back().data == "B");
+    return 0;
+})");
 }
 
 }  // namespace

@@ -10,12 +10,6 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-namespace {
-
-const std::string stub_folder = tests::source_folder().string() + "/tests/cpp_emit/ros2_stub";
-
-}  // namespace
-
 Planned emit_package(const ir::System& system, const std::string& component, const std::string& text,
                      const ir::InstantiationOptions& wanted) {
     diagnostics::SourceManager sources;
@@ -47,34 +41,42 @@ void Package::emit(const ir::System& system, const std::string& component, const
     folder_.write(planned.emission);
 }
 
+void Package::write(const std::string& path, const std::string& text) const {
+    std::ofstream(folder_.path() + "/" + path) << text;
+}
+
+std::string Package::stub() {
+    return tests::source_folder().string() + "/tests/cpp_emit/ros2_stub";
+}
+
 void Package::build(const std::string& options) const {
     folder_.run(
         "cmake -S . -B build -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS='-O0 -Wall -Wextra -Wpedantic "
         "-Wconversion -Wshadow -Werror' -DCMAKE_PREFIX_PATH=" +
-        stub_folder + "/cmake " + options + " && cmake --build build");
+        stub() + "/cmake " + options + " && cmake --build build");
 }
 
 void Package::drive(const std::string& node_header, const std::string& text, bool traced) const {
     build(traced ? "-DROBOCHART_TRACE=ON" : "");
-    std::ofstream(folder_.path() + "/drive.cpp")
-        << "#include \"" + node_header +
-               "\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
-               "using rclcpp::Network;\n"
-               "template <class M> std::vector<M> taken(const std::string& topic) {\n"
-               "    std::vector<M> all;\n"
-               "    for (const std::any& each : Network::get().published[topic])\n"
-               "        all.push_back(std::any_cast<M>(each));\n"
-               "    Network::get().published[topic].clear();\n"
-               "    return all;\n}\n"
-               "template <class Node> bool started(Node& node) {\n"
-               "    return node.configure().label() == \"inactive\" && node.activate().label() == \"active\";\n}\n"
-               "bool logged(const std::string& text) {\n"
-               "    std::size_t lines = 0;\n"
-               "    for (const std::string& line : Network::get().log) lines += line.find(text) != std::string::npos;\n"
-               "    Network::get().log.clear();\n"
-               "    return lines == 1;\n}\n" +
-               text;
-    folder_.run("c++ -std=c++17 -O0 -DROBOCHART_TRACE=" + std::to_string(traced) + " -I " + stub_folder +
+    write("drive.cpp",
+          "#include \"" + node_header +
+              "\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
+              "using rclcpp::Network;\n"
+              "template <class M> std::vector<M> taken(const std::string& topic) {\n"
+              "    std::vector<M> all;\n"
+              "    for (const std::any& each : Network::get().published[topic])\n"
+              "        all.push_back(std::any_cast<M>(each));\n"
+              "    Network::get().published[topic].clear();\n"
+              "    return all;\n}\n"
+              "template <class Node> bool started(Node& node) {\n"
+              "    return node.configure().label() == \"inactive\" && node.activate().label() == \"active\";\n}\n"
+              "bool logged(const std::string& text) {\n"
+              "    std::size_t lines = 0;\n"
+              "    for (const std::string& line : Network::get().log) lines += line.find(text) != std::string::npos;\n"
+              "    Network::get().log.clear();\n"
+              "    return lines == 1;\n}\n" +
+              text);
+    folder_.run("c++ -std=c++17 -O0 -DROBOCHART_TRACE=" + std::to_string(traced) + " -I " + stub() +
                 "/include -I src -I controller drive.cpp -Lbuild -l:$(basename build/*_node.so) "
                 "-Wl,-rpath,$PWD/build -o drive");
     folder_.run("./drive; code=$?; test $code = 0 || { sed -n ${code}p drive.cpp; exit 1; }");

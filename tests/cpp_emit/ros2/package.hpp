@@ -30,6 +30,10 @@ protected:
     /// Builds it, and runs a program with its node: 0, or the line of the first EXPECT that fails.
     void drive(const std::string& node_header, const std::string& text, bool traced = false) const;
 
+    void write(const std::string& path, const std::string& text) const;
+    /// The folder of the stub.
+    [[nodiscard]] static std::string stub();
+
     testing::Folder folder_;
 };
 

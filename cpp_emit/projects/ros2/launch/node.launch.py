@@ -22,7 +22,10 @@ def generate_launch_description():
         name='@NODE@',
         namespace='',
         output='screen',
-        parameters=[LaunchConfiguration('parameters')],
+        parameters=[
+            LaunchConfiguration('parameters'),
+            {'use_sim_time': LaunchConfiguration('use_sim_time')},
+        ],
     )
 
     def change(transition):
@@ -45,6 +48,8 @@ def generate_launch_description():
                               description='file with the parameters of the node'),
         DeclareLaunchArgument('autostart', default_value='true',
                               description='configure and activate the node when it has started'),
+        DeclareLaunchArgument('use_sim_time', default_value='false',
+                              description='take the time of a simulator, from the topic /clock'),
         activate,
         node,
         change(Transition.TRANSITION_CONFIGURE),
