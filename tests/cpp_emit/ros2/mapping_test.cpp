@@ -5,6 +5,7 @@
 
 #include "cpp_emit/ros2/messages.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
+#include "diagnostics/splitmix64.hpp"
 #include "tests/cpp_emit/models.hpp"
 #include "tests/cpp_emit/ros2/package.hpp"
 
@@ -241,6 +242,53 @@ TEST(HostileMapping, DoesNotReachTheCode) {
     for (const OutputFile& file : planned.emission.files)
         if (file.path == "src/M_messages.hpp") code = file.text;
     EXPECT_NE(code.find("message.data = \"a\\012b\\077\\077/\\001*/\\134\\042 @CLASS@\";"), std::string::npos) << code;
+}
+
+/// Mappings with characters and words changed, lost and doubled: each is refused with a finding, or written, and then
+/// in names and literals that no character of it has left.
+TEST(HostileMapping, ChangedAtRandomIsRefusedOrWritten) {
+    const ir::System system = testing::model(
+        "enumeration L { A B } datatype P { x : real l : L } interface I { move(p : P, n : nat) var v : real }\n"
+        "interface E { event e : P event f : boolean event g : int }\n"
+        "stm M { requires I uses E var p : P var b : boolean initial i state S { entry move(p, 1) ; v = 1 }\n"
+        "transition t { from i to S } transition u { from S to S trigger e?p action g!1 }\n"
+        "transition w { from S to S trigger f?b } }");
+    const std::string whole = R"(ros2 for M { // all of it
+    publish operation move as my_msgs/msg/Goal on "~/go" with best_effort depth 3 { x = p.x kind = p.l count = n }
+    publish variable v as std_msgs/Float32 on "/v" { data = value }
+    publish event g as std_msgs/UInt8 on "g" with transient_local { data = value }
+    receive event e as geometry_msgs/PoseStamped on "pose" { value.x = pose.position.x value.l = header.stamp.sec }
+    receive event f as std_msgs/Bool on "flag" { value = data } }
+)";
+    const std::string pieces = "{}=.\"/~:-0a_Z \n@%$\\\t'*\x01\xff";
+    std::uint64_t state = 1;
+    const auto random = [&state] { return diagnostics::splitmix64(state); };
+    std::size_t written = 0, refused = 0;
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = whole;
+        for (std::uint64_t changes = 1 + random() % 3; changes > 0; --changes) {
+            const std::size_t at = random() % text.size();
+            const std::size_t length = std::min<std::size_t>(random() % 12, text.size() - at);
+            switch (random() % 4) {
+                case 0:
+                    text.erase(at, length);
+                    break;
+                case 1:
+                    text.insert(at, text.substr(random() % text.size(), length));
+                    break;
+                case 2:
+                    text[at] = pieces[random() % pieces.size()];
+                    break;
+                default:
+                    text.insert(at, 1, pieces[random() % pieces.size()]);
+            }
+        }
+        const Planned planned = emit_package(system, "M", text);
+        ++(planned.emission.files.empty() ? refused : written);
+        EXPECT_TRUE(!planned.emission.files.empty() || !planned.findings.empty()) << text;
+    }
+    EXPECT_GT(written, 100U);
+    EXPECT_GT(refused, 100U);
 }
 
 TEST(Names, OfRosAreThoseOfRosidl) {
