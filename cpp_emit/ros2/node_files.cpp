@@ -292,6 +292,9 @@ private:
                                                     message_type(topic.message), topic.member)
                                       : fmt::format("::rclcpp::Subscription<{}>::SharedPtr {}_;",
                                                     message_type(topic.message), topic.member));
+        for (const Topic& topic : plan_.topics)
+            out_.line(fmt::format("::robochart::ros2::Quality quality_{}_{{{}}};", topic.member,
+                                  quality_text(topic.quality)));
         for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
             if (const ApiVariable* const variable = plan_.outgoing[i].variable)
                 out_.line(fmt::format("std::optional<{}> {};", type(variable->stored->variable->type), last_[i]));
@@ -377,21 +380,25 @@ private:
         out_.close();
         out_.line("robot_->reset();");
         out_.line("log();");
-        for (const Topic& topic : plan_.topics) {
-            const std::string message = message_type(topic.message);
-            if (topic.published) {
-                out_.line(fmt::format("{}_ = create_publisher<{}>(", topic.member, message));
-                out_.line(fmt::format("    \"{}\", {}, ::robochart::ros2::overridable<::rclcpp::PublisherOptions>());",
-                                      topic.name, quality_text(topic.quality)));
-            } else {
-                out_.line(fmt::format("{}_ = create_subscription<{}>(", topic.member, message));
-                out_.line(fmt::format("    \"{}\", {}, [this](const {}& message) {{ receive_{}(message); }},",
-                                      topic.name, quality_text(topic.quality), message, topic.member));
-                out_.line("    ::robochart::ros2::overridable<::rclcpp::SubscriptionOptions>());");
-            }
-        }
+        for (const Topic& topic : plan_.topics) connect(topic);
         out_.line("return CallbackReturn::SUCCESS;");
         out_.close();
+    }
+
+    void connect(const Topic& topic) {
+        const std::string message = message_type(topic.message);
+        const std::string quality = "quality_" + topic.member + "_";
+        if (topic.published) {
+            out_.line(fmt::format("{}_ = create_publisher<{}>(", topic.member, message));
+            out_.line(fmt::format("    \"{0}\", {1}.value(), {1}.options<::rclcpp::PublisherOptions>());", topic.name,
+                                  quality));
+        } else {
+            out_.line(fmt::format("{}_ = create_subscription<{}>(", topic.member, message));
+            out_.line(fmt::format("    \"{}\", {}.value(), [this](const {}& message) {{ receive_{}(message); }},",
+                                  topic.name, quality, message, topic.member));
+            out_.line(fmt::format("    {}.options<::rclcpp::SubscriptionOptions>());", quality));
+        }
+        out_.line(fmt::format("{}.settle({}_->get_actual_qos());", quality, topic.member));
     }
 
     void activate() {

@@ -94,14 +94,31 @@ inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& de
     return descriptor;
 }
 
-/// Options of a publisher or subscription whose quality of service parameters may override: qos_overrides.TOPIC.
-template <class Options>
-[[nodiscard]] Options overridable() {
-    Options options;
-    options.qos_overriding_options =
-        ::rclcpp::QosOverridingOptions{::rclcpp::QosPolicyKind::Depth, ::rclcpp::QosPolicyKind::Durability,
-                                       ::rclcpp::QosPolicyKind::History, ::rclcpp::QosPolicyKind::Reliability};
-    return options;
-}
+/// The quality of service of a topic: parameters may override it (qos_overrides.TOPIC), which are declared when the node
+/// is configured for the first time. Afterwards it is what it was then.
+class Quality {
+public:
+    explicit Quality(const ::rclcpp::QoS& usual) : quality_(usual) {}
+
+    [[nodiscard]] const ::rclcpp::QoS& value() const { return quality_; }
+    template <class Options>
+    [[nodiscard]] Options options() const {
+        Options options;
+        if (!settled_)
+            options.qos_overriding_options = ::rclcpp::QosOverridingOptions{
+                ::rclcpp::QosPolicyKind::Depth, ::rclcpp::QosPolicyKind::Durability, ::rclcpp::QosPolicyKind::History,
+                ::rclcpp::QosPolicyKind::Reliability};
+        return options;
+    }
+    /// What the publisher or subscription got.
+    void settle(const ::rclcpp::QoS& actual) {
+        quality_ = actual;
+        settled_ = true;
+    }
+
+private:
+    ::rclcpp::QoS quality_;
+    bool settled_ = false;
+};
 
 }  // namespace robochart::ros2

@@ -230,7 +230,18 @@ int main() {
     EXPECT(network.quality["/Mod/in/bump"] == "reliable, volatile, 10");
     EXPECT(network.quality["/Mod/seen"] == "best_effort, volatile, 1");
     EXPECT(network.quality["/done"] == "reliable, transient_local, 10");
+    EXPECT(network.policies.size() == network.quality.size());
     for (const auto& [topic, policies] : network.policies) EXPECT(policies == 4);
+    // Parameters override it, also when the node is configured a second time.
+    network.parameters["qos_overrides./cmd_vel.publisher.depth"] = std::int64_t{3};
+    network.parameters["qos_overrides./scan.subscription.depth"] = std::int64_t{1};
+    p::MNode other;
+    for (int times = 0; times < 2; ++times) {
+        EXPECT(started(other));
+        EXPECT(network.quality["/cmd_vel"] == "reliable, volatile, 3");
+        EXPECT(network.quality["/scan"] == "best_effort, volatile, 1");
+        EXPECT(other.deactivate().label() == "inactive" && other.cleanup().label() == "unconfigured");
+    }
     return 0;
 })");
 }

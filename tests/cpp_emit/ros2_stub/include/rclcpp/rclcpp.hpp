@@ -28,6 +28,8 @@ public:
     QoS& best_effort() { return reliable_ = false, *this; }
     QoS& transient_local() { return latched_ = true, *this; }
     QoS& durability_volatile() { return latched_ = false, *this; }
+    /// The policy Depth of QosOverridingOptions.
+    void override_depth(std::size_t depth) { depth_ = depth; }
 
     /// What the test sees: "reliable, volatile, 10".
     [[nodiscard]] std::string text() const {
@@ -104,23 +106,27 @@ class Subscription {
 public:
     using SharedPtr = std::shared_ptr<Subscription>;
 
-    explicit Subscription(std::string topic) : topic_(std::move(topic)) {}
+    Subscription(std::string topic, const QoS& qos) : topic_(std::move(topic)), qos_(qos) {}
     ~Subscription() { Network::get().listeners.erase(topic_); }
+    [[nodiscard]] QoS get_actual_qos() const { return qos_; }
 
 private:
     std::string topic_;
+    QoS qos_;
 };
 
 template <class Message>
 class Publisher {
 public:
-    explicit Publisher(std::string topic) : topic_(std::move(topic)) {}
+    Publisher(std::string topic, const QoS& qos) : topic_(std::move(topic)), qos_(qos) {}
     virtual ~Publisher() = default;
+    [[nodiscard]] QoS get_actual_qos() const { return qos_; }
     virtual void publish(const Message& message) { Network::get().published[topic_].push_back(message); }
     [[nodiscard]] std::size_t get_subscription_count() const { return Network::get().listeners[topic_].size(); }
 
 private:
     std::string topic_;
+    QoS qos_;
 };
 
 class TimerBase {

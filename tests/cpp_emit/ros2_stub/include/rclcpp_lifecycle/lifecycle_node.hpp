@@ -4,6 +4,7 @@
 
 #include <any>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,16 +50,16 @@ public:
     std::shared_ptr<rclcpp::Subscription<Message>> create_subscription(
         const std::string& topic, const rclcpp::QoS& qos, Callback&& callback,
         const rclcpp::SubscriptionOptions& options = {}) {
-        note(topic, qos, options.qos_overriding_options);
+        const rclcpp::QoS actual = overridden(topic, "subscription", qos, options.qos_overriding_options);
         rclcpp::Network::get().listeners[full(topic)].push_back(
             [callback](const std::any& message) { callback(std::any_cast<const Message&>(message)); });
-        return std::make_shared<rclcpp::Subscription<Message>>(full(topic));
+        return std::make_shared<rclcpp::Subscription<Message>>(full(topic), actual);
     }
     template <class Message>
     std::shared_ptr<LifecyclePublisher<Message>> create_publisher(const std::string& topic, const rclcpp::QoS& qos,
                                                                   const rclcpp::PublisherOptions& options = {}) {
-        note(topic, qos, options.qos_overriding_options);
-        auto publisher = std::make_shared<LifecyclePublisher<Message>>(full(topic));
+        const rclcpp::QoS actual = overridden(topic, "publisher", qos, options.qos_overriding_options);
+        auto publisher = std::make_shared<LifecyclePublisher<Message>>(full(topic), actual);
         managed_.push_back(publisher);
         return publisher;
     }
@@ -102,9 +103,20 @@ private:
         if (state_.label() == from && (this->*callback)(state_) == CallbackReturn::SUCCESS) state_ = State(to);
         return state_;
     }
-    void note(const std::string& topic, const rclcpp::QoS& qos, const rclcpp::QosOverridingOptions& options) const {
-        rclcpp::Network::get().quality[full(topic)] = qos.text();
-        rclcpp::Network::get().policies[full(topic)] = options.get_policy_kinds().size();
+    /// With the parameters that the options declare: once, a second time is an error. Here that of the depth.
+    rclcpp::QoS overridden(const std::string& topic, const std::string& kind, rclcpp::QoS qos,
+                           const rclcpp::QosOverridingOptions& options) {
+        rclcpp::Network& network = rclcpp::Network::get();
+        if (!options.get_policy_kinds().empty()) {
+            const std::string name = "qos_overrides." + full(topic) + "." + kind + ".depth";
+            if (!declared_.insert(name).second) throw std::logic_error(name + " has already been declared");
+            const auto given = network.parameters.find(name);
+            if (given != network.parameters.end())
+                qos.override_depth(static_cast<std::size_t>(std::any_cast<std::int64_t>(given->second)));
+            network.policies[full(topic)] = options.get_policy_kinds().size();
+        }
+        network.quality[full(topic)] = qos.text();
+        return qos;
     }
     /// A private topic, `~/x`, is below the node's name; others are here in the namespace of the root.
     [[nodiscard]] std::string full(const std::string& topic) const {
@@ -114,6 +126,7 @@ private:
     std::string name_;
     State state_;
     std::vector<std::weak_ptr<ManagedEntity>> managed_;
+    std::set<std::string> declared_;
 };
 
 }  // namespace rclcpp_lifecycle
