@@ -84,7 +84,9 @@ private:
 
     /// What the texts of the package say of the messages that the node uses.
     void message_keys() {
-        std::set<std::string> taken{"ament_cmake", "rclcpp", "rclcpp_components", "rclcpp_lifecycle"};
+        std::set<std::string> taken{"ament_cmake",       "ament_index_python", "launch",
+                                    "launch_ros",        "lifecycle_msgs",     "rclcpp",
+                                    "rclcpp_components", "rclcpp_lifecycle"};
         taken.insert(node_->packages.begin(), node_->packages.end());
         keys_["PACKAGE"] = ros2::package_name(generation_.component.name, taken);
         keys_["NODE"] = node_->node;

@@ -307,6 +307,22 @@ TEST(Names, OfRosAreThoseOfRosidl) {
     EXPECT_EQ(topic_part("a__b_"), "a_b");
 }
 
+/// A package is none of those that it needs.
+TEST(Names, OfAPackageAreItsOwn) {
+    for (const char* const name : {"Launch", "Rclcpp", "StdMsgs", "Rcl_Interfaces"}) {
+        const ir::System system =
+            testing::model(fmt::format("interface I {{ stop() }} stm {} {{ requires I initial i state A {{ entry "
+                                       "stop() }} transition t {{ from i to A }} }}",
+                                       name));
+        const Planned planned = emit_package(system, name, "");
+        std::string text;
+        for (const OutputFile& file : planned.emission.files)
+            if (file.path == "package.xml") text = file.text;
+        EXPECT_NE(text.find("_controller</name>"), std::string::npos) << text;
+        EXPECT_FALSE(planned.emission.files.empty());
+    }
+}
+
 /// Each message that a field of the table has is in the table, and each name in it is one.
 TEST(Messages, OfTheTableAreWhole) {
     std::size_t fields = 0;
