@@ -1,3 +1,4 @@
+// The header and source of the node.
 #include "cpp_emit/ros2/node_files.hpp"
 
 #include <fmt/format.h>
@@ -5,8 +6,8 @@
 
 #include <set>
 
+#include "cpp_emit/ros2/field_code.hpp"
 #include "cpp_emit/ros2/model_values.hpp"
-#include "cpp_emit/ros2/ros_names.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -16,149 +17,6 @@ std::string quality_text(const QualityOfService& quality) {
     return fmt::format("::rclcpp::QoS({}).{}().{}()", quality.depth, quality.reliable ? "reliable" : "best_effort",
                        quality.latched ? "transient_local" : "durability_volatile");
 }
-
-/// `::robochart::ros2::put(message.linear.x, a0)`; statements for what always fits go before.
-class FieldWriter {
-public:
-    FieldWriter(CodeWriter& out, std::string message, std::string now)
-        : out_(out), message_(std::move(message)), now_(std::move(now)) {}
-
-    /// Fills the message; the condition under which all values fit, "" if they do.
-    std::string fill(const Outgoing& outgoing) {
-        if (outgoing.array) {
-            std::vector<std::string> numbers;
-            for (const Filled& field : outgoing.fields)
-                numbers.push_back(fmt::format("static_cast<double>({})", field.scalar->place));
-            out_.line(fmt::format("{}.data = {{{}}};", message_, fmt::join(numbers, ", ")));
-            return "";
-        }
-        std::vector<std::string> conditions;
-        for (const Filled& field : outgoing.fields) {
-            const std::string place = fmt::format("{}.{}", message_, field.field);
-            if (field.now)
-                out_.line(fmt::format("{} = {};", place, now_));
-            else if (field.literal.starts_with('"'))
-                out_.line(fmt::format("{} = {};", place, field.literal));
-            else
-                conditions.push_back(fmt::format("::robochart::ros2::put({}, {})", place, value_of(field)));
-        }
-        return fmt::format("{}", fmt::join(conditions, " && "));
-    }
-
-private:
-    static std::string value_of(const Filled& field) {
-        if (!field.scalar) return field.literal;
-        return field.scalar->kind == ScalarKind::enumeration
-                   ? fmt::format("static_cast<std::int64_t>({})", field.scalar->place)
-                   : field.scalar->place;
-    }
-
-    CodeWriter& out_;
-    std::string message_, now_;
-};
-
-class MessagesWriter {
-public:
-    MessagesWriter(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan)
-        : generation_(generation),
-          core_(core),
-          api_(api),
-          plan_(plan),
-          outbox_(free_member(api, "outbox")),
-          message_(free_member(api, "message")) {}
-
-    std::string write() {
-        file_comment(generation_, out_, "Messages");
-        out_.line("#pragma once");
-        out_.gap();
-        out_.line("#include <cstdint>");
-        out_.line("#include <vector>");
-        out_.gap();
-        std::set<std::string> headers;
-        for (const Topic& topic : plan_.topics)
-            headers.insert(
-                fmt::format("#include <{}/msg/{}.hpp>", topic.message.package, header_of_message(topic.message.type)));
-        if (plan_.stamped()) headers.insert("#include <builtin_interfaces/msg/time.hpp>");
-        for (const std::string& header : headers) out_.line(header);
-        out_.gap();
-        out_.line(fmt::format("#include \"{}.hpp\"", api_.cpp_name));
-        out_.line("#include \"node_support.hpp\"");
-        out_.gap();
-        out_.line(fmt::format("namespace {} {{", api_.name_space));
-        out_.gap();
-        outbox();
-        out_.gap();
-        robot();
-        out_.gap();
-        out_.line(fmt::format("}}  // namespace {}", api_.name_space));
-        return out_.text();
-    }
-
-private:
-    void outbox() {
-        out_.doc("What the controller says in a cycle, topic by topic in the order in which it says it.");
-        out_.open(fmt::format("struct {}Outbox {{", api_.cpp_name));
-        std::set<std::size_t> kept;
-        for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr) kept.insert(outgoing.topic);
-        for (const std::size_t topic : kept)
-            out_.line(fmt::format("std::vector<{}> {};", message_type(plan_.topics[topic].message),
-                                  plan_.topics[topic].member));
-        out_.line_with_doc("std::vector<const char*> unfit;", "what has a value that its message cannot hold");
-        if (plan_.stamped()) out_.line_with_doc("::builtin_interfaces::msg::Time now{};", "of the cycle");
-        out_.close("};");
-    }
-
-    void robot() {
-        out_.doc(
-            "The controller. What it does is kept until the end of the cycle, for a cycle must not fail. To do an "
-            "operation in C++, inherit this class, override the operation and give the node an object of yours.");
-        out_.open(fmt::format("class {0}Messages : public {0} {{", api_.cpp_name));
-        out_.label("public:");
-        out_.line(fmt::format("{}Outbox {};", api_.cpp_name, outbox_));
-        for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr) keep(outgoing);
-        out_.close("};");
-    }
-
-    void keep(const Outgoing& outgoing) {
-        const Topic& topic = plan_.topics[outgoing.topic];
-        std::vector<std::string> parameters;
-        std::vector<ir::TypeId> types;
-        if (outgoing.operation != nullptr)
-            types = outgoing.operation->signature->parameters;
-        else if (outgoing.event->port->type)
-            types = {*outgoing.event->port->type};
-        for (std::size_t i = 0; i < types.size(); ++i)
-            parameters.push_back(
-                fmt::format("[[maybe_unused]] {} a{}", deployed_type(generation_, core_.relative, types[i]), i));
-        out_.gap();
-        out_.open(fmt::format("void {}({}) override {{",
-                              outgoing.operation != nullptr ? outgoing.operation->method : outgoing.event->method,
-                              fmt::join(parameters, ", ")));
-        out_.line(fmt::format("{} {};", message_type(topic.message), message_));
-        FieldWriter fields(out_, message_, outbox_ + ".now");
-        const std::string fits = fields.fill(outgoing);
-        const std::string keep = fmt::format("{}.{}.push_back({});", outbox_, topic.member, message_);
-        if (fits.empty()) {
-            out_.line(keep);
-        } else {
-            out_.open(fmt::format("if ({}) {{", fits));
-            out_.line(keep);
-            out_.reopen("} else {");
-            out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
-            out_.close();
-        }
-        out_.close();
-    }
-
-    const Generation& generation_;
-    const Core& core_;
-    const ClassApi& api_;
-    const NodePlan& plan_;
-    std::string outbox_, message_;
-    CodeWriter out_;
-};
 
 class NodeWriter {
 public:
@@ -553,8 +411,7 @@ private:
         out_.line(fmt::format("const auto& value = robot_->{};", outgoing.variable->member));
         out_.line(fmt::format("{} = value;", last));
         out_.line(fmt::format("{} message;", message_type(topic.message)));
-        FieldWriter fields(out_, "message", outbox_ + ".now");
-        const std::string fits = fields.fill(outgoing);
+        const std::string fits = fill_message(out_, outgoing, "message", outbox_ + ".now");
         const std::string publish = fmt::format("{}_->publish(message);", topic.member);
         if (fits.empty()) {
             out_.line(publish);
@@ -608,14 +465,6 @@ private:
 };
 
 }  // namespace
-
-std::string message_type(const MessageName& message) {
-    return fmt::format("::{}::msg::{}", message.package, message.type);
-}
-
-std::string messages_header(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {
-    return MessagesWriter(generation, core, api, plan).write();
-}
 
 std::string node_header(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {
     return NodeWriter(generation, core, api, plan).header();

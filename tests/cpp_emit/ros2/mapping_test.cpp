@@ -57,8 +57,6 @@ TEST_P(WrongMapping, IsSaidWithItsPlace) {
     EXPECT_EQ(findings_of(GetParam().item), GetParam().expected) << GetParam().item;
 }
 
-const char* const twist = "publish operation move as geometry_msgs/Twist on \"cmd_vel\" ";
-
 INSTANTIATE_TEST_SUITE_P(
     Syntax, WrongMapping,
     ::testing::Values(
