@@ -4,26 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <optional>
+
+#include "cpp_emit/ros2/node_files.hpp"
+#include "cpp_emit/ros2/ros_names.hpp"
 
 namespace robochart::cpp_emit {
 
 namespace {
-
-/// "SwarmTaxis" as the name of a ROS package (REP 144): small letters, digits, underscores; at least two.
-std::string package_name(const std::string& name) {
-    std::string result;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const auto c = static_cast<unsigned char>(name[i]);
-        const bool word = std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
-        if (word && result.back() != '_') result += '_';
-        if (c == '_' && (result.empty() || result.back() == '_')) continue;
-        result += static_cast<char>(std::tolower(c));
-    }
-    while (!result.empty() && result.back() == '_') result.pop_back();
-    return result.size() < 2 || std::isalpha(static_cast<unsigned char>(result.front())) == 0 ? "robot_" + result
-                                                                                              : result;
-}
 
 bool only_explored(const std::string& path) {
     const auto ends = [&](std::string_view end) { return path.size() >= end.size() && path.ends_with(end); };
@@ -34,8 +22,8 @@ bool only_explored(const std::string& path) {
 class ProjectMaker {
 public:
     ProjectMaker(const Generation& generation, const Core& core, const ClassApi& api,
-                 const std::vector<OutputFile>& controller)
-        : generation_(generation), core_(core), api_(api) {
+                 const std::vector<OutputFile>& controller, const std::optional<ros2::NodePlan>& node)
+        : generation_(generation), core_(core), api_(api), node_(node) {
         for (const OutputFile& file : controller) {
             if (file.path == "main.cpp") console_ = file.text;
             if (only_explored(file.path)) continue;
@@ -44,7 +32,6 @@ public:
         }
         keys_["CLASS"] = api.cpp_name;
         keys_["QUALIFIED"] = api.name_space + "::" + api.cpp_name;
-        keys_["PACKAGE"] = package_name(generation.component.name);
         keys_["DEPENDENCIES"] = eigen_ ? "find_package(Eigen3 QUIET)\n" : "";
         const Target target = generation.options.target;
         keys_["TRACE"] = target == Target::library || target == Target::ros2 ? "OFF" : "ON";
@@ -65,7 +52,7 @@ public:
                 files_.push_back({"main.cpp", console_});
                 break;
             case Target::ros2:
-                ros2();
+                ros2_package();
                 break;
             case Target::enki:
                 enki();
@@ -95,11 +82,35 @@ private:
         return text;
     }
 
-    void ros2() {
+    /// What the texts of the package say of the messages that the node uses.
+    void message_keys() {
+        std::set<std::string> taken{"ament_cmake",       "ament_index_python", "launch",
+                                    "launch_ros",        "lifecycle_msgs",     "rclcpp",
+                                    "rclcpp_components", "rclcpp_lifecycle"};
+        taken.insert(node_->packages.begin(), node_->packages.end());
+        keys_["PACKAGE"] = ros2::package_name(generation_.component.name, taken);
+        keys_["NODE"] = node_->node;
+        for (const std::string& name : node_->packages) {
+            keys_["FIND_MESSAGES"] += fmt::format("find_package({} REQUIRED)\n", name);
+            keys_["MESSAGE_TARGETS"] += fmt::format("\n                      ${{{}_TARGETS}}", name);
+            keys_["DEPEND_MESSAGES"] += fmt::format("  <depend>{}</depend>\n", name);
+        }
+        const std::uint32_t units = generation_.options.cycle_length;
+        keys_["CYCLE_UNITS"] = fmt::format(", which is {} time unit{} of the model", units, units == 1 ? "" : "s");
+        keys_["CONSTANTS"] = ros2::constant_lines(generation_, core_);
+    }
+
+    void ros2_package() {
+        message_keys();
         add("CMakeLists.txt", "ros2/CMakeLists.txt");
         add("package.xml", "ros2/package.xml");
-        files_.push_back({"src/" + api_.cpp_name + "_node.hpp", node_header(generation_, core_, api_)});
-        files_.push_back({"src/" + api_.cpp_name + "_node.cpp", node_source(generation_, core_, api_)});
+        add("launch/" + api_.cpp_name + ".launch.py", "ros2/launch/node.launch.py");
+        add("config/" + api_.cpp_name + ".yaml", "ros2/config/parameters.yaml");
+        add("src/node_support.hpp", "ros2/node_support.hpp");
+        const std::string stem = "src/" + api_.cpp_name;
+        files_.push_back({stem + "_messages.hpp", messages_header(generation_, core_, api_, *node_)});
+        files_.push_back({stem + "_node.hpp", node_header(generation_, core_, api_, *node_)});
+        files_.push_back({stem + "_node.cpp", node_source(generation_, core_, api_, *node_)});
     }
 
     void robot() {
@@ -133,6 +144,7 @@ private:
     const Generation& generation_;
     const Core& core_;
     const ClassApi& api_;
+    const std::optional<ros2::NodePlan>& node_;
     std::vector<OutputFile> files_;
     std::map<std::string, std::string> keys_;
     diagnostics::ForeignText element_;
@@ -157,25 +169,16 @@ std::string filled(const std::string& text, const std::map<std::string, std::str
     return result.append(text, from);
 }
 
-std::string free_member(const ClassApi& api, std::string name) {
-    const auto taken = [&] {
-        bool found = false;
-        each_class(api, [&](const ApiClass& part) {
-            for (const ApiVariable& variable : part.variables) found = found || variable.member == name;
-            for (const ApiEvent& event : part.events) found = found || event.flag == name || event.value == name;
-            for (const ApiOperation& operation : part.operations) found = found || operation.method == name;
-        });
-        return found;
-    };
-    while (taken()) name += "_robot";
-    return name;
-}
-
 std::vector<OutputFile> project_files(const Generation& generation, const Core& core, const ClassApi& api,
                                       const std::vector<OutputFile>& controller,
                                       diagnostics::Diagnostics& diagnostics) {
-    if (generation.options.target == Target::ros2 && !has_messages(generation, api, diagnostics)) return {};
-    return ProjectMaker(generation, core, api, controller).make();
+    std::optional<ros2::NodePlan> node;
+    if (generation.options.target == Target::ros2) {
+        const std::size_t before = diagnostics.errors();
+        node = ros2::plan_node(generation, api, diagnostics);
+        if (diagnostics.errors() > before) return {};
+    }
+    return ProjectMaker(generation, core, api, controller, node).make();
 }
 
 }  // namespace robochart::cpp_emit

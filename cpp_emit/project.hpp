@@ -16,9 +16,6 @@ namespace robochart::cpp_emit {
 /// The text with every @KEY@ replaced; what it is replaced by is not looked at again.
 [[nodiscard]] std::string filled(const std::string& text, const std::map<std::string, std::string>& keys);
 
-/// The name, or a longer one that no member of the class has.
-[[nodiscard]] std::string free_member(const ClassApi&, std::string name);
-
 /// Files of the project of Options::target; `controller` holds those of the classes and their CMakeLists.txt and
 /// main.cpp. What the target cannot do is refused by name.
 [[nodiscard]] std::vector<OutputFile> project_files(const Generation&, const Core&, const ClassApi&,
@@ -27,9 +24,5 @@ namespace robochart::cpp_emit {
 
 /// The class that an author of a robot fills: events from its sensors, operations to its actuators.
 [[nodiscard]] OutputFile robot_file(const Generation&, const Core&, const ClassApi&, const std::string& act);
-/// Reports what has no message; then the node's header and source.
-[[nodiscard]] bool has_messages(const Generation&, const ClassApi&, diagnostics::Diagnostics&);
-[[nodiscard]] std::string node_header(const Generation&, const Core&, const ClassApi&);
-[[nodiscard]] std::string node_source(const Generation&, const Core&, const ClassApi&);
 
 }  // namespace robochart::cpp_emit

@@ -192,6 +192,9 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::choice, .name = "TARGET", .choices = "library,main,ros2,enki,argos"},
          "a complete project, below DIR/TARGET/COMPONENT",
          [](Options& o, const std::string& word) { o.target = word; }},
+        {"--mapping", Group::code, of(Verb::emit_cpp), {.kind = Kind::file, .name = "FILE"},
+         "with --target ros2: the messages and topics of operations, events and variables",
+         [](Options& o, const std::string& word) { o.mapping = word; }},
         {"--strategy", Group::code, of(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "STRATEGY", .usual = "auto", .choices = "auto,switch,table"},
          "how generated code selects what an event does: by a switch over states and events, or by a table; auto: a "

@@ -93,6 +93,7 @@ struct Options {
     std::string component;  ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
     std::string target;                  ///< emit cpp: a project of this kind; "": the classes alone
+    std::string mapping;                 ///< emit cpp --target ros2: file that says which messages carry what
     std::string strategy = "auto";       ///< emit cpp: how the code finds what an event does
     std::string print;                   ///< phase to print, "" for none
     std::vector<std::string> constants;  ///< NAME=VALUE

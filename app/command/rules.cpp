@@ -8,6 +8,7 @@
 #include "checker/cspm/types/rules.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/ros2/rules.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -59,6 +60,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(ir::rules::all());
     add(csp_emit::rules::all());
     add(cpp_emit::rules::all());
+    add(cpp_emit::ros2::rules::all());
     add(cspm::rules::all());
     add(cspm::types::rules::all());
     add(simulation::rules::all());

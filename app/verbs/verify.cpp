@@ -15,10 +15,14 @@
 #include "app/verbs/write_files.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "cpp_emit/emit.hpp"
+#include "cpp_emit/ros2/read_mapping.hpp"
+#include "cpp_emit/ros2/rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
+#include "diagnostics/spelling.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/ir/dump.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/lower.hpp"
@@ -199,8 +203,41 @@ bool write_csp(Project& project, const Options& options, Report& report) {
     return true;
 }
 
+namespace {
+
+/// The mapping that --mapping names; nothing, with findings, if it cannot be read.
+std::optional<cpp_emit::ros2::Mapping> read_mapping(Project& project, const Options& options) {
+    std::string error;
+    const auto source = project.sources.load(options.mapping, error);
+    if (source) {
+        auto mapping = cpp_emit::ros2::read_mapping(project.sources, *source, project.diagnostics);
+        if (!project.diagnostics.has_errors_in(*source)) return mapping;
+    } else {
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {options.mapping, error});
+    }
+    return std::nullopt;
+}
+
+/// The component that the mapping is for, which is the only one written; empty, with a finding, if there is none.
+std::vector<ir::ComponentRef> mapped_component(Project& project, const std::vector<ir::ComponentRef>& components,
+                                               const cpp_emit::ros2::Mapping& mapping) {
+    const auto& [wanted, span] = mapping.component;
+    std::vector<std::string> known;
+    for (const ir::ComponentRef& each : components) {
+        if (each.path == wanted || ir::qualified(each) == wanted) return {each};
+        known.push_back(each.path);
+    }
+    const std::string meant = diagnostics::nearest(wanted, known);
+    const std::string help = meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+    project.diagnostics.report(cpp_emit::ros2::rules::unknown_name, span,
+                               {"the model", "component that code is made of", wanted, help});
+    return {};
+}
+
+}  // namespace
+
 bool write_cpp(Project& project, const Options& options, Report& report) {
-    const auto components = code_components(project.system, options.component);
+    auto components = code_components(project.system, options.component);
     if (components.empty()) {
         project.diagnostics.report(rules::no_component, {},
                                    {options.component.empty() ? "the model" : options.component});
@@ -213,6 +250,14 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     generator.strategy = strategy_of(options.strategy);
     generator.choices = options.choices;
     generator.explored = false;
+    std::optional<cpp_emit::ros2::Mapping> mapping;
+    if (!options.mapping.empty()) {
+        mapping = read_mapping(project, options);
+        if (!mapping) return false;
+        components = mapped_component(project, components, *mapping);
+        if (components.empty()) return false;
+        generator.mapping = &*mapping;
+    }
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission =
             cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
@@ -413,6 +458,8 @@ Exit compare_traces(const std::vector<Part>& parts, const Options& options, Repo
 Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
     parts = load_parts(options);
     if (!options.print.empty()) return print_phases(parts, options);
+    if (!options.mapping.empty() && options.target != "ros2")
+        throw UsageError("--mapping is about messages of ROS 2: it needs --target ros2");
     if (!options.traces.empty() && options.format == Format::junit)
         throw UsageError("--format junit is about generated code: of logs (--traces) there are text and json");
     if (!options.traces.empty()) return compare_traces(parts, options, report);

@@ -20,12 +20,15 @@ public:
         classes.take(component_.cpp_name + "_core");
         api_.name_space = package_namespace(component_.package);
         api_.cpp_name = classes.unique(component_.composed() ? component_.name : component_.root().machine->name);
+        for (const char* const suffix : {"Node", "Messages", "Outbox"}) {  // cpp_emit/ros2
+            classes.take(api_.cpp_name + suffix);
+            members_.take(api_.cpp_name + suffix);
+        }
         api_.own.cpp_name = api_.cpp_name;
         for (const Unit& unit : component_.units)
             for (const std::string& interface : unit.machine->interfaces) add_base(interface, classes);
         for (const ApiClass& base : api_.bases) members_.take(base.cpp_name);
         members_.take(api_.cpp_name);
-        members_.take(api_.cpp_name + "Node");  // ros2_node.cpp
         members_.take(component_.cpp_name + "_core");
         operations();
         functions();
@@ -145,6 +148,20 @@ private:
 
 ClassApi make_class_api(const Generation& generation) {
     return ClassApiMaker(generation).make();
+}
+
+std::string free_member(const ClassApi& api, std::string name) {
+    const auto taken = [&] {
+        bool found = false;
+        each_class(api, [&](const ApiClass& part) {
+            for (const ApiVariable& variable : part.variables) found = found || variable.member == name;
+            for (const ApiEvent& event : part.events) found = found || event.flag == name || event.value == name;
+            for (const ApiOperation& operation : part.operations) found = found || operation.method == name;
+        });
+        return found;
+    };
+    while (taken()) name += "_robot";
+    return name;
 }
 
 Spelling deployed(const std::string& core) {

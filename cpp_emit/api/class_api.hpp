@@ -93,5 +93,10 @@ void each_class(const ClassApi& api, const Visit& visit) {
 /// double, std::int64_t, bool, or a declared type of the core, whose namespace is given as seen from the user's.
 [[nodiscard]] Spelling deployed(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
+/// A value as deployed: `-0.75`, `3`, `true`, `core::Light::Red`.
+[[nodiscard]] std::string deployed_value(const Generation&, const Core&, ir::TypeId, const ir::Value&);
+
+/// The name, or a longer one that no member of the class has.
+[[nodiscard]] std::string free_member(const ClassApi&, std::string name);
 
 }  // namespace robochart::cpp_emit

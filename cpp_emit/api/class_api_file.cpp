@@ -12,13 +12,6 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The start value of a member, as deployed: `-0.75`, `3`, `true`, `core::Light::Red`.
-std::string deployed_value(const Generation& generation, const Core& core, ir::TypeId id, const ir::Value& value) {
-    const std::string text = cpp_value(generation.system, generation.inst, id, value, deployed(core.relative));
-    if (!numeric(generation.system.type(id).kind)) return text;
-    return text.substr(text.find('(') + 1, text.rfind(')') - text.find('(') - 1);
-}
-
 std::string parameters(const Generation& generation, const Core& core, const ir::OperationSignature& signature,
                        bool unused) {
     const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
@@ -301,6 +294,12 @@ void write_state(const Core& core, const ClassApi& api, const ApiMachine& machin
 }
 
 }  // namespace
+
+std::string deployed_value(const Generation& generation, const Core& core, ir::TypeId id, const ir::Value& value) {
+    const std::string text = cpp_value(generation.system, generation.inst, id, value, deployed(core.relative));
+    if (!numeric(generation.system.type(id).kind)) return text;
+    return text.substr(text.find('(') + 1, text.rfind(')') - text.find('(') - 1);
+}
 
 std::string interface_header(const Generation& generation, const Core& core, const ClassApi& api,
                              const ApiClass& base) {

@@ -10,6 +10,10 @@
 
 namespace robochart::cpp_emit {
 
+namespace ros2 {
+struct Mapping;
+}
+
 /// A file to be written: path relative to the output folder, and its text.
 struct OutputFile {
     std::string path;
@@ -48,6 +52,9 @@ struct Options {
     /// The exploration interface is needed: what has more values than its tables take is refused (RC-G13). Else the
     /// interface is left out then, with a note (RC-G15).
     bool explored = true;
+    /// Target::ros2: which messages carry what the component shows (cpp_emit/ros2/mapping.hpp); null: those of
+    /// std_msgs.
+    const ros2::Mapping* mapping = nullptr;
     /// For comments with file and line; null: comments name the model's elements only.
     const diagnostics::SourceManager* sources = nullptr;
 };

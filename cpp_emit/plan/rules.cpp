@@ -44,7 +44,8 @@ const Rule too_large{"RC-G13", Severity::error, "no C++ for '{}': {}",
                      "A limit of the generated code or of its exploration interface (runtime/explore_abi.h)."};
 const Rule no_project{"RC-G14", Severity::error, "no {} project for '{}': {}",
                       "A target may offer less than the language: messages of std_msgs carry truth values, numbers, "
-                      "enumerations without arguments, and several numbers as the arguments of an operation."};
+                      "enumerations without arguments, and several numbers as the arguments of an operation; a mapping "
+                      "gives records the messages of the robot."};
 const Rule not_explored{
     "RC-G15", Severity::note, "the code of '{}' has no exploration interface: of {}, {}",
     "The controller is whole; only `conform`, which tries all values of its inputs, functions and outputs over the "

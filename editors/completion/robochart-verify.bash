@@ -10,7 +10,7 @@ _robochart_verify_options() {
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
     'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
-    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
@@ -38,6 +38,7 @@ _robochart_verify_argument() {
     'verify --component' | 'emit cpp --component' | 'emit monitor --component' | 'emit tests --component' | 'conform --component') echo '<value>' ;;
     'verify --cycle' | 'emit cpp --cycle' | 'emit monitor --cycle' | 'emit tests --cycle' | 'conform --cycle') echo '<value>' ;;
     'emit cpp --target') echo 'library main ros2 enki argos' ;;
+    'emit cpp --mapping') echo '<file>' ;;
     'emit cpp --strategy') echo 'auto switch table' ;;
     'conform --model') echo 'failures-divergences tick-tock' ;;
     'conform --walks') echo '<value>' ;;

@@ -57,6 +57,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "chec
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit monitor" "emit tests" "conform"' -l component -x -d 'only this module, controller or machine'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit monitor" "emit tests" "conform"' -l cycle -x -d 'time units of one control cycle'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l target -x -a 'library main ros2 enki argos' -d 'a complete project, below DIR/TARGET/COMPONENT'
+complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l mapping -r -F -d 'with --target ros2: the messages and topics of operations, events and variables'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l strategy -x -a 'auto switch table' -d 'how generated code selects what an event does: by a switch over states and events, or by a table; auto: a table from five states on'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l choices -d 'code that asks its platform where the model leaves a choice (`pick`), instead of taking the first'
 complete -c robochart-verify -n '__robochart_verify_is "conform"' -l all-choices -d 'where the model leaves a choice, explore every alternative, not only the first'

@@ -10,17 +10,14 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.hpp"
+#include "frontend/syntax/word_reader.hpp"
 #include "simulation/scenario/quantity.hpp"
 #include "simulation/world/sensing.hpp"
 #include "simulation/world/world.hpp"
 
 namespace robochart::simulation {
 
-/// A word of the text and its place.
-struct Name {
-    std::string text;
-    diagnostics::Span span;
-};
+using Name = frontend::Word;
 
 enum class SensorKind { line_of_sight, range_and_bearing, light, proximity };
 

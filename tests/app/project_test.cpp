@@ -60,5 +60,49 @@ TEST(EmitCppTarget, RefusesByName) {
     EXPECT_THAT(unknown.err, HasSubstr("arduino"));
 }
 
+/// A machine `M` with an operation, and a mapping of it.
+class EmitCppMapping : public ::testing::Test {
+protected:
+    [[nodiscard]] testing::Ran emit(const std::string& mapping, const std::vector<std::string>& more = {}) const {
+        const TemporaryFile file("m.ros2", mapping);
+        std::vector<std::string> words{"emit", "cpp", model_.path(), "--out", folder_.path(), "--mapping", file.path()};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+
+    Folder folder_;
+    TemporaryFile model_{"m.rct",
+                         "interface I { stop() } stm M { requires I initial i state A { entry stop() }\n"
+                         "transition t { from i to A } }\n"
+                         "stm N { initial i state A { } transition t { from i to A } }\n"};
+};
+
+TEST_F(EmitCppMapping, WritesThePackageOfItsComponent) {
+    const auto ran =
+        emit("ros2 for M { publish operation stop as geometry_msgs/Twist on \"cmd_vel\" }", {"--target", "ros2"});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_TRUE(fs::exists(folder_.path() + "/ros2/M/launch/M.launch.py"));
+    EXPECT_FALSE(fs::exists(folder_.path() + "/ros2/N"));
+}
+
+TEST_F(EmitCppMapping, RefusesWhatItCannotMean) {
+    const auto other = emit("ros2 for NN { }", {"--target", "ros2"});
+    EXPECT_EQ(other.exit, 2);
+    EXPECT_THAT(other.err, HasSubstr("RC-R02"));
+    EXPECT_THAT(other.err, HasSubstr("did you mean 'N'?"));
+    EXPECT_THAT(other.err, HasSubstr("m.ros2:1:10"));
+    const auto wrong = emit("ros2 for M { stop }", {"--target", "ros2"});
+    EXPECT_EQ(wrong.exit, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("RC-R01"));
+    const auto useless = emit("ros2 for M { }");
+    EXPECT_EQ(useless.exit, 4);
+    EXPECT_THAT(useless.err, HasSubstr("--target ros2"));
+    const auto absent =
+        run({"emit", "cpp", model_.path(), "--target", "ros2", "--mapping", folder_.path() + "/none.ros2"});
+    EXPECT_EQ(absent.exit, 2);
+    EXPECT_THAT(absent.err, HasSubstr("RC-F01"));
+    EXPECT_FALSE(fs::exists(folder_.path() + "/ros2"));
+}
+
 }  // namespace
 }  // namespace robochart::app

@@ -65,7 +65,7 @@ private:
 
 /// Reference to a machine, controller or module by name.
 [[nodiscard]] ir::ComponentRef component(const ir::System&, const std::string& name);
-/// Emission that must succeed.
+/// Emission that must succeed, with notes at most.
 [[nodiscard]] Emission emit_ok(const ir::System&, const ir::ComponentRef&, const Options& = {},
                                const ir::InstantiationOptions& = {});
 

@@ -46,25 +46,6 @@ protected:
         std::ofstream(folder_.path() + "/" + path) << text;
     }
 
-    /// Builds the package against the stub, with a program that drives its node.
-    void drive(const std::string& node_header, const std::string& text, bool traced = false) const {
-        build("-DCMAKE_PREFIX_PATH=" + stub + "/cmake" + (traced ? " -DROBOCHART_TRACE=ON" : ""));
-        write("drive.cpp", "#include \"" + node_header +
-                               "\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
-                               "using rclcpp::Network;\n"
-                               "template <class M> std::vector<M> taken(const std::string& topic) {\n"
-                               "    std::vector<M> all;\n"
-                               "    for (const std::any& each : Network::get().published[topic])\n"
-                               "        all.push_back(std::any_cast<M>(each));\n"
-                               "    Network::get().published[topic].clear();\n"
-                               "    return all;\n}\n" +
-                               text);
-        folder_.run("c++ -std=c++17 -O0 -DROBOCHART_TRACE=" + std::to_string(traced) + " -I " + stub +
-                    "/include -I src -I controller drive.cpp -Lbuild -l:$(basename build/*_node.so) "
-                    "-Wl,-rpath,$PWD/build -o drive");
-        folder_.run("./drive; code=$?; test $code = 0 || { sed -n ${code}p drive.cpp; exit 1; }");
-    }
-
     Folder folder_;
 };
 
@@ -105,36 +86,6 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
     EXPECT_NE(output.find("usage"), std::string::npos) << output;
 }
 
-TEST_F(Project, ARosNodeTurnsMessagesIntoEvents) {
-    emit("swarm_taxis", "SwarmTaxis", Target::ros2);
-    drive("SwarmTaxisFSM_node.hpp", R"(
-#include <cmath>
-int main() {
-    swarm_taxis::SwarmTaxisFSMNode node;
-    Network& network = Network::get();
-    EXPECT(network.timers.size() == 1 && network.timers[0]->period == 0.1);
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").size() == 1);
-    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").back().data == "Forward");
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").empty());
-    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").empty());
-    network.send("/SwarmTaxis/in/illumination", std_msgs::msg::Bool{true});
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Bool>("/SwarmTaxis/variable/illuminated").back().data);
-    EXPECT(taken<std_msgs::msg::Float64>("/SwarmTaxis/variable/avoidanceRadius").back().data == 0.2);
-    for (int i = 0; i < 3; ++i) network.tick();
-    network.send("/SwarmTaxis/in/robotDetected", std_msgs::msg::Empty{});
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/CalcAvoidanceHeading").size() == 1);
-    network.send("/SwarmTaxis/in/heading", std_msgs::msg::Float64{0.5});
-    network.tick();
-    const auto turns = taken<std_msgs::msg::Float64>("/SwarmTaxis/out/StartTurning");
-    EXPECT(turns.size() == 1 && turns[0].data == 0.5);
-    return 0;
-})");
-}
-
 /// An enumeration, whole numbers, several arguments, an event sent, termination.
 const char* const typed = R"(package p
 enumeration Light { Red Green }
@@ -152,55 +103,6 @@ robotic platform R { provides I uses E }
 module Mod { rref r = R cref c = C connection r on see to c on see (_async) connection r on count to c on count (_async)
     connection c on done to r on done (_async) }
 )";
-
-TEST_F(Project, ARosNodeCarriesNumbersAndEnumerations) {
-    emit(testing::model(typed), "Mod", Target::ros2);
-    drive("M_node.hpp", R"(
-int main() {
-    p::MNode node;
-    Network& network = Network::get();
-    network.tick();
-    const auto went = taken<std_msgs::msg::Float64MultiArray>("/Mod/out/go");
-    EXPECT(went.size() == 1 && went[0].data == (std::vector<double>{0.5, 3}));
-    network.send("/Mod/in/see", std_msgs::msg::Int64{2});   // no light
-    network.send("/Mod/in/count", std_msgs::msg::Int64{-1});  // no natural number
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").empty());
-    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").back().data == 1);
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/variable/level").back().data == 7);
-    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
-    network.tick();
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/sent/done").back().data == 4);
-    EXPECT(network.timers[0]->cancelled);
-    return 0;
-})");
-}
-
-/// The trace hook: what was read and done, in the words of docs/traces.md.
-TEST_F(Project, ARosNodeWritesALog) {
-    emit(testing::model(typed), "Mod", Target::ros2);
-    drive("M_node.hpp", R"(
-#include <fstream>
-#include <sstream>
-int main() {
-    Network& network = Network::get();
-    network.parameters["log"] = std::string("run.trace");
-    p::MNode node;
-    network.tick();
-    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
-    network.tick();
-    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
-    network.tick();
-    std::ostringstream log;
-    log << std::ifstream("run.trace").rdbuf();
-    EXPECT(log.str() == "robochart-trace 1\ncomponent p::Mod\ncycle 1\nrun 1\ngo!0.5!3 tock\n"
-                        "see?Green lamp!Green level!7 go!0.5!3 tock\ncount?4 done!4 terminate\n");
-    return 0;
-})",
-          true);
-}
 
 TEST(ProjectText, APackageIsWellFormed) {
     const ir::System system = testing::corpus("swarm_taxis");
@@ -228,9 +130,10 @@ TEST(ProjectText, APackageIsWellFormed) {
         order.push_back(open.back());
     }
     EXPECT_TRUE(open.empty());
-    const std::vector<std::string> expected{"package",    "name",    "version",          "description",
-                                            "maintainer", "license", "buildtool_depend", "depend",
-                                            "depend",     "depend",  "export",           "build_type"};
+    const std::vector<std::string> expected{
+        "package",          "name",        "version",     "description", "maintainer", "license",
+        "buildtool_depend", "depend",      "depend",      "depend",      "depend",     "depend",
+        "exec_depend",      "exec_depend", "exec_depend", "exec_depend", "export",     "build_type"};
     EXPECT_EQ(order, expected);
     EXPECT_NE(text.find("<name>swarm_taxis</name>"), std::string::npos) << text;
 }

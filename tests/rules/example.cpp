@@ -98,8 +98,8 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
         if (word == "$") continue;
         if (word == "MODEL")
             word = folder.string();
-        else if (word.find('=') == std::string::npos &&
-                 (word.ends_with(".rct") || word.ends_with(".csp") || word.ends_with(".scenario")))
+        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp") ||
+                                                         word.ends_with(".scenario") || word.ends_with(".ros2")))
             word = (folder / word).string();
         words.push_back(word);
     }

@@ -1,30 +1,76 @@
 // As much of rclcpp as generated nodes use, for tests: messages are delivered at once, timers fire when they are asked
-// to. ROS 2 is not in Debian 12; the names and signatures are those of its public interface.
+// to. ROS 2 is not in Debian 12; the names and signatures are those of its published headers (Humble, Jazzy).
 #pragma once
 
 #include <any>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "builtin_interfaces/msg/time.hpp"
+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
+
 namespace rclcpp {
+
+class QoS {
+public:
+    explicit QoS(std::size_t depth) : depth_(depth) {}
+
+    QoS& reliable() { return reliable_ = true, *this; }
+    QoS& best_effort() { return reliable_ = false, *this; }
+    QoS& transient_local() { return latched_ = true, *this; }
+    QoS& durability_volatile() { return latched_ = false, *this; }
+    /// The policy Depth of QosOverridingOptions.
+    void override_depth(std::size_t depth) { depth_ = depth; }
+
+    /// What the test sees: "reliable, volatile, 10".
+    [[nodiscard]] std::string text() const {
+        return std::string(reliable_ ? "reliable" : "best_effort") +
+               (latched_ ? ", transient_local, " : ", volatile, ") + std::to_string(depth_);
+    }
+
+private:
+    std::size_t depth_;
+    bool reliable_ = true;
+    bool latched_ = false;
+};
+
+enum class QosPolicyKind { Depth, Durability, History, Reliability };
+
+class QosOverridingOptions {
+public:
+    QosOverridingOptions() = default;
+    QosOverridingOptions(std::initializer_list<QosPolicyKind> policies) : policies_(policies) {}
+    [[nodiscard]] const std::vector<QosPolicyKind>& get_policy_kinds() const { return policies_; }
+
+private:
+    std::vector<QosPolicyKind> policies_;
+};
 
 /// What the test sees: topics by their full names, timers in the order of their making.
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
-    std::map<std::string, std::any> parameters;  ///< as given on the command line
+    std::map<std::string, std::string> quality;   ///< of publishers and subscriptions
+    std::map<std::string, std::size_t> policies;  ///< how many of them parameters may override
+    std::map<std::string, std::any> parameters;   ///< as given on the command line
+    std::map<std::string, rcl_interfaces::msg::ParameterDescriptor> declared;
+    std::vector<std::string> log;  ///< warnings and errors
+    std::int32_t seconds = 0;      ///< of the clock
     struct Timer {
         double period = 0;
         bool cancelled = false;
         std::function<void()> callback;
     };
-    std::vector<std::shared_ptr<Timer>> timers;
+    std::vector<std::weak_ptr<Timer>> timers;
 
     static Network& get() {
         static Network network;
@@ -34,44 +80,53 @@ struct Network {
     void send(const std::string& topic, const Message& message) {
         for (const auto& listener : listeners.at(topic)) listener(message);
     }
+    /// The timers that there are and that run.
+    [[nodiscard]] std::vector<std::shared_ptr<Timer>> running() const {
+        std::vector<std::shared_ptr<Timer>> result;
+        for (const auto& weak : timers)
+            if (const auto timer = weak.lock(); timer && !timer->cancelled) result.push_back(timer);
+        return result;
+    }
     void tick() const {
-        for (const auto& timer : timers)
-            if (!timer->cancelled) timer->callback();
+        for (const auto& timer : running()) timer->callback();
     }
 };
 
 class NodeOptions {};
-class QoS {
-public:
-    explicit QoS(std::size_t) {}
-};
 
-enum class CallbackGroupType { MutuallyExclusive, Reentrant };
-class CallbackGroup {
-public:
-    using SharedPtr = std::shared_ptr<CallbackGroup>;
+struct PublisherOptions {
+    QosOverridingOptions qos_overriding_options;
 };
-
 struct SubscriptionOptions {
-    CallbackGroup::SharedPtr callback_group;
+    QosOverridingOptions qos_overriding_options;
 };
 
 template <class Message>
 class Subscription {
 public:
     using SharedPtr = std::shared_ptr<Subscription>;
+
+    Subscription(std::string topic, const QoS& qos) : topic_(std::move(topic)), qos_(qos) {}
+    ~Subscription() { Network::get().listeners.erase(topic_); }
+    [[nodiscard]] QoS get_actual_qos() const { return qos_; }
+
+private:
+    std::string topic_;
+    QoS qos_;
 };
 
 template <class Message>
 class Publisher {
 public:
-    using SharedPtr = std::shared_ptr<Publisher>;
-
-    explicit Publisher(std::string topic) : topic_(std::move(topic)) {}
-    void publish(const Message& message) { Network::get().published[topic_].push_back(message); }
+    Publisher(std::string topic, const QoS& qos) : topic_(std::move(topic)), qos_(qos) {}
+    virtual ~Publisher() = default;
+    [[nodiscard]] QoS get_actual_qos() const { return qos_; }
+    virtual void publish(const Message& message) { Network::get().published[topic_].push_back(message); }
+    [[nodiscard]] std::size_t get_subscription_count() const { return Network::get().listeners[topic_].size(); }
 
 private:
     std::string topic_;
+    QoS qos_;
 };
 
 class TimerBase {
@@ -90,6 +145,11 @@ public:
     using SharedPtr = std::shared_ptr<Clock>;
 };
 
+class Time {
+public:
+    operator builtin_interfaces::msg::Time() const { return {Network::get().seconds, 0}; }
+};
+
 class Duration {
 public:
     static Duration from_seconds(double seconds) { return Duration(seconds); }
@@ -102,59 +162,47 @@ private:
 
 class Logger {};
 
-class Node {
+class CallbackGroup {
 public:
-    explicit Node(std::string name, const NodeOptions& = NodeOptions()) : name_(std::move(name)) {}
-    virtual ~Node() = default;
-
-    CallbackGroup::SharedPtr create_callback_group(CallbackGroupType) { return std::make_shared<CallbackGroup>(); }
-    template <class Message, class Callback>
-    typename Subscription<Message>::SharedPtr create_subscription(const std::string& topic, const QoS&,
-                                                                  Callback callback, const SubscriptionOptions&) {
-        Network::get().listeners[full(topic)].push_back(
-            [callback](const std::any& message) { callback(std::any_cast<const Message&>(message)); });
-        return std::make_shared<Subscription<Message>>();
-    }
-    template <class Message>
-    typename Publisher<Message>::SharedPtr create_publisher(const std::string& topic, const QoS&) {
-        return std::make_shared<Publisher<Message>>(full(topic));
-    }
-    template <class Value>
-    Value declare_parameter(const std::string& name, const Value& value) {
-        const auto& given = Network::get().parameters;
-        const auto found = given.find(name);
-        return found == given.end() ? value : std::any_cast<Value>(found->second);
-    }
-    Clock::SharedPtr get_clock() { return std::make_shared<Clock>(); }
-    [[nodiscard]] Logger get_logger() const { return {}; }
-
-private:
-    /// A private topic, `~/x`, is below the node's name.
-    [[nodiscard]] std::string full(const std::string& topic) const {
-        return topic.rfind("~/", 0) == 0 ? "/" + name_ + topic.substr(1) : topic;
-    }
-
-    std::string name_;
+    using SharedPtr = std::shared_ptr<CallbackGroup>;
 };
 
 template <class AnyNode, class Callback>
-TimerBase::SharedPtr create_timer(AnyNode, const Clock::SharedPtr&, Duration period, Callback callback,
-                                  const CallbackGroup::SharedPtr&) {
+TimerBase::SharedPtr create_timer(AnyNode, Clock::SharedPtr, Duration period, Callback&& callback,
+                                  CallbackGroup::SharedPtr = nullptr) {
     auto timer = std::make_shared<Network::Timer>();
     timer->period = period.seconds();
-    timer->callback = callback;
+    timer->callback = std::forward<Callback>(callback);
     Network::get().timers.push_back(timer);
     return std::make_shared<TimerBase>(timer);
 }
 
+/// A line of the log, of a format and its arguments.
+template <class... Arguments>
+void stub_log(const Logger&, const char* format, const Arguments&... arguments) {
+    char line[1000];
+    if constexpr (sizeof...(arguments) == 0)
+        std::snprintf(line, sizeof line, "%s", format);
+    else
+        std::snprintf(line, sizeof line, format, arguments...);
+    Network::get().log.emplace_back(line);
+    std::fprintf(stderr, "%s\n", line);
+}
+
 }  // namespace rclcpp
 
-#define ROBOCHART_STUB_LOG(logger, ...)    \
-    do {                                   \
-        static_cast<void>(logger);         \
-        std::fprintf(stderr, __VA_ARGS__); \
-        std::fputc('\n', stderr);          \
+#define RCLCPP_INFO(logger, ...) ::rclcpp::stub_log(logger, __VA_ARGS__)
+#define RCLCPP_WARN(logger, ...) ::rclcpp::stub_log(logger, __VA_ARGS__)
+#define RCLCPP_ERROR(logger, ...) ::rclcpp::stub_log(logger, __VA_ARGS__)
+#define RCLCPP_WARN_ONCE(logger, ...)                  \
+    do {                                               \
+        static bool logged = false;                    \
+        if (!logged) RCLCPP_WARN(logger, __VA_ARGS__); \
+        logged = true;                                 \
     } while (false)
-#define RCLCPP_INFO(logger, ...) ROBOCHART_STUB_LOG(logger, __VA_ARGS__)
-#define RCLCPP_WARN(logger, ...) ROBOCHART_STUB_LOG(logger, __VA_ARGS__)
-#define RCLCPP_ERROR(logger, ...) ROBOCHART_STUB_LOG(logger, __VA_ARGS__)
+#define RCLCPP_WARN_THROTTLE(logger, clock, milliseconds, ...) \
+    do {                                                       \
+        static_cast<void>(clock);                              \
+        static_assert((milliseconds) > 0, "a duration");       \
+        RCLCPP_WARN(logger, __VA_ARGS__);                      \
+    } while (false)

@@ -4,7 +4,8 @@
 #include <type_traits>
 
 #include "rclcpp/rclcpp.hpp"
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
 
-#define RCLCPP_COMPONENTS_REGISTER_NODE(...)                                              \
-    static_assert(std::is_base_of_v<rclcpp::Node, __VA_ARGS__>, "a component is a node"); \
+#define RCLCPP_COMPONENTS_REGISTER_NODE(...)                                                                 \
+    static_assert(std::is_base_of_v<rclcpp_lifecycle::LifecycleNode, __VA_ARGS__>, "a component is a node"); \
     static_assert(std::is_constructible_v<__VA_ARGS__, const rclcpp::NodeOptions&>, "from options");

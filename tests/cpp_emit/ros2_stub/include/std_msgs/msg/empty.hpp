@@ -1,4 +1,4 @@
-// std_msgs/msg/Empty, for tests.
+// std_msgs/msg/Empty as far as generated nodes use it, for tests.
 #pragma once
 
 namespace std_msgs::msg {

@@ -1,10 +1,6 @@
 // std_msgs/msg/Float64 as far as generated nodes use it, for tests.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 namespace std_msgs::msg {
 
 struct Float64 {

@@ -1,8 +1,6 @@
 // std_msgs/msg/Float64MultiArray as far as generated nodes use it, for tests.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 namespace std_msgs::msg {

@@ -1,9 +1,7 @@
 // std_msgs/msg/String as far as generated nodes use it, for tests.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace std_msgs::msg {
 

@@ -1,0 +1,124 @@
+// What the ROS 2 nodes of generated controllers share: values into fields of messages and back, parameters, quality of
+// service. Written by robochart-verify.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include <rcl_interfaces/msg/parameter_descriptor.hpp>
+#include <rclcpp/rclcpp.hpp>
+
+namespace robochart::ros2 {
+
+/// Puts a value into a field; false, and the field as it was, where its type does not have the value.
+template <class Field, class Value>
+[[nodiscard]] bool put(Field& field, Value value) noexcept {
+    static_assert(std::is_arithmetic_v<Field>, "the field is no number and no truth value");
+    static_assert(std::is_same_v<Field, bool> == std::is_same_v<Value, bool>, "truth values go with bool alone");
+    if constexpr (std::is_same_v<Field, bool>) {
+        field = value;
+    } else if constexpr (std::is_integral_v<Field>) {
+        static_assert(std::is_integral_v<Value>, "a real number goes into a field of real numbers");
+        const auto wide = static_cast<std::int64_t>(value);
+        if (wide < 0) {
+            if (std::is_unsigned_v<Field> || wide < static_cast<std::int64_t>(std::numeric_limits<Field>::min()))
+                return false;
+        } else if (static_cast<std::uint64_t>(wide) > static_cast<std::uint64_t>(std::numeric_limits<Field>::max())) {
+            return false;
+        }
+        field = static_cast<Field>(wide);
+    } else {
+        const auto wide = static_cast<double>(value);
+        if (std::abs(wide) > static_cast<double>(std::numeric_limits<Field>::max())) return false;
+        field = static_cast<Field>(wide);
+    }
+    return true;
+}
+
+/// Takes a value from a field; false where it is no value of the model: a real number is finite.
+template <class Field>
+[[nodiscard]] bool take(double& value, const Field& field) noexcept {
+    static_assert(std::is_arithmetic_v<Field> && !std::is_same_v<Field, bool>, "the field is no number");
+    value = static_cast<double>(field);
+    return std::isfinite(value);
+}
+
+template <class Field>
+[[nodiscard]] bool take(bool& value, const Field& field) noexcept {
+    static_assert(std::is_same_v<Field, bool>, "the field is no truth value");
+    value = field;
+    return true;
+}
+
+template <class Field>
+[[nodiscard]] bool take(std::int64_t& value, const Field& field) noexcept {
+    static_assert(std::is_integral_v<Field> && !std::is_same_v<Field, bool>, "the field is no whole number");
+    if constexpr (std::is_unsigned_v<Field>)
+        if (static_cast<std::uint64_t>(field) > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+            return false;
+    value = static_cast<std::int64_t>(field);
+    return true;
+}
+
+/// A natural number.
+template <class Field>
+[[nodiscard]] bool take_nat(std::int64_t& value, const Field& field) noexcept {
+    return take(value, field) && value >= 0;
+}
+
+/// A literal of an enumeration by its number.
+template <class Literal, class Field>
+[[nodiscard]] bool take_literal(Literal& value, const Field& field, std::int64_t literals) noexcept {
+    std::int64_t number = 0;
+    if (!take_nat(number, field) || number >= literals) return false;
+    value = static_cast<Literal>(number);
+    return true;
+}
+
+/// Of a parameter that is set when the node starts, and not later.
+inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description) {
+    ::rcl_interfaces::msg::ParameterDescriptor descriptor;
+    descriptor.description = description;
+    descriptor.read_only = true;
+    return descriptor;
+}
+
+inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description, double low, double high) {
+    ::rcl_interfaces::msg::ParameterDescriptor descriptor = at_start(description);
+    descriptor.floating_point_range.resize(1);
+    descriptor.floating_point_range[0].from_value = low;
+    descriptor.floating_point_range[0].to_value = high;
+    return descriptor;
+}
+
+/// The quality of service of a topic: parameters may override it (qos_overrides.TOPIC), which are declared when the node
+/// is configured for the first time. Afterwards it is what it was then.
+class Quality {
+public:
+    explicit Quality(const ::rclcpp::QoS& usual) : quality_(usual) {}
+
+    [[nodiscard]] const ::rclcpp::QoS& value() const { return quality_; }
+    template <class Options>
+    [[nodiscard]] Options options() const {
+        Options options;
+        if (!settled_)
+            options.qos_overriding_options = ::rclcpp::QosOverridingOptions{
+                ::rclcpp::QosPolicyKind::Depth, ::rclcpp::QosPolicyKind::Durability, ::rclcpp::QosPolicyKind::History,
+                ::rclcpp::QosPolicyKind::Reliability};
+        return options;
+    }
+    /// What the publisher or subscription got.
+    void settle(const ::rclcpp::QoS& actual) {
+        quality_ = actual;
+        settled_ = true;
+    }
+
+private:
+    ::rclcpp::QoS quality_;
+    bool settled_ = false;
+};
+
+}  // namespace robochart::ros2

@@ -1,0 +1,494 @@
+// The header and source of the node.
+#include "cpp_emit/ros2/node_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+
+#include "cpp_emit/ros2/field_code.hpp"
+#include "cpp_emit/ros2/model_values.hpp"
+
+namespace robochart::cpp_emit::ros2 {
+
+namespace {
+
+std::string quality_text(const QualityOfService& quality) {
+    return fmt::format("::rclcpp::QoS({}).{}().{}()", quality.depth, quality.reliable ? "reliable" : "best_effort",
+                       quality.latched ? "transient_local" : "durability_volatile");
+}
+
+class NodeWriter {
+public:
+    NodeWriter(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan)
+        : generation_(generation),
+          core_(core),
+          api_(api),
+          plan_(plan),
+          constants_(node_constants(generation)),
+          node_(api.cpp_name + "Node"),
+          outbox_("robot_->" + free_member(api, "outbox")) {
+        NameScope names;
+        for (const Outgoing& outgoing : plan.outgoing)
+            last_.push_back(outgoing.variable == nullptr ? ""
+                                                         : names.unique("last_" + outgoing.variable->member) + "_");
+        for (const StateTopic& state : plan.states)
+            last_states_.push_back(names.unique("last_" + state.machine->method) + "_");
+    }
+
+    std::string header() {
+        file_comment(generation_, out_, "ROS 2 node");
+        head_comment();
+        out_.line("#pragma once");
+        out_.gap();
+        for (const char* const header : {"cstdint", "memory", "optional", "string"})
+            out_.line(fmt::format("#include <{}>", header));
+        out_.gap();
+        out_.line("#include <rclcpp/rclcpp.hpp>");
+        out_.line("#include <rclcpp_lifecycle/lifecycle_node.hpp>");
+        out_.line("#include <rclcpp_lifecycle/lifecycle_publisher.hpp>");
+        out_.gap();
+        out_.line(fmt::format("#include \"{}_messages.hpp\"", api_.cpp_name));
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("#include \"robochart/trace_file.hpp\"");
+        out_.line("#endif");
+        out_.gap();
+        out_.line(fmt::format("namespace {} {{", api_.name_space));
+        out_.gap();
+        node_class();
+        out_.gap();
+        out_.line(fmt::format("}}  // namespace {}", api_.name_space));
+        return out_.text();
+    }
+
+    std::string source() {
+        file_comment(generation_, out_, "ROS 2 node");
+        out_.line(fmt::format("#include \"{}_node.hpp\"", api_.cpp_name));
+        out_.gap();
+        out_.line("#include <utility>");
+        out_.gap();
+        out_.line("#include <rclcpp_components/register_node_macro.hpp>");
+        out_.gap();
+        out_.line(fmt::format("namespace {} {{", api_.name_space));
+        constructors();
+        configure();
+        activate();
+        deactivate();
+        release();
+        for (std::size_t i = 0; i < plan_.topics.size(); ++i)
+            if (!plan_.topics[i].published) receive(i);
+        cycle();
+        publish();
+        log_method();
+        out_.gap();
+        out_.line(fmt::format("}}  // namespace {}", api_.name_space));
+        out_.gap();
+        out_.line(fmt::format("RCLCPP_COMPONENTS_REGISTER_NODE({}::{})", api_.name_space, node_));
+        return out_.text();
+    }
+
+private:
+    // ------------------------------------------------------------ header
+
+    void head_comment() {
+        out_.comment(
+            fmt::format("`robochart-verify conform` checks the class {} against the model, and nothing of this node: "
+                        "which messages "
+                        "arrive before a cycle, what queues lose, how exactly the timer fires, and what a field of a "
+                        "message means.",
+                        api_.cpp_name));
+        for (const Topic& topic : plan_.topics)
+            out_.comment(fmt::format("{} {} on {}", topic.published ? "publishes" : "receives", topic.message.text(),
+                                     topic.name));
+    }
+
+    void node_class() {
+        out_.doc(
+            "A lifecycle node. Cycles run while it is active; while it is not, time of the model stands still, "
+            "messages "
+            "are not taken and nothing is published. To configure begins anew.");
+        out_.open(fmt::format("class {} : public ::rclcpp_lifecycle::LifecycleNode {{", node_));
+        out_.label("public:");
+        out_.line(
+            "using CallbackReturn = ::rclcpp_lifecycle::node_interfaces::LifecycleNodeInterface::CallbackReturn;");
+        out_.gap();
+        out_.line(fmt::format("explicit {}(const ::rclcpp::NodeOptions& options = ::rclcpp::NodeOptions());", node_));
+        out_.doc("With operations of your own; see the class of the messages.");
+        out_.line(fmt::format("{}(const ::rclcpp::NodeOptions& options, std::unique_ptr<{}Messages> robot);", node_,
+                              api_.cpp_name));
+        out_.gap();
+        for (const char* const transition : {"configure", "activate", "deactivate", "cleanup", "shutdown"})
+            out_.line(
+                fmt::format("CallbackReturn on_{}(const ::rclcpp_lifecycle::State& previous) override;", transition));
+        out_.gap();
+        out_.label("private:");
+        if (!constants_.empty()) {
+            out_.line("template <class Value>");
+            out_.line("void constant(const std::string& parameter, const std::string& path, const Value& generated);");
+        }
+        out_.line("void release();");
+        out_.line("void cycle();");
+        out_.line("void publish();");
+        out_.line("void log();");
+        for (const Topic& topic : plan_.topics)
+            if (!topic.published)
+                out_.line(
+                    fmt::format("void receive_{}(const {}& message);", topic.member, message_type(topic.message)));
+        out_.gap();
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("std::unique_ptr<::robochart::TraceFile> log_;");
+        out_.line("#endif");
+        out_.line(fmt::format("std::unique_ptr<{}Messages> robot_;", api_.cpp_name));
+        out_.line("double seconds_ = 0;");
+        out_.line("std::string log_file_;");
+        if (!constants_.empty())
+            out_.line_with_doc("std::string changed_;", "constants that are not those of the generated code");
+        out_.line("bool active_ = false;");
+        out_.line_with_doc("bool ended_ = false;", "the controller has terminated or cannot go on");
+        for (const Topic& topic : plan_.topics)
+            out_.line(topic.published ? fmt::format("::rclcpp_lifecycle::LifecyclePublisher<{}>::SharedPtr {}_;",
+                                                    message_type(topic.message), topic.member)
+                                      : fmt::format("::rclcpp::Subscription<{}>::SharedPtr {}_;",
+                                                    message_type(topic.message), topic.member));
+        for (const Topic& topic : plan_.topics)
+            out_.line(fmt::format("::robochart::ros2::Quality quality_{}_{{{}}};", topic.member,
+                                  quality_text(topic.quality)));
+        for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
+            if (const ApiVariable* const variable = plan_.outgoing[i].variable)
+                out_.line(fmt::format("std::optional<{}> {};", type(variable->stored->variable->type), last_[i]));
+        for (std::size_t i = 0; i < plan_.states.size(); ++i)
+            out_.line(fmt::format("std::optional<{}::{}> {};", api_.cpp_name, plan_.states[i].machine->enumeration,
+                                  last_states_[i]));
+        out_.line("::rclcpp::TimerBase::SharedPtr timer_;");
+        out_.close("};");
+    }
+
+    // ------------------------------------------------------------ source
+
+    void constructors() {
+        out_.gap();
+        out_.line(fmt::format("{0}::{0}(const ::rclcpp::NodeOptions& options)", node_));
+        out_.line(fmt::format("    : {}(options, std::make_unique<{}Messages>()) {{}}", node_, api_.cpp_name));
+        out_.gap();
+        out_.line(fmt::format("{0}::{0}(const ::rclcpp::NodeOptions& options, std::unique_ptr<{1}Messages> robot)",
+                              node_, api_.cpp_name));
+        out_.open(fmt::format("    : ::rclcpp_lifecycle::LifecycleNode(\"{}\", options), robot_(std::move(robot)) {{",
+                              plan_.node));
+        out_.line("seconds_ = declare_parameter(");
+        out_.line(fmt::format(
+            "    \"cycle\", 0.1, ::robochart::ros2::at_start(\"seconds of a control cycle{}\", 0.001, 3600.0));",
+            cycle_units()));
+        out_.line("log_file_ = declare_parameter(");
+        out_.line(
+            "    \"log\", std::string(), ::robochart::ros2::at_start(\"file for a log of what the controller "
+            "does\"));");
+        for (const NodeConstant& constant : constants_)
+            out_.line(fmt::format("constant(\"{}\", \"{}\", {});", constant.parameter, constant.path,
+                                  parameter_value(constant)));
+        out_.close();
+        if (constants_.empty()) return;
+        out_.gap();
+        out_.line("template <class Value>");
+        out_.open(fmt::format(
+            "void {}::constant(const std::string& parameter, const std::string& path, const Value& generated) {{",
+            node_));
+        out_.line("const std::string text = \"constant \" + path + \" of the model, as the code was generated\";");
+        out_.line(
+            "if (declare_parameter(parameter, generated, ::robochart::ros2::at_start(text)) != generated) changed_ += "
+            "\" "
+            "\" + parameter;");
+        out_.close();
+    }
+
+    [[nodiscard]] std::string cycle_units() const {
+        const std::uint32_t units = generation_.options.cycle_length;
+        return fmt::format(", which is {} time unit{} of the model", units, units == 1 ? "" : "s");
+    }
+
+    [[nodiscard]] std::string parameter_value(const NodeConstant& constant) const {
+        const ir::Type& type = generation_.system.type(constant.type);
+        const std::string text = deployed_value(generation_, core_, constant.type, constant.value);
+        if (type.kind == ir::TypeKind::enumeration)
+            return fmt::format("std::string(\"{}\")", type.labels[static_cast<std::size_t>(constant.value.number)]);
+        return type.kind == ir::TypeKind::boolean || type.kind == ir::TypeKind::real
+                   ? text
+                   : fmt::format("std::int64_t{{{}}}", text);
+    }
+
+    void open_transition(const char* name, const char* previous) {
+        out_.gap();
+        out_.open(fmt::format("{0}::CallbackReturn {0}::on_{1}(const ::rclcpp_lifecycle::State&{2}) {{", node_, name,
+                              previous));
+    }
+
+    void configure() {
+        open_transition("configure", "");
+        if (!constants_.empty()) {
+            out_.comment("The code has the constants' values in it, and it is what has been checked.");
+            out_.open("if (!changed_.empty()) {");
+            out_.line(
+                "RCLCPP_ERROR(get_logger(), \"these parameters differ from the constants of the generated code:%s; "
+                "generate it again with --const\", changed_.c_str());");
+            out_.line("return CallbackReturn::FAILURE;");
+            out_.close();
+        }
+        out_.open("if (!(seconds_ > 0)) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"parameter cycle: %f seconds are no time\", seconds_);");
+        out_.line("return CallbackReturn::FAILURE;");
+        out_.close();
+        out_.line("robot_->reset();");
+        out_.line("log();");
+        for (const Topic& topic : plan_.topics) connect(topic);
+        out_.line("return CallbackReturn::SUCCESS;");
+        out_.close();
+    }
+
+    void connect(const Topic& topic) {
+        const std::string message = message_type(topic.message);
+        const std::string quality = "quality_" + topic.member + "_";
+        if (topic.published) {
+            out_.line(fmt::format("{}_ = create_publisher<{}>(", topic.member, message));
+            out_.line(fmt::format("    \"{0}\", {1}.value(), {1}.options<::rclcpp::PublisherOptions>());", topic.name,
+                                  quality));
+        } else {
+            out_.line(fmt::format("{}_ = create_subscription<{}>(", topic.member, message));
+            out_.line(fmt::format("    \"{}\", {}.value(), [this](const {}& message) {{ receive_{}(message); }},",
+                                  topic.name, quality, message, topic.member));
+            out_.line(fmt::format("    {}.options<::rclcpp::SubscriptionOptions>());", quality));
+        }
+        out_.line(fmt::format("{}.settle({}_->get_actual_qos());", quality, topic.member));
+    }
+
+    void activate() {
+        open_transition("activate", " previous");
+        out_.open("if (ended_) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"the controller has ended: clean up and configure to begin anew\");");
+        out_.line("return CallbackReturn::FAILURE;");
+        out_.close();
+        out_.line("active_ = true;");
+        out_.comment(
+            "On the node's clock, which is the simulator's where use_sim_time is set; in the node's own callback "
+            "group, "
+            "so that messages, cycles and transitions never run at once.");
+        out_.line(
+            "timer_ = ::rclcpp::create_timer(this, get_clock(), ::rclcpp::Duration::from_seconds(seconds_), [this] { "
+            "cycle(); });");
+        out_.line("return ::rclcpp_lifecycle::LifecycleNode::on_activate(previous);");
+        out_.close();
+    }
+
+    void deactivate() {
+        open_transition("deactivate", " previous");
+        out_.line("active_ = false;");
+        out_.line("timer_.reset();");
+        std::set<std::string> flags;
+        for (const Incoming& incoming : plan_.incoming)
+            if (incoming.event != nullptr) flags.insert(incoming.event->flag);
+        if (!flags.empty()) out_.comment("What no cycle has seen yet would be late when it is activated again.");
+        for (const std::string& flag : flags) out_.line(fmt::format("robot_->{} = false;", flag));
+        out_.line("return ::rclcpp_lifecycle::LifecycleNode::on_deactivate(previous);");
+        out_.close();
+    }
+
+    void release() {
+        for (const char* const transition : {"cleanup", "shutdown"}) {
+            open_transition(transition, "");
+            out_.line("release();");
+            out_.line("return CallbackReturn::SUCCESS;");
+            out_.close();
+        }
+        out_.gap();
+        out_.open(fmt::format("void {}::release() {{", node_));
+        out_.line("active_ = false;");
+        out_.line("ended_ = false;");
+        out_.line("timer_.reset();");
+        for (const Topic& topic : plan_.topics) out_.line(fmt::format("{}_.reset();", topic.member));
+        for (const std::string& last : last_)
+            if (!last.empty()) out_.line(fmt::format("{}.reset();", last));
+        for (const std::string& last : last_states_) out_.line(fmt::format("{}.reset();", last));
+        out_.line("robot_->reset();");
+        out_.close();
+    }
+
+    void receive(std::size_t topic) {
+        out_.gap();
+        out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
+                              plan_.topics[topic].member, message_type(plan_.topics[topic].message)));
+        out_.line("if (!active_) return;");
+        for (const Incoming& incoming : plan_.incoming)
+            if (incoming.topic == topic) take(incoming);
+        out_.close();
+    }
+
+    void take(const Incoming& incoming) {
+        if (!incoming.type) return out_.line(fmt::format("robot_->{}();", incoming.event->method));
+        std::vector<std::string> conditions;
+        for (const Taken& taken : incoming.fields) conditions.push_back(taking(taken));
+        out_.open("{");
+        out_.line(fmt::format("{} value{{}};", type(*incoming.type)));
+        out_.open(
+            fmt::format("if ({}) {{", conditions.empty() ? "true" : fmt::format("{}", fmt::join(conditions, " && "))));
+        out_.line(incoming.event != nullptr ? fmt::format("robot_->{}(value);", incoming.event->method)
+                                            : fmt::format("robot_->{} = value;", incoming.variable->member));
+        out_.reopen("} else {");
+        out_.line(fmt::format(
+            "RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000, \"a message for {} has no value of {}\");",
+            incoming.name, generation_.system.type(*incoming.type).name));
+        out_.close();
+        out_.close();
+    }
+
+    [[nodiscard]] std::string taking(const Taken& taken) const {
+        const std::string& place = taken.scalar.place;
+        switch (taken.scalar.kind) {
+            case ScalarKind::nat:
+                return fmt::format("::robochart::ros2::take_nat({}, message.{})", place, taken.field);
+            case ScalarKind::enumeration:
+                return fmt::format("::robochart::ros2::take_literal({}, message.{}, {})", place, taken.field,
+                                   generation_.system.type(taken.scalar.type).labels.size());
+            case ScalarKind::truth:
+            case ScalarKind::integer:
+            case ScalarKind::real:
+                break;
+        }
+        return fmt::format("::robochart::ros2::take({}, message.{})", place, taken.field);
+    }
+
+    void cycle() {
+        out_.gap();
+        out_.open(fmt::format("void {}::cycle() {{", node_));
+        if (plan_.stamped()) out_.line(fmt::format("{}.now = now();", outbox_));
+        out_.line("const ::robochart::StepResult result = robot_->step();");
+        out_.line("publish();");
+        out_.line("if (result == ::robochart::StepResult::quiescent) return;");
+        out_.line("ended_ = true;");
+        out_.line("timer_->cancel();");
+        out_.open("if (result == ::robochart::StepResult::terminated) {");
+        out_.line("RCLCPP_INFO(get_logger(), \"the controller has terminated\");");
+        out_.line("return;");
+        out_.close();
+        out_.line(
+            "RCLCPP_ERROR(get_logger(), \"the controller cannot go on (StepResult %d)\", static_cast<int>(result));");
+        out_.close();
+    }
+
+    void publish() {
+        out_.gap();
+        out_.open(fmt::format("void {}::publish() {{", node_));
+        std::set<std::size_t> done;
+        for (std::size_t i = 0; i < plan_.outgoing.size(); ++i) {
+            const Outgoing& outgoing = plan_.outgoing[i];
+            if (outgoing.variable != nullptr)
+                publish_variable(outgoing, last_[i]);
+            else if (done.insert(outgoing.topic).second)
+                publish_kept(outgoing);
+        }
+        for (std::size_t i = 0; i < plan_.states.size(); ++i) publish_state(plan_.states[i], last_states_[i]);
+        out_.line(fmt::format("for (const char* const name : {}.unfit)", outbox_));
+        out_.line(
+            "    RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
+        out_.line(fmt::format("{}.unfit.clear();", outbox_));
+        out_.close();
+    }
+
+    void publish_kept(const Outgoing& outgoing) {
+        const Topic& topic = plan_.topics[outgoing.topic];
+        const std::string kept = fmt::format("{}.{}", outbox_, topic.member);
+        if (outgoing.kind == ElementKind::operation && !outgoing.mapped) {
+            out_.line(fmt::format("if (!{}.empty() && {}_->get_subscription_count() == 0)", kept, topic.member));
+            out_.line(
+                fmt::format("    RCLCPP_WARN_ONCE(get_logger(), \"operation {} is called and nobody does it: nothing "
+                            "listens to {}\");",
+                            outgoing.name, topic.name));
+        }
+        out_.line(fmt::format("for (const auto& message : {}) {}_->publish(message);", kept, topic.member));
+        out_.line(fmt::format("{}.clear();", kept));
+    }
+
+    void publish_variable(const Outgoing& outgoing, const std::string& last) {
+        const Topic& topic = plan_.topics[outgoing.topic];
+        out_.open(fmt::format("if (!{0} || !(*{0} == robot_->{1})) {{", last, outgoing.variable->member));
+        out_.line(fmt::format("const auto& value = robot_->{};", outgoing.variable->member));
+        out_.line(fmt::format("{} = value;", last));
+        out_.line(fmt::format("{} message;", message_type(topic.message)));
+        const std::string fits = fill_message(out_, outgoing, "message", outbox_ + ".now");
+        const std::string publish = fmt::format("{}_->publish(message);", topic.member);
+        if (fits.empty()) {
+            out_.line(publish);
+        } else {
+            out_.open(fmt::format("if ({}) {{", fits));
+            out_.line(publish);
+            out_.reopen("} else {");
+            out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
+            out_.close();
+        }
+        out_.close();
+    }
+
+    void publish_state(const StateTopic& state, const std::string& last) {
+        const std::string& method = state.machine->method;
+        out_.open(fmt::format("if (!{0} || *{0} != robot_->{1}()) {{", last, method));
+        out_.line(fmt::format("{} = robot_->{}();", last, method));
+        out_.line("::std_msgs::msg::String message;");
+        out_.line(fmt::format("message.data = {}::name(*{});", api_.cpp_name, last));
+        out_.line(fmt::format("{}_->publish(message);", plan_.topics[state.topic].member));
+        out_.close();
+    }
+
+    void log_method() {
+        out_.gap();
+        out_.open(fmt::format("void {}::log() {{", node_));
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("if (log_file_.empty() || log_) return;");
+        out_.line(
+            fmt::format("log_ = std::make_unique<::robochart::TraceFile>({}Messages::RunHeader());", api_.cpp_name));
+        out_.line("if (log_->open(log_file_)) return robot_->SetTracer(log_.get());");
+        out_.line("RCLCPP_ERROR(get_logger(), \"cannot write %s\", log_file_.c_str());");
+        out_.line("#else");
+        out_.line("if (log_file_.empty()) return;");
+        out_.line(
+            "RCLCPP_ERROR(get_logger(), \"%s: logs need a build with -DROBOCHART_TRACE=ON\", log_file_.c_str());");
+        out_.line("#endif");
+        out_.close();
+    }
+
+    [[nodiscard]] std::string type(ir::TypeId id) const { return deployed_type(generation_, core_.relative, id); }
+
+    const Generation& generation_;
+    const Core& core_;
+    const ClassApi& api_;
+    const NodePlan& plan_;
+    std::vector<NodeConstant> constants_;
+    std::string node_, outbox_;
+    std::vector<std::string> last_, last_states_;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+std::string node_header(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {
+    return NodeWriter(generation, core, api, plan).header();
+}
+
+std::string node_source(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {
+    return NodeWriter(generation, core, api, plan).source();
+}
+
+std::string constant_lines(const Generation& generation, const Core& core) {
+    const std::vector<NodeConstant> constants = node_constants(generation);
+    if (constants.empty()) return "";
+    std::string text =
+        "    # Constants that the model leaves open, as the code was generated (--const). They are shown as "
+        "parameters;\n"
+        "    # another value is refused, because the code was made and checked for these.\n";
+    for (const NodeConstant& constant : constants) {
+        const ir::Type& type = generation.system.type(constant.type);
+        const std::string value = type.kind == ir::TypeKind::enumeration
+                                      ? type.labels[static_cast<std::size_t>(constant.value.number)]
+                                      : deployed_value(generation, core, constant.type, constant.value);
+        text += fmt::format("    # {}: {}\n", constant.parameter, value);
+    }
+    return text;
+}
+
+}  // namespace robochart::cpp_emit::ros2

@@ -1,0 +1,481 @@
+#include "cpp_emit/ros2/node_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/ros2/messages.hpp"
+#include "cpp_emit/ros2/model_values.hpp"
+#include "cpp_emit/ros2/ros_names.hpp"
+#include "cpp_emit/ros2/rules.hpp"
+#include "diagnostics/spelling.hpp"
+
+namespace robochart::cpp_emit::ros2 {
+
+namespace {
+
+using diagnostics::Span;
+
+/// Something that the component shows to its platform, in one direction.
+struct Element {
+    ElementKind kind = ElementKind::operation;
+    bool published = false;
+    std::string name;
+    const ApiOperation* operation = nullptr;
+    const ApiEvent* event = nullptr;
+    const ApiVariable* variable = nullptr;
+    Span span;
+    const Item* item = nullptr;  ///< what the mapping says of it
+};
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
+    const std::string meant = diagnostics::nearest(name, known);
+    return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+}
+
+std::vector<Element> elements_of(const Generation& generation, const ClassApi& api) {
+    std::vector<Element> result;
+    const Span whole = generation.component.origin.span;
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiEvent& event : part.events)
+            result.push_back({ElementKind::event, event.sent, event.port->model_name, nullptr, &event, nullptr, whole});
+        for (const ApiOperation& operation : part.operations)
+            if (!operation.modelled)
+                result.push_back({ElementKind::operation, true, operation.signature->name, &operation, nullptr, nullptr,
+                                  operation.signature->origin.span});
+        for (const ApiVariable& variable : part.variables) {
+            const ir::Variable& declared = *variable.stored->variable;
+            for (const bool published : {true, false})
+                if (published ? variable.stored->visible : variable.stored->external && variable.stored->stored())
+                    result.push_back({ElementKind::variable, published, declared.name, nullptr, nullptr, &variable,
+                                      declared.origin.span});
+        }
+    });
+    return result;
+}
+
+bool is_modelled(const ClassApi& api, const std::string& name) {
+    bool found = false;
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiOperation& operation : part.operations)
+            found = found || (operation.modelled && operation.signature->name == name);
+    });
+    return found;
+}
+
+/// A field that lies in another, or is it.
+bool overlap(const std::string& a, const std::string& b) {
+    return a == b || a.starts_with(b + ".") || b.starts_with(a + ".");
+}
+
+class Planner {
+public:
+    Planner(const Generation& generation, const ClassApi& api, diagnostics::Diagnostics& diagnostics)
+        : generation_(generation), api_(api), diagnostics_(diagnostics) {
+        plan_.node = generation.component.cpp_name;
+        for (const char* const own : {"message", "outbox", "unfit", "now"}) members_.take(own);
+    }
+
+    NodePlan make() {
+        std::vector<Element> elements = elements_of(generation_, api_);
+        if (generation_.options.mapping != nullptr) match(*generation_.options.mapping, elements);
+        for (const ApiMachine& machine : api_.machines)
+            plan_.states.push_back(
+                {&machine,
+                 topic({"~/" + machine.method, {"std_msgs", "String", {}}, latched(), true, "", machine.method},
+                       generation_.component.origin.span)});
+        for (const Element& element : elements)
+            if (element.item == nullptr) add_default(element);
+        for (const Element& element : elements)
+            if (element.item != nullptr) add_mapped(element);
+        note_defaults();
+        packages();
+        return std::move(plan_);
+    }
+
+private:
+    static QualityOfService latched() { return {true, true, 1}; }
+
+    // ------------------------------------------------------------ what the mapping names
+
+    void match(const Mapping& mapping, std::vector<Element>& elements) {
+        for (const Item& item : mapping.items) {
+            diagnostics_.poll();
+            Element* found = nullptr;
+            for (Element& element : elements)
+                if (element.kind == item.kind && element.published == item.published &&
+                    element.name == item.element.text && found == nullptr)
+                    found = &element;
+            if (found == nullptr) {
+                unknown(item, elements);
+            } else if (found->item != nullptr) {
+                diagnostics_.report(rules::said_twice, item.element.span,
+                                    {fmt::format("{} '{}'", described(item.kind), item.element.text)});
+            } else {
+                found->item = &item;
+            }
+            note_unchecked(item.message);
+        }
+    }
+
+    void unknown(const Item& item, const std::vector<Element>& elements) {
+        std::vector<std::string> known;
+        std::string other;
+        for (const Element& element : elements) {
+            if (element.kind == item.kind && element.published == item.published) known.push_back(element.name);
+            if (element.name == item.element.text)
+                other = fmt::format("; write '{} {} {}'", element.published ? "publish" : "receive",
+                                    described(element.kind), element.name);
+        }
+        if (item.kind == ElementKind::operation && is_modelled(api_, item.element.text))
+            other = "; the model defines it, so it runs as modelled";
+        const std::string what = fmt::format("{} to {}", described(item.kind), item.published ? "publish" : "receive");
+        diagnostics_.report(rules::unknown_name, item.element.span,
+                            {fmt::format("'{}'", generation_.component.name), what, item.element.text,
+                             other.empty() ? suggestion(item.element.text, known) : other});
+    }
+
+    void note_unchecked(const MessageName& message) {
+        if (known(message) || !noted_.insert(message.text()).second) return;
+        diagnostics_.report(rules::not_checked, message.span,
+                            {message.text(), suggestion(message.type, known_messages(message.package))});
+    }
+
+    // ------------------------------------------------------------ topics
+
+    /// As ROS resolves it without a namespace and remappings.
+    [[nodiscard]] std::string resolved(const std::string& name) const {
+        if (name.starts_with("~/")) return "/" + plan_.node + name.substr(1);
+        return name.starts_with('/') ? name : "/" + name;
+    }
+
+    /// Why the two cannot be on one topic; "" if they can.
+    static std::string conflict(const Topic& first, const Topic& second) {
+        if (first.published != second.published) return "one is published and the other received";
+        if (!(first.message == second.message))
+            return fmt::format("one is {} and the other {}", first.message.text(), second.message.text());
+        return first.quality == second.quality ? "" : "they differ in quality of service";
+    }
+
+    std::size_t topic(Topic wanted, Span span) {
+        for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
+            if (resolved(plan_.topics[i].name) != resolved(wanted.name)) continue;
+            const std::string why = conflict(plan_.topics[i], wanted);
+            if (!why.empty())
+                diagnostics_.report(rules::shared_topic, span, {wanted.user, wanted.name, plan_.topics[i].user, why});
+            return i;
+        }
+        std::string stem = wanted.name;
+        std::replace(stem.begin(), stem.end(), '/', '_');
+        wanted.member = members_.unique((wanted.published ? "to_" : "from_") + identifier(stem));
+        plan_.topics.push_back(std::move(wanted));
+        return plan_.topics.size() - 1;
+    }
+
+    /// "~/out/move"; names that differ in underscores alone get a number.
+    std::string default_topic(const char* kind, const std::string& name) {
+        const std::string stem = fmt::format("~/{}/{}", kind, topic_part(name));
+        std::string topic = stem;
+        for (int i = 2; !default_topics_.insert(topic).second; ++i) topic = fmt::format("{}_{}", stem, i);
+        return topic;
+    }
+
+    static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& said) {
+        QualityOfService quality;
+        if (element.published && element.kind == ElementKind::variable) quality = latched();
+        // Drivers of sensors publish best effort, which a reliable subscription would not receive at all.
+        if (!element.published && message.package == "sensor_msgs") quality = {false, false, 5};
+        quality.reliable = said.reliable.value_or(quality.reliable);
+        quality.latched = said.latched.value_or(quality.latched);
+        quality.depth = said.depth.value_or(quality.depth);
+        return quality;
+    }
+
+    // ------------------------------------------------------------ values of the model
+
+    static std::optional<ir::TypeId> type_of(const Element& element) {
+        return element.event != nullptr      ? element.event->port->type
+               : element.variable != nullptr ? std::optional(element.variable->stored->variable->type)
+                                             : std::nullopt;
+    }
+
+    static std::vector<ModelValue> values_of(const Element& element) {
+        std::vector<ModelValue> values;
+        if (element.operation != nullptr) {
+            const ir::OperationSignature& signature = *element.operation->signature;
+            for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+                values.push_back({signature.parameter_names[i], fmt::format("a{}", i), signature.parameters[i]});
+        } else if (const auto type = type_of(element)) {
+            const bool sent = element.published && element.event != nullptr;
+            values.push_back({"value", sent ? "a0" : "value", *type});
+        }
+        return values;
+    }
+
+    // ------------------------------------------------------------ without a mapping
+
+    void add_default(const Element& element) {
+        const std::vector<ModelValue> values = values_of(element);
+        std::vector<Scalar> scalars;
+        bool carried = true;
+        for (const ModelValue& value : values) {
+            const auto kind = scalar_kind(generation_.system.type(value.type));
+            carried = carried && kind.has_value();
+            if (kind) scalars.push_back({*kind, value.type, value.place, value.name});
+        }
+        if (!carried) {
+            diagnostics_.report(
+                cpp_emit::rules::no_project, element.span,
+                {"ros2", generation_.component.name,
+                 fmt::format("std_msgs has no message for the {} '{}'", described(element.kind), element.name)});
+            return;
+        }
+        const char* const kind = element.kind == ElementKind::variable    ? (element.published ? "variable" : "set")
+                                 : element.kind == ElementKind::operation ? "out"
+                                 : element.published                      ? "sent"
+                                                                          : "in";
+        const MessageName message{"std_msgs",
+                                  scalars.empty()       ? "Empty"
+                                  : scalars.size() == 1 ? message_of(scalars.front().kind)
+                                                        : "Float64MultiArray",
+                                  {}};
+        const std::size_t place = topic({default_topic(kind, element.name), message, quality_of(element, message, {}),
+                                         element.published, "", element.name},
+                                        element.span);
+        if (element.published) {
+            Outgoing out = outgoing(element, place);
+            out.array = scalars.size() > 1;
+            for (const Scalar& scalar : scalars) out.fields.push_back({"data", scalar, "", false});
+            plan_.outgoing.push_back(std::move(out));
+        } else {
+            Incoming in = incoming(element, place);
+            if (!scalars.empty()) in.fields.push_back({"data", scalars.front()});
+            plan_.incoming.push_back(std::move(in));
+        }
+    }
+
+    static Outgoing outgoing(const Element& element, std::size_t topic) {
+        Outgoing out;
+        out.kind = element.kind;
+        out.name = element.name;
+        out.operation = element.operation;
+        out.event = element.event;
+        out.variable = element.variable;
+        out.topic = topic;
+        out.mapped = element.item != nullptr;
+        return out;
+    }
+
+    static Incoming incoming(const Element& element, std::size_t topic) {
+        return {element.name, element.event, element.variable, type_of(element), topic, {}};
+    }
+
+    // ------------------------------------------------------------ with one
+
+    void add_mapped(const Element& element) {
+        const Item& item = *element.item;
+        const std::size_t place =
+            topic({item.topic.text, item.message, quality_of(element, item.message, item.delivery), item.published, "",
+                   element.name},
+                  item.topic.span);
+        if (item.published)
+            publish(element, outgoing(element, place));
+        else
+            receive(element, incoming(element, place));
+    }
+
+    void publish(const Element& element, Outgoing out) {
+        const std::vector<ModelValue> values = values_of(element);
+        std::set<std::string> used;
+        for (const Assignment& each : element.item->assignments) {
+            diagnostics_.poll();
+            const std::optional<FieldType> field = field_of(*element.item, each.target);
+            if (!field) continue;
+            const std::string text = each.target.text();
+            for (const Filled& before : out.fields)
+                if (overlap(before.field, text))
+                    diagnostics_.report(rules::said_twice, each.target.span(), {fmt::format("the field '{}'", text)});
+            Filled filled{text, {}, "", false};
+            const bool value = each.source.kind == Source::Kind::path || each.source.kind == Source::Kind::truth;
+            if (value && names_value(values, each.source.path)) {
+                filled.scalar = scalar_of(element, values, each.source.path, *field, each.target);
+                if (filled.scalar) used.insert(filled.scalar->reading);
+            } else {
+                literal(element, values, each, *field, filled);
+            }
+            out.fields.push_back(std::move(filled));
+        }
+        for (const ModelValue& value : values) warn_unsent(element, value, used);
+        plan_.outgoing.push_back(std::move(out));
+    }
+
+    static bool names_value(const std::vector<ModelValue>& values, const Path& path) {
+        return std::any_of(values.begin(), values.end(),
+                           [&](const ModelValue& value) { return value.name == path.words.front().text; });
+    }
+
+    void warn_unsent(const Element& element, const ModelValue& value, const std::set<std::string>& used) {
+        std::vector<Scalar> scalars;
+        if (!scalars_of(generation_.system, value, scalars))
+            scalars.push_back({ScalarKind::real, value.type, value.place, value.name});
+        for (const Scalar& scalar : scalars)
+            if (!used.contains(scalar.reading))
+                diagnostics_.report(
+                    rules::not_sent, element.item->element.span,
+                    {fmt::format("'{}'", scalar.reading), std::string(described(element.kind)), element.name});
+    }
+
+    void receive(const Element& element, Incoming in) {
+        const std::vector<ModelValue> values = values_of(element);
+        std::set<std::string> used;
+        for (const Assignment& each : element.item->assignments) {
+            diagnostics_.poll();
+            const std::optional<FieldType> field = field_of(*element.item, each.source.path);
+            if (!field) continue;
+            const auto scalar = scalar_of(element, values, each.target, *field, each.source.path);
+            if (!scalar) continue;
+            if (!used.insert(scalar->reading).second)
+                diagnostics_.report(rules::said_twice, each.target.span(), {fmt::format("'{}'", scalar->reading)});
+            in.fields.push_back({each.source.path.text(), *scalar});
+        }
+        for (const ModelValue& value : values) require_all(element, value, used);
+        plan_.incoming.push_back(std::move(in));
+    }
+
+    void require_all(const Element& element, const ModelValue& value, const std::set<std::string>& used) {
+        std::vector<Scalar> scalars;
+        if (!scalars_of(generation_.system, value, scalars)) {
+            diagnostics_.report(
+                rules::wrong_type, element.item->element.span,
+                {fmt::format("the value of '{}'", element.name), described(generation_.system.type(value.type)),
+                 "what a message can give it", "a truth value, a number, an enumeration or a record of them"});
+            return;
+        }
+        for (const Scalar& scalar : scalars)
+            if (!used.contains(scalar.reading))
+                diagnostics_.report(
+                    rules::incomplete, element.item->element.span,
+                    {fmt::format("'{}'", scalar.reading), std::string(described(element.kind)), element.name});
+    }
+
+    /// The field's type; nothing, with a finding, where the message does not have it.
+    std::optional<FieldType> field_of(const Item& item, const Path& path) {
+        const FoundField found = find_field(item.message, path);
+        if (found.missing == path.words.size()) return found.type;
+        const Word& word = path.words[found.missing];
+        diagnostics_.report(rules::unknown_field, word.span,
+                            {std::string(found.in), word.text, suggestion(word.text, fields_of(found.in))});
+        return std::nullopt;
+    }
+
+    /// The part of the element's value that the path names and that goes with the field.
+    std::optional<Scalar> scalar_of(const Element& element, const std::vector<ModelValue>& values, const Path& path,
+                                    const FieldType& field, const Path& field_path) {
+        const FoundScalar found = find_scalar(generation_.system, values, path);
+        const std::string place = fmt::format("{} '{}'", described(element.kind), element.name);
+        if (found.missing < path.words.size()) {
+            const Word& word = path.words[found.missing];
+            const std::string what = found.missing > 0                        ? "field"
+                                     : element.kind == ElementKind::operation ? "parameter"
+                                                                              : "value";
+            diagnostics_.report(rules::unknown_name, word.span,
+                                {place, what, word.text, suggestion(word.text, found.known)});
+            return std::nullopt;
+        }
+        if (found.scalar && fits(field, found.scalar->kind, element.published)) return found.scalar;
+        diagnostics_.report(rules::wrong_type, path.span(),
+                            {fmt::format("'{}'", path.text()), described(generation_.system.type(*found.type)),
+                             fmt::format("the field '{}'", field_path.text()), described(field)});
+        return std::nullopt;
+    }
+
+    void literal(const Element& element, const std::vector<ModelValue>& values, const Assignment& each,
+                 const FieldType& field, Filled& filled) {
+        const FieldKind kind = field.kind;
+        bool good = kind == FieldKind::unknown;
+        const char* what = "a text";
+        switch (each.source.kind) {
+            case Source::Kind::path:
+                if (each.source.path.text() != "now") {
+                    (void)scalar_of(element, values, each.source.path, field, each.target);
+                    return;
+                }
+                what = "a time";
+                good = good || kind == FieldKind::time;
+                filled.now = true;
+                break;
+            case Source::Kind::whole:
+                what = "a whole number";
+                good = good || kind == FieldKind::real || kind == FieldKind::whole;
+                if (good && !holds(field, each.source.number)) {
+                    good = false;
+                    what = "out of its range";
+                }
+                filled.literal = fmt::format("std::int64_t{{{}}}", each.source.number);
+                break;
+            case Source::Kind::decimal:
+                what = "a number";
+                good = good || kind == FieldKind::real;
+                filled.literal = each.source.number;
+                break;
+            case Source::Kind::truth:
+                what = "a truth value";
+                good = good || kind == FieldKind::truth;
+                filled.literal = each.source.path.text();
+                break;
+            case Source::Kind::text:
+                good = good || kind == FieldKind::text;
+                filled.literal = diagnostics::cpp_string(each.source.text);
+                break;
+        }
+        if (!good)
+            diagnostics_.report(
+                rules::wrong_type, each.source.span,
+                {"the value", what, fmt::format("the field '{}'", each.target.text()), described(field)});
+    }
+
+    // ------------------------------------------------------------ the whole
+
+    void note_defaults() {
+        std::vector<std::string> names;
+        for (const Outgoing& out : plan_.outgoing)
+            if (out.kind == ElementKind::operation && !out.mapped)
+                names.push_back(fmt::format("{} ({})", out.name, plan_.topics[out.topic].name));
+        if (!names.empty())
+            diagnostics_.report(rules::not_mapped, generation_.component.origin.span,
+                                {generation_.component.name, fmt::format("{}", fmt::join(names, ", "))});
+    }
+
+    void packages() {
+        std::set<std::string> names{"rcl_interfaces", "std_msgs"};
+        for (const Topic& topic : plan_.topics) names.insert(topic.message.package);
+        if (plan_.stamped()) names.insert("builtin_interfaces");
+        plan_.packages.assign(names.begin(), names.end());
+    }
+
+    const Generation& generation_;
+    const ClassApi& api_;
+    diagnostics::Diagnostics& diagnostics_;
+    NodePlan plan_;
+    NameScope members_;
+    std::set<std::string> default_topics_;
+    std::set<std::string> noted_;
+};
+
+}  // namespace
+
+bool NodePlan::stamped() const {
+    return std::any_of(outgoing.begin(), outgoing.end(), [](const Outgoing& out) {
+        return std::any_of(out.fields.begin(), out.fields.end(), [](const Filled& field) { return field.now; });
+    });
+}
+
+NodePlan plan_node(const Generation& generation, const ClassApi& api, diagnostics::Diagnostics& diagnostics) {
+    return Planner(generation, api, diagnostics).make();
+}
+
+}  // namespace robochart::cpp_emit::ros2

@@ -1,0 +1,119 @@
+#include "cpp_emit/ros2/ros_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "cpp_emit/plan/names.hpp"
+
+namespace robochart::cpp_emit::ros2 {
+
+namespace {
+
+bool is_small(char c) {
+    return c >= 'a' && c <= 'z';
+}
+bool is_large(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// A letter first, then letters, digits and single underscores, none at the end (REP 149, rosidl).
+std::string wrong_small_name(std::string_view name) {
+    if (name.empty() || !is_small(name.front())) return "it begins with a small letter";
+    for (const char c : name)
+        if (!is_small(c) && !is_digit(c) && c != '_') return "it has small letters, digits and underscores only";
+    if (name.find("__") != std::string_view::npos || name.back() == '_')
+        return "it has no doubled underscore, and none at the end";
+    return "";
+}
+
+/// Topics of ROS itself; a node that publishes there disturbs others.
+bool of_ros(std::string_view topic) {
+    static constexpr std::array names = {"rosout", "parameter_events", "clock", "~/transition_event"};
+    if (topic.starts_with('/')) topic.remove_prefix(1);
+    return std::find(names.begin(), names.end(), topic) != names.end();
+}
+
+constexpr std::size_t longest_name = 200;  // RMW: 247 for the whole topic, of which the namespace is a part
+
+}  // namespace
+
+std::string wrong_package(std::string_view name) {
+    if (name.size() > longest_name) return "it is too long";
+    if (const std::string wrong = wrong_small_name(name); !wrong.empty()) return wrong;
+    return reserved_in_cpp(name) ? "C++ reserves it" : "";
+}
+
+std::string wrong_message(std::string_view name) {
+    if (name.size() > longest_name) return "it is too long";
+    if (name.empty() || !is_large(name.front())) return "it begins with a capital letter";
+    for (const char c : name)
+        if (!is_small(c) && !is_large(c) && !is_digit(c)) return "it has letters and digits only";
+    return reserved_in_cpp(name) ? "C++ reserves it" : "";
+}
+
+std::string wrong_field(std::string_view name) {
+    if (name.size() > longest_name) return "it is too long";
+    if (const std::string wrong = wrong_small_name(name); !wrong.empty()) return wrong;
+    return reserved_in_cpp(name) ? "C++ reserves it" : "";
+}
+
+std::string wrong_topic(std::string_view name) {
+    if (name.empty()) return "it is empty";
+    if (name.size() > longest_name) return "it is too long";
+    if (of_ros(name)) return "it is a topic of ROS itself";
+    std::string_view rest = name;
+    if (rest.starts_with("~/"))
+        rest.remove_prefix(2);
+    else if (rest.starts_with('/'))
+        rest.remove_prefix(1);
+    if (rest.empty() || rest.back() == '/') return "it ends with a name";
+    bool fresh = true;
+    for (const char c : rest) {
+        if (fresh && is_digit(c)) return "none of its parts begins with a digit";
+        if (fresh && c == '/') return "it has no empty part";
+        if (!is_small(c) && !is_large(c) && !is_digit(c) && c != '_' && c != '/')
+            return "it has letters, digits, underscores and / only, and ~/ at the beginning";
+        fresh = c == '/';
+    }
+    return rest.find("__") != std::string_view::npos ? "it has no doubled underscore" : "";
+}
+
+std::string topic_part(std::string_view name) {
+    std::string result;
+    for (const char c : identifier(name))
+        if (c != '_' || (!result.empty() && result.back() != '_')) result += c;
+    while (!result.empty() && result.back() == '_') result.pop_back();
+    return result.empty() || is_digit(result.front()) ? "x" + result : result;
+}
+
+std::string header_of_message(std::string_view type) {
+    // Before a capital letter that a small one follows, then between a small letter or digit and a capital one.
+    std::string result;
+    for (std::size_t i = 0; i < type.size(); ++i) {
+        const bool word = is_large(type[i]) && i > 0 && i + 1 < type.size() && is_small(type[i + 1]);
+        const bool behind = is_large(type[i]) && i > 0 && !is_large(type[i - 1]);
+        if (word || behind) result += '_';
+        result += static_cast<char>(std::tolower(static_cast<unsigned char>(type[i])));
+    }
+    return result;
+}
+
+std::string package_name(std::string_view component, const std::set<std::string>& others) {
+    std::string result;
+    for (std::size_t i = 0; i < component.size(); ++i) {
+        const bool word = is_large(component[i]) && i > 0 && is_small(component[i - 1]);
+        if (word && result.back() != '_') result += '_';
+        if (component[i] == '_' && (result.empty() || result.back() == '_')) continue;
+        result += static_cast<char>(std::tolower(static_cast<unsigned char>(component[i])));
+    }
+    while (!result.empty() && result.back() == '_') result.pop_back();
+    if (result.size() < 2 || !is_small(result.front())) result = "robot_" + result;
+    while (result.back() == '_') result.pop_back();
+    return others.contains(result) ? result + "_controller" : result;
+}
+
+}  // namespace robochart::cpp_emit::ros2

@@ -1,0 +1,91 @@
+#include "frontend/syntax/word_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/one_line.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+std::string quoted_token(const Token& token) {
+    return token.kind == TokenKind::end ? "the end of the file" : fmt::format("'{}'", shorten(token.text));
+}
+
+}  // namespace
+
+WordReader::WordReader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
+                       const diagnostics::Rule& syntax, diagnostics::Diagnostics& diagnostics)
+    : sources_(sources), syntax_(syntax), diagnostics_(diagnostics) {
+    const std::size_t before = diagnostics.errors();
+    stream_ = tokenize(sources, source, false, diagnostics);
+    failed_ = diagnostics.errors() > before || stream_.tokens.empty();
+    last_ = {source, 0, 0};
+}
+
+bool WordReader::at(std::string_view word) const {
+    const Token next = token();
+    return next.kind != TokenKind::end && next.kind != TokenKind::string && next.text == word;
+}
+
+bool WordReader::at_number() const {
+    const TokenKind kind = token().kind;
+    return kind == TokenKind::integer || kind == TokenKind::real || at("-");
+}
+
+std::string WordReader::text_since(diagnostics::Span from) const {
+    return diagnostics::on_one_line(sources_.text(from.source).substr(from.begin, last_.end - from.begin));
+}
+
+void WordReader::advance() {
+    last_ = token().span;
+    if (!at_end()) ++next_;
+}
+
+bool WordReader::take(std::string_view word) {
+    if (failed_ || !at(word)) return false;
+    advance();
+    return true;
+}
+
+void WordReader::expect(std::string_view word) {
+    if (!failed_ && !take(word)) fail(fmt::format("'{}'", word));
+}
+
+void WordReader::fail(std::string_view expected) {
+    if (failed_) return;
+    failed_ = true;
+    diagnostics_.report(syntax_, token().span, {std::string(expected), quoted_token(token())});
+}
+
+void WordReader::report(const diagnostics::Rule& rule, diagnostics::Span span, std::vector<std::string> arguments) {
+    if (!failed_) diagnostics_.report(rule, span, std::move(arguments));
+}
+
+Word WordReader::name(std::string_view what) {
+    const Token next = token();
+    if (next.kind != TokenKind::identifier && next.kind != TokenKind::keyword) fail(what);
+    if (failed_) return {};
+    advance();
+    return {std::string(next.text), next.span};
+}
+
+Word WordReader::qualified_name(std::string_view what) {
+    Word result = name(what);
+    while (take("::")) {
+        const Word part = name(what);
+        result.text += "::" + part.text;
+        result.span = diagnostics::join(result.span, part.span);
+    }
+    return result;
+}
+
+std::string WordReader::quoted(std::string_view what) {
+    const Token next = token();
+    if (next.kind != TokenKind::string) fail(what);
+    if (failed_) return "";
+    advance();
+    return std::string(next.text.substr(1, next.text.size() - 2));
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,348 @@
+// Mappings that are wrong, and what is said of them: one row for each mistake, its place counted by hand.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "cpp_emit/ros2/messages.hpp"
+#include "cpp_emit/ros2/ros_names.hpp"
+#include "diagnostics/splitmix64.hpp"
+#include "tests/cpp_emit/models.hpp"
+#include "tests/cpp_emit/ros2/package.hpp"
+
+namespace robochart::cpp_emit::ros2 {
+namespace {
+
+const char* const model_text = R"(package p
+enumeration Light { Red Green }
+datatype Point { x : real y : real }
+interface I { move(lv : real, av : real) stop() lamp(l : Light) goal(at : Point) count(n : nat) flag(b : boolean)
+    all(s : Seq(nat)) var level : int }
+interface T { turn() }
+interface E { event obstacle : real event seen : Point event bump event done : nat event list : Seq(nat) }
+stm M { requires I requires T uses E var d : real var q : Point var s : Seq(nat) initial i
+    state A { entry move(1, 0.25) ; stop() ; lamp(Light::Red) ; goal(q) ; count(1) ; flag(true) ; all(s) ; turn() }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger obstacle?d } transition t2 { from A to A trigger bump action done!1 }
+    transition t3 { from A to A trigger seen?q action level = 7 } transition t4 { from A to A trigger list?s }
+}
+operation turn() { initial i final F transition t { from i to F } }
+controller C { requires I uses E sref m = M opref turn_ref = turn
+    connection C on obstacle to m on obstacle connection C on seen to m on seen
+    connection C on bump to m on bump connection m on done to C on done connection C on list to m on list }
+)";
+
+/// What is said of one item, without what is said of the elements of the model that no mapping can leave out here.
+std::string findings_of(const std::string& item) {
+    static const ir::System system = testing::model(model_text);
+    const Planned planned = emit_package(system, "C", "ros2 for C {\n" + item + "\n}");
+    std::string kept;
+    std::size_t from = 0;
+    for (std::size_t end = planned.findings.find('\n'); end != std::string::npos;
+         from = end + 1, end = planned.findings.find('\n', from)) {
+        const std::string line = planned.findings.substr(from, end - from);
+        const bool other = line.starts_with("RC-G14") || line.starts_with("RC-R10");
+        if (!other) kept += line + "\n";
+    }
+    return kept;
+}
+
+struct Row {
+    const char* item;
+    const char* expected;
+};
+
+class WrongMapping : public ::testing::TestWithParam<Row> {};
+
+TEST_P(WrongMapping, IsSaidWithItsPlace) {
+    EXPECT_EQ(findings_of(GetParam().item), GetParam().expected) << GetParam().item;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, WrongMapping,
+    ::testing::Values(
+        Row{"move", "RC-R01 2:1 expected 'publish', 'receive' or '}', found 'move'\n"},
+        Row{"publish move", "RC-R01 2:9 expected 'operation', 'event' or 'variable', found 'move'\n"},
+        Row{"publish operation move on", "RC-R01 2:24 expected 'as', found 'on'\n"},
+        Row{"publish operation stop as Twist on \"t\"", "RC-R01 2:33 expected '/', found 'on'\n"},
+        Row{"publish operation stop as std_msgs/Empty on t", "RC-R01 2:45 expected a topic in quotes, found 't'\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" with",
+            "RC-R01 3:1 expected 'reliable', 'best_effort', 'transient_local', 'volatile' or 'depth', found '}'\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" with depth 0",
+            "RC-R01 2:60 expected a number from 1 to 10000, found '0'\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" with depth 99999999999",
+            "RC-R01 2:60 expected a number from 1 to 10000, found '99999999999'\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" with reliable best_effort",
+            "RC-R03 2:63 the reliability is said twice\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" with volatile volatile",
+            "RC-R03 2:63 the durability is said twice\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" with depth 1 depth 2",
+            "RC-R03 2:68 the depth is said twice\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, WrongMapping,
+    ::testing::Values(
+        Row{"publish operation mvoe as std_msgs/Empty on \"t\"",
+            "RC-R02 2:19 'C' has no operation to publish 'mvoe'; did you mean 'move'?\n"},
+        Row{"publish operation turn as std_msgs/Empty on \"t\"",
+            "RC-R02 2:19 'C' has no operation to publish 'turn'; the model defines it, so it runs as modelled\n"},
+        Row{"publish event obstacle as std_msgs/Empty on \"t\"",
+            "RC-R02 2:15 'C' has no event to publish 'obstacle'; write 'receive event obstacle'\n"},
+        Row{"receive variable obstacle as std_msgs/Empty on \"t\"",
+            "RC-R02 2:18 'C' has no variable to receive 'obstacle'; write 'receive event obstacle'\n"},
+        Row{"receive operation stop as std_msgs/Empty on \"t\"",
+            "RC-R04 2:19 'stop' is no name of a thing that is received: the controller calls its operations itself\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\" publish operation stop as std_msgs/Empty on \"u\"",
+            "RC-R03 2:67 operation 'stop' is said twice\n"},
+        Row{"publish operation move as geometry_msgs/Twist on \"cmd_vel\" { linear.x = lw angular.z = av }",
+            "RC-R08 2:19 'lv' of operation 'move' is in no field of its message\n"
+            "RC-R02 2:73 operation 'move' has no parameter 'lw'; did you mean 'lv'?\n"},
+        Row{"publish operation goal as geometry_msgs/Point on \"t\" { x = at.x y = at.z }",
+            "RC-R08 2:19 'at.y' of operation 'goal' is in no field of its message\n"
+            "RC-R02 2:72 operation 'goal' has no field 'z'\n"},
+        Row{"receive event obstacle as sensor_msgs/Range on \"t\" { vlaue = range }",
+            "RC-R07 2:15 nothing gives 'value' of event 'obstacle' its value\n"
+            "RC-R02 2:54 event 'obstacle' has no value 'vlaue'; did you mean 'value'?\n"},
+        Row{"receive event bump as sensor_msgs/Range on \"t\" { value = range }",
+            "RC-R02 2:50 event 'bump' has no value 'value'\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    NamesOfRos, WrongMapping,
+    ::testing::Values(
+        Row{"publish operation stop as Std_msgs/Empty on \"t\"",
+            "RC-R04 2:27 'Std_msgs' is no name of a package: it begins with a small letter\n"},
+        Row{"publish operation stop as std__msgs/Empty on \"t\"",
+            "RC-R04 2:27 'std__msgs' is no name of a package: it has no doubled underscore, and none at the end\n"},
+        Row{"publish operation stop as class/Empty on \"t\"",
+            "RC-R04 2:27 'class' is no name of a package: C++ reserves it\n"},
+        Row{"publish operation stop as my_msgs/empty on \"t\"",
+            "RC-R04 2:35 'empty' is no name of a message: it begins with a capital letter\n"},
+        Row{"publish operation stop as my_msgs/Em_pty on \"t\"",
+            "RC-R04 2:35 'Em_pty' is no name of a message: it has letters and digits only\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"\"", "RC-R04 2:45 '' is no name of a topic: it is empty\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"a//b\"",
+            "RC-R04 2:45 'a//b' is no name of a topic: it has no empty part\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"a/\"",
+            "RC-R04 2:45 'a/' is no name of a topic: it ends with a name\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"a/2b\"",
+            "RC-R04 2:45 'a/2b' is no name of a topic: none of its parts begins with a digit\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"a__b\"",
+            "RC-R04 2:45 'a__b' is no name of a topic: it has no doubled underscore\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"~a\"",
+            "RC-R04 2:45 '~a' is no name of a topic: it has letters, digits, underscores and / only, and ~/ at the "
+            "beginning\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"a{node}\"",
+            "RC-R04 2:45 'a{node}' is no name of a topic: it has letters, digits, underscores and / only, and ~/ at "
+            "the beginning\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"/rosout\"",
+            "RC-R04 2:45 '/rosout' is no name of a topic: it is a topic of ROS itself\n"},
+        Row{"publish operation stop as my_msgs/Foo on \"t\" { class = 1 }",
+            "RC-R04 2:48 'class' is no name of a field: C++ reserves it\n"},
+        Row{"publish operation stop as my_msgs/Foo on \"t\" { a.Big = 1 }",
+            "RC-R04 2:50 'Big' is no name of a field: it begins with a small letter\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields, WrongMapping,
+    ::testing::Values(
+        Row{"publish operation stop as geometry_msgs/Twist on \"t\" { linaer.x = 1 }",
+            "RC-R05 2:56 the message geometry_msgs/Twist has no field 'linaer'; did you mean 'linear'?\n"},
+        Row{"publish operation stop as geometry_msgs/Twist on \"t\" { linear.w = 1 }",
+            "RC-R05 2:63 the message geometry_msgs/Vector3 has no field 'w'\n"},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" { data.x = 1 }",
+            "RC-R05 2:55 the message int8 has no field 'x'\n"},
+        Row{"publish operation stop as geometry_msgs/Twist on \"t\" { linear.x = 1 linear.x = 2 }",
+            "RC-R03 2:69 the field 'linear.x' is said twice\n"},
+        Row{"receive event seen as geometry_msgs/Point on \"t\" { value.x = x value.x = y value.y = y }",
+            "RC-R03 2:64 'value.x' is said twice\n"},
+        Row{"receive event seen as geometry_msgs/Point on \"t\" { value.x = x }",
+            "RC-R07 2:15 nothing gives 'value.y' of event 'seen' its value\n"},
+        Row{"publish operation stop as geometry_msgs/Twits on \"t\"",
+            "RC-R11 2:27 the fields of geometry_msgs/Twits are not known here; did you mean 'Twist'?\n"},
+        Row{"publish operation stop as my_msgs/Foo on \"t\" { anything = 1 }",
+            "RC-R11 2:27 the fields of my_msgs/Foo are not known here\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, WrongMapping,
+    ::testing::Values(
+        Row{"publish operation lamp as std_msgs/Bool on \"t\" { data = l }",
+            "RC-R08 2:19 'l' of operation 'lamp' is in no field of its message\n"
+            "RC-R06 2:57 'l' is an enumeration Light, and the field 'data' is a bool\n"},
+        Row{"publish operation flag as std_msgs/Int8 on \"t\" { data = b }",
+            "RC-R08 2:19 'b' of operation 'flag' is in no field of its message\n"
+            "RC-R06 2:57 'b' is a boolean, and the field 'data' is a int8\n"},
+        Row{"publish operation goal as geometry_msgs/PointStamped on \"t\" { point = at }",
+            "RC-R08 2:19 'at.x' of operation 'goal' is in no field of its message\n"
+            "RC-R08 2:19 'at.y' of operation 'goal' is in no field of its message\n"
+            "RC-R06 2:71 'at' is a record Point, and the field 'point' is a message geometry_msgs/Point\n"},
+        Row{"publish operation all as std_msgs/Float64MultiArray on \"t\" { data = s }",
+            "RC-R08 2:19 's' of operation 'all' is in no field of its message\n"
+            "RC-R06 2:69 's' is a Seq(nat), and the field 'data' is an array float64[]\n"},
+        Row{"receive event obstacle as std_msgs/String on \"t\" { value = data }",
+            "RC-R07 2:15 nothing gives 'value' of event 'obstacle' its value\n"
+            "RC-R06 2:52 'value' is a real, and the field 'data' is a string\n"},
+        Row{"receive event list as std_msgs/Int8 on \"t\"",
+            "RC-R06 2:15 the value of 'list' is a Seq(nat), and what a message can give it is a truth value, a number, "
+            "an enumeration or a record of them\n"},
+        Row{"publish operation stop as std_msgs/UInt8 on \"t\" { data = 256 }",
+            "RC-R06 2:58 the value is out of its range, and the field 'data' is a uint8\n"},
+        Row{"publish operation stop as std_msgs/UInt64 on \"t\" { data = -1 }",
+            "RC-R06 2:59 the value is out of its range, and the field 'data' is a uint64\n"},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = 0.5 }",
+            "RC-R06 2:57 the value is a number, and the field 'data' is a int8\n"},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = now }",
+            "RC-R06 2:57 the value is a time, and the field 'data' is a int8\n"},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = true }",
+            "RC-R06 2:57 the value is a truth value, and the field 'data' is a int8\n"},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = \"x\" }",
+            "RC-R06 2:57 the value is a text, and the field 'data' is a int8\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Topics, WrongMapping,
+    ::testing::Values(
+        Row{"publish operation stop as std_msgs/Empty on \"t\"\nreceive event bump as std_msgs/Empty on \"/t\"",
+            "RC-R09 3:41 'bump' cannot be on topic '/t' with 'stop': one is published and the other received\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"t\"\npublish event done as std_msgs/Int8 on \"t\" { data = "
+            "value }",
+            "RC-R09 3:40 'done' cannot be on topic 't' with 'stop': one is std_msgs/Empty and the other "
+            "std_msgs/Int8\n"},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" with depth 3\npublish event done as std_msgs/Int8 on "
+            "\"t\" "
+            "{ data = value }",
+            "RC-R09 3:40 'done' cannot be on topic 't' with 'stop': they differ in quality of service\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"/C/state\"",
+            "RC-R09 2:45 'stop' cannot be on topic '/C/state' with 'state': one is std_msgs/String and the other "
+            "std_msgs/Empty\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Right, WrongMapping,
+    ::testing::Values(
+        Row{"publish operation count as std_msgs/Float32 on \"t\" { data = n }", ""},
+        Row{"publish operation flag as std_msgs/Bool on \"t\" { data = b }", ""},
+        Row{"publish operation lamp as std_msgs/UInt8 on \"t\" { data = l }", ""},
+        Row{"receive event obstacle as std_msgs/msg/Int32 on \"t\" { value = data }", ""},
+        Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = -128 }", ""},
+        Row{"publish operation stop as geometry_msgs/TwistStamped on \"~/t\" with best_effort volatile depth 3 "
+            "{ header.stamp = now header.frame_id = \"x\" twist.linear.x = -0.5 }",
+            ""}));
+
+/// Text that means something in C++, CMake, XML, YAML, Python or a shell is no name, and as a literal it is data.
+TEST(HostileMapping, DoesNotReachTheCode) {
+    for (const char* const name : {"t\\\"); abort(); (\\\"", "$(touch x)", "a;b", "<evil/>", "a b", "a\\nb", "../x",
+                                   "a'b", "@CLASS@", "%s", "é"}) {
+        const std::string said = findings_of(fmt::format("publish operation stop as std_msgs/Empty on \"{}\"", name));
+        EXPECT_TRUE(said.starts_with("RC-R04 2:45")) << name << "\n" << said;
+    }
+    const ir::System system = testing::model(
+        "interface I { stop() } stm M { requires I initial i state A { entry stop() } transition t { from i to A } }");
+    const Planned planned = emit_package(
+        system, "M",
+        "ros2 for M { publish operation stop as std_msgs/String on \"t\" { data = \"a\nb?\?/\x01*/\\\" @CLASS@\" } }");
+    std::string code;
+    for (const OutputFile& file : planned.emission.files)
+        if (file.path == "src/M_messages.hpp") code = file.text;
+    EXPECT_NE(code.find("message.data = \"a\\012b\\077\\077/\\001*/\\134\\042 @CLASS@\";"), std::string::npos) << code;
+}
+
+/// Mappings with characters and words changed, lost and doubled: each is refused with a finding, or written, and then
+/// in names and literals that no character of it has left.
+TEST(HostileMapping, ChangedAtRandomIsRefusedOrWritten) {
+    const ir::System system = testing::model(
+        "enumeration L { A B } datatype P { x : real l : L } interface I { move(p : P, n : nat) var v : real }\n"
+        "interface E { event e : P event f : boolean event g : int }\n"
+        "stm M { requires I uses E var p : P var b : boolean initial i state S { entry move(p, 1) ; v = 1 }\n"
+        "transition t { from i to S } transition u { from S to S trigger e?p action g!1 }\n"
+        "transition w { from S to S trigger f?b } }");
+    const std::string whole = R"(ros2 for M { // all of it
+    publish operation move as my_msgs/msg/Goal on "~/go" with best_effort depth 3 { x = p.x kind = p.l count = n }
+    publish variable v as std_msgs/Float32 on "/v" { data = value }
+    publish event g as std_msgs/UInt8 on "g" with transient_local { data = value }
+    receive event e as geometry_msgs/PoseStamped on "pose" { value.x = pose.position.x value.l = header.stamp.sec }
+    receive event f as std_msgs/Bool on "flag" { value = data } }
+)";
+    const std::string pieces = "{}=.\"/~:-0a_Z \n@%$\\\t'*\x01\xff";
+    std::uint64_t state = 1;
+    const auto random = [&state] { return diagnostics::splitmix64(state); };
+    std::size_t written = 0, refused = 0;
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = whole;
+        for (std::uint64_t changes = 1 + random() % 3; changes > 0; --changes) {
+            const std::size_t at = random() % text.size();
+            const std::size_t length = std::min<std::size_t>(random() % 12, text.size() - at);
+            switch (random() % 4) {
+                case 0:
+                    text.erase(at, length);
+                    break;
+                case 1:
+                    text.insert(at, text.substr(random() % text.size(), length));
+                    break;
+                case 2:
+                    text[at] = pieces[random() % pieces.size()];
+                    break;
+                default:
+                    text.insert(at, 1, pieces[random() % pieces.size()]);
+            }
+        }
+        const Planned planned = emit_package(system, "M", text);
+        ++(planned.emission.files.empty() ? refused : written);
+        EXPECT_TRUE(!planned.emission.files.empty() || !planned.findings.empty()) << text;
+    }
+    EXPECT_GT(written, 100U);
+    EXPECT_GT(refused, 100U);
+}
+
+TEST(Names, OfRosAreThoseOfRosidl) {
+    EXPECT_EQ(header_of_message("Twist"), "twist");
+    EXPECT_EQ(header_of_message("BatteryState"), "battery_state");
+    EXPECT_EQ(header_of_message("UInt8"), "u_int8");
+    EXPECT_EQ(header_of_message("Float64MultiArray"), "float64_multi_array");
+    EXPECT_EQ(header_of_message("ColorRGBA"), "color_rgba");
+    EXPECT_EQ(header_of_message("Point32"), "point32");
+    EXPECT_EQ(header_of_message("Pose2D"), "pose2_d");
+    EXPECT_EQ(header_of_message("NavSatFix"), "nav_sat_fix");
+    EXPECT_EQ(package_name("SwarmTaxis", {}), "swarm_taxis");
+    EXPECT_EQ(package_name("M", {}), "robot_m");
+    EXPECT_EQ(package_name("GeometryMsgs", {"geometry_msgs"}), "geometry_msgs_controller");
+    EXPECT_EQ(package_name("_", {}), "robot");
+    EXPECT_EQ(topic_part("a__b_"), "a_b");
+}
+
+/// A package is none of those that it needs.
+TEST(Names, OfAPackageAreItsOwn) {
+    for (const char* const name : {"Launch", "Rclcpp", "StdMsgs", "Rcl_Interfaces"}) {
+        const ir::System system =
+            testing::model(fmt::format("interface I {{ stop() }} stm {} {{ requires I initial i state A {{ entry "
+                                       "stop() }} transition t {{ from i to A }} }}",
+                                       name));
+        const Planned planned = emit_package(system, name, "");
+        std::string text;
+        for (const OutputFile& file : planned.emission.files)
+            if (file.path == "package.xml") text = file.text;
+        EXPECT_NE(text.find("_controller</name>"), std::string::npos) << text;
+        EXPECT_FALSE(planned.emission.files.empty());
+    }
+}
+
+/// Each message that a field of the table has is in the table, and each name in it is one.
+TEST(Messages, OfTheTableAreWhole) {
+    std::size_t fields = 0;
+    for (const char* const package :
+         {"builtin_interfaces", "std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "ackermann_msgs"}) {
+        EXPECT_FALSE(known_messages(package).empty()) << package;
+        for (const std::string& type : known_messages(package)) {
+            EXPECT_EQ(wrong_message(type), "");
+            const MessageName message{package, type, {}};
+            for (const std::string& name : fields_of(message.text())) {
+                EXPECT_EQ(wrong_field(name), "") << type;
+                const FoundField found = find_field(message, {{{name, {}}}});
+                EXPECT_EQ(found.missing, 1U) << type << " " << name;
+                EXPECT_NE(found.type.kind, FieldKind::unknown) << type << " " << name;
+                const bool whole = found.type.kind != FieldKind::message || !fields_of(found.type.written).empty();
+                EXPECT_TRUE(whole || found.type.written == "std_msgs/MultiArrayLayout") << found.type.written;
+                ++fields;
+            }
+        }
+    }
+    EXPECT_GT(fields, 100U);
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit::ros2

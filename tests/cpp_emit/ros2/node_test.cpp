@@ -1,0 +1,523 @@
+// The node of a generated package in the stub of ROS 2: configured, activated, given messages, cycle by cycle. What it
+// publishes follows from the model and the mapping.
+#include <fmt/format.h>
+
+#include "tests/cpp_emit/models.hpp"
+#include "tests/cpp_emit/ros2/package.hpp"
+
+namespace robochart::cpp_emit::ros2 {
+namespace {
+
+TEST_F(Package, WithoutAMappingHasTopicsOfStdMsgs) {
+    emit(testing::corpus("swarm_taxis"), "SwarmTaxis");
+    drive("SwarmTaxisFSM_node.hpp", R"(
+int main() {
+    swarm_taxis::SwarmTaxisFSMNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.1);
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").size() == 1);
+    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").back().data == "Forward");
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").empty());
+    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").empty());
+    network.send("/SwarmTaxis/in/illumination", std_msgs::msg::Bool{true});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Bool>("/SwarmTaxis/variable/illuminated").back().data);
+    EXPECT(taken<std_msgs::msg::Float64>("/SwarmTaxis/variable/avoidanceRadius").back().data == 0.2);
+    for (int i = 0; i < 3; ++i) network.tick();
+    network.send("/SwarmTaxis/in/robotDetected", std_msgs::msg::Empty{});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/CalcAvoidanceHeading").size() == 1);
+    network.send("/SwarmTaxis/in/heading", std_msgs::msg::Float64{0.5});
+    network.tick();
+    const auto turns = taken<std_msgs::msg::Float64>("/SwarmTaxis/out/StartTurning");
+    EXPECT(turns.size() == 1 && turns[0].data == 0.5);
+    return 0;
+})");
+}
+
+/// An enumeration, whole numbers, several arguments, an event sent, termination.
+const char* const typed = R"(package p
+enumeration Light { Red Green }
+interface I { go(a : real, b : nat) lamp(l : Light) var level : int }
+interface E { event see : Light event count : nat event done : nat }
+stm M { requires I uses E var l : Light var n : nat initial i
+    state A { entry go(0.5, 3) }
+    final F
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger see?l action lamp(l) ; level = 7 }
+    transition t2 { from A to F trigger count?n action done!n } }
+controller C { requires I uses E sref m = M connection C on see to m on see connection C on count to m on count
+    connection m on done to C on done }
+robotic platform R { provides I uses E }
+module Mod { rref r = R cref c = C connection r on see to c on see (_async) connection r on count to c on count (_async)
+    connection c on done to r on done (_async) }
+)";
+
+TEST_F(Package, CarriesNumbersAndEnumerations) {
+    emit(testing::model(typed), "Mod");
+    drive("M_node.hpp", R"(
+int main() {
+    p::MNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    network.tick();
+    const auto went = taken<std_msgs::msg::Float64MultiArray>("/Mod/out/go");
+    EXPECT(went.size() == 1 && went[0].data == (std::vector<double>{0.5, 3}));
+    network.send("/Mod/in/see", std_msgs::msg::Int64{2});   // no light
+    network.send("/Mod/in/count", std_msgs::msg::Int64{-1});  // no natural number
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").empty());
+    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").back().data == 1);
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/variable/level").back().data == 7);
+    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/sent/done").back().data == 4);
+    EXPECT(network.running().empty());
+    // It has ended: it runs again only from the beginning.
+    EXPECT(node.deactivate().label() == "inactive");
+    EXPECT(node.activate().label() == "inactive");
+    EXPECT(node.cleanup().label() == "unconfigured");
+    EXPECT(started(node));
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Float64MultiArray>("/Mod/out/go").size() == 2);  // with that of the cycle of see
+    return 0;
+})");
+}
+
+/// The trace hook: what was read and done, in the words of docs/traces.md.
+TEST_F(Package, WritesALog) {
+    emit(testing::model(typed), "Mod");
+    drive("M_node.hpp", R"(
+#include <fstream>
+#include <sstream>
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("run.trace");
+    p::MNode node;
+    EXPECT(started(node));
+    network.tick();
+    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+    network.tick();
+    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
+    network.tick();
+    std::ostringstream log;
+    log << std::ifstream("run.trace").rdbuf();
+    EXPECT(log.str() == "robochart-trace 1\ncomponent p::Mod\ncycle 1\nrun 1\ngo!0.5!3 tock\n"
+                        "see?Green lamp!Green level!7 go!0.5!3 tock\ncount?4 done!4 terminate\n");
+    return 0;
+})",
+          true);
+}
+
+/// Wheels, a distance, a place, constants that are open, whole numbers.
+const char* const wheeled = R"(package p
+enumeration Mode { slow fast }
+datatype Place { x : real y : real }
+interface I { move(lv : real, av : real) stop() goal(at : Place) var level : int }
+interface E { event obstacle : real event seen : Place event bump event done : nat event tell : nat }
+stm M { requires I uses E const SPEED : real const LIMIT : nat const ON : boolean const MODE : Mode
+    var d : real var q : Place var n : nat initial i
+    state A { entry move(SPEED, 0.25) }
+    state B { entry stop() }
+    transition t0 { from i to A }
+    transition t1 { from A to B trigger obstacle?d condition d < 0.5 }
+    transition t2 { from B to A trigger bump action stop() }
+    transition t3 { from B to B trigger seen?q action goal(q) ; level = LIMIT }
+    transition t4 { from B to B trigger tell?n action done!n } }
+controller C { requires I uses E sref m = M connection C on obstacle to m on obstacle connection C on seen to m on seen
+    connection C on bump to m on bump connection C on tell to m on tell connection m on done to C on done }
+robotic platform R { provides I uses E }
+module Mod { rref r = R cref c = C connection r on obstacle to c on obstacle (_async)
+    connection r on seen to c on seen (_async) connection r on bump to c on bump (_async)
+    connection r on tell to c on tell (_async) connection c on done to r on done (_async) }
+)";
+
+const char* const wheels = R"(ros2 for Mod {
+    publish operation move as geometry_msgs/Twist on "cmd_vel" { linear.x = lv  angular.z = av }
+    publish operation stop as geometry_msgs/msg/Twist on "cmd_vel" { linear.y = -2 }
+    publish operation goal as geometry_msgs/PoseStamped on "/goal_pose" {
+        header.stamp = now header.frame_id = "a \"map\"%s"
+        pose.position.x = at.x pose.position.y = at.y pose.orientation.w = 1
+    }
+    receive event obstacle as sensor_msgs/Range on "scan" { value = range }
+    receive event seen as geometry_msgs/Point on "~/seen" with best_effort depth 1 { value.x = y value.y = x }
+    publish event done as std_msgs/UInt8 on "done" with transient_local { data = value }
+    publish variable level as std_msgs/Int16 on "level" { data = value }
+}
+)";
+
+ir::InstantiationOptions chosen() {
+    ir::InstantiationOptions options;
+    options.constants = {{"SPEED", "1.5"}, {"LIMIT", "7"}};
+    return options;
+}
+
+TEST_F(Package, PublishesAndReceivesWhatTheMappingSays) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    drive("M_node.hpp", R"(
+#include <limits>
+int main() {
+    using Twist = geometry_msgs::msg::Twist;
+    p::MNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    network.tick();
+    auto twists = taken<Twist>("/cmd_vel");
+    EXPECT(twists.size() == 1 && twists[0].linear.x == 1.5 && twists[0].linear.y == 0 && twists[0].angular.z == 0.25);
+    sensor_msgs::msg::Range range;
+    range.range = std::numeric_limits<float>::infinity();  // nothing is in sight: no number of the model
+    network.send("/scan", range);
+    range.range = std::numeric_limits<float>::quiet_NaN();
+    network.send("/scan", range);
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").empty());
+    range.range = 0.75F;
+    network.send("/scan", range);
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").empty());
+    range.range = 0.25F;
+    network.send("/scan", range);
+    network.tick();
+    twists = taken<Twist>("/cmd_vel");
+    EXPECT(twists.size() == 1 && twists[0].linear.y == -2 && twists[0].linear.x == 0);
+    // Two operations of one cycle on one topic: in the order in which the model calls them.
+    network.send("/Mod/in/bump", std_msgs::msg::Empty{});
+    network.tick();
+    twists = taken<Twist>("/cmd_vel");
+    EXPECT(twists.size() == 2 && twists[0].linear.y == -2 && twists[1].linear.x == 1.5);
+    network.send("/scan", range);
+    network.tick();
+    // A record by its fields, the time of the cycle, a text.
+    network.seconds = 42;
+    geometry_msgs::msg::Point point;
+    point.x = 3;
+    point.y = 4;
+    network.send("/Mod/seen", point);
+    network.tick();
+    const auto goals = taken<geometry_msgs::msg::PoseStamped>("/goal_pose");
+    EXPECT(goals.size() == 1 && goals[0].pose.position.x == 4 && goals[0].pose.position.y == 3);
+    EXPECT(goals[0].header.stamp.sec == 42 && goals[0].header.frame_id == "a \\\"map\\\"%s");
+    EXPECT(goals[0].pose.orientation.w == 1);
+    EXPECT(taken<std_msgs::msg::Int16>("/level").back().data == 7);
+    // What the field cannot hold is not published, and not cut off.
+    network.log.clear();
+    network.send("/Mod/in/tell", std_msgs::msg::Int64{256});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::UInt8>("/done").empty() && logged("done has a value that its message cannot hold"));
+    network.send("/Mod/in/tell", std_msgs::msg::Int64{255});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::UInt8>("/done").back().data == 255);
+    return 0;
+})");
+}
+
+TEST_F(Package, HasAQualityOfServiceForEachKind) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    drive("M_node.hpp", R"(
+int main() {
+    p::MNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    EXPECT(network.quality["/cmd_vel"] == "reliable, volatile, 10");
+    EXPECT(network.quality["/level"] == "reliable, transient_local, 1");
+    EXPECT(network.quality["/Mod/state"] == "reliable, transient_local, 1");
+    EXPECT(network.quality["/scan"] == "best_effort, volatile, 5");
+    EXPECT(network.quality["/Mod/in/bump"] == "reliable, volatile, 10");
+    EXPECT(network.quality["/Mod/seen"] == "best_effort, volatile, 1");
+    EXPECT(network.quality["/done"] == "reliable, transient_local, 10");
+    EXPECT(network.policies.size() == network.quality.size());
+    for (const auto& [topic, policies] : network.policies) EXPECT(policies == 4);
+    // Parameters override it, also when the node is configured a second time.
+    network.parameters["qos_overrides./cmd_vel.publisher.depth"] = std::int64_t{3};
+    network.parameters["qos_overrides./scan.subscription.depth"] = std::int64_t{1};
+    p::MNode other;
+    for (int times = 0; times < 2; ++times) {
+        EXPECT(started(other));
+        EXPECT(network.quality["/cmd_vel"] == "reliable, volatile, 3");
+        EXPECT(network.quality["/scan"] == "best_effort, volatile, 1");
+        EXPECT(other.deactivate().label() == "inactive" && other.cleanup().label() == "unconfigured");
+    }
+    return 0;
+})");
+}
+
+TEST_F(Package, RunsCyclesWhileItIsActive) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    drive("M_node.hpp", R"(
+int main() {
+    using Twist = geometry_msgs::msg::Twist;
+    Network& network = Network::get();
+    network.parameters["cycle"] = 0.02;
+    p::MNode node;
+    network.tick();
+    EXPECT(network.quality.empty());
+    EXPECT(node.activate().label() == "unconfigured");
+    EXPECT(node.configure().label() == "inactive");
+    sensor_msgs::msg::Range near;
+    near.range = 0.25F;
+    network.send("/scan", near);  // not taken
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").empty() && taken<std_msgs::msg::String>("/Mod/state").empty());
+    EXPECT(node.activate().label() == "active");
+    EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.02);
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").size() == 1 && taken<std_msgs::msg::String>("/Mod/state").back().data == "A");
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").empty());
+    // A message that no cycle has seen is forgotten, and those that come meanwhile too; the state stays.
+    network.send("/scan", near);
+    EXPECT(node.deactivate().label() == "inactive" && network.running().empty());
+    network.send("/scan", near);
+    network.tick();
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").empty() && taken<std_msgs::msg::String>("/Mod/state").empty());
+    network.send("/scan", near);
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").size() == 1 && taken<std_msgs::msg::String>("/Mod/state").back().data == "B");
+    // Cleaned up and configured, it begins anew.
+    EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured");
+    EXPECT(network.listeners["/scan"].empty());
+    EXPECT(started(node));
+    network.tick();
+    EXPECT(taken<Twist>("/cmd_vel").back().linear.x == 1.5);
+    EXPECT(taken<std_msgs::msg::String>("/Mod/state").back().data == "A");
+    EXPECT(node.shutdown().label() == "finalized" && network.running().empty());
+    EXPECT(network.log.empty());
+    return 0;
+})");
+}
+
+TEST_F(Package, RefusesConstantsThatItWasNotGeneratedFor) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    drive("M_node.hpp", R"(
+int main() {
+    Network& network = Network::get();
+    {
+        network.parameters = {{"constants.SPEED", 1.5}, {"constants.MODE", std::string("slow")}};
+        p::MNode node;
+        EXPECT(started(node));
+        for (const char* name : {"cycle", "log", "constants.SPEED", "constants.LIMIT", "constants.ON", "constants.MODE"})
+            EXPECT(network.declared.at(name).read_only && !network.declared.at(name).description.empty());
+        EXPECT(network.declared.size() == 6);
+        EXPECT(network.declared["constants.LIMIT"].description.find("p::C::m::LIMIT") != std::string::npos);
+    }
+    for (const auto& [name, value] : std::map<std::string, std::any>{{"constants.SPEED", 1.0},
+                                                                     {"constants.LIMIT", std::int64_t{8}},
+                                                                     {"constants.ON", false},
+                                                                     {"constants.MODE", std::string("fast")}}) {
+        network.parameters = {{name, value}};
+        p::MNode node;
+        EXPECT(node.configure().label() == "unconfigured");
+        EXPECT(logged(name));
+    }
+    network.parameters = {{"cycle", 0.0}};
+    try {
+        p::MNode node;
+        return __LINE__;
+    } catch (const std::invalid_argument&) {
+    }
+    return 0;
+})");
+}
+
+TEST_F(Package, WarnsOfAnOperationThatNobodyDoes) {
+    emit(testing::model(typed), "Mod",
+         "ros2 for Mod { publish operation go as geometry_msgs/Vector3 on \"go\" { x = a y = b } }");
+    drive("M_node.hpp", R"(
+class Robot : public p::MMessages {
+public:
+    void lamp(p::Mod_core::Light colour) override { shown = colour; }
+    p::Mod_core::Light shown = p::Mod_core::Light::Red;
+};
+int main() {
+    Network& network = Network::get();
+    const auto run = [&](p::MNode& node) {
+        for (int i = 0; i < 2; ++i) {
+            network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+            network.tick();
+        }
+        (void)node;
+    };
+    {
+        auto robot = std::make_unique<Robot>();
+        Robot& mine = *robot;
+        p::MNode node(rclcpp::NodeOptions(), std::move(robot));
+        EXPECT(started(node));
+        run(node);
+        EXPECT(mine.shown == p::Mod_core::Light::Green && network.log.empty());
+        EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").empty());
+    }
+    {
+        p::MNode node;
+        network.listeners["/Mod/out/lamp"].push_back([](const std::any&) {});
+        EXPECT(started(node));
+        run(node);
+        EXPECT(network.log.empty());
+        network.listeners.erase("/Mod/out/lamp");
+        run(node);
+        EXPECT(logged("operation lamp is called and nobody does it"));
+        EXPECT(taken<geometry_msgs::msg::Vector3>("/go").back().y == 3);
+    }
+    return 0;
+})");
+}
+
+/// Two machines, in two controllers, and a clock.
+TEST_F(Package, HasAStateForEachMachine) {
+    emit(testing::model(R"(package p
+interface I { beep() }
+interface E { event e : nat event f }
+stm S { uses E requires I clock T var n : nat initial i state A { } state B { entry beep() }
+    transition t0 { from i to A action #T } transition t1 { from A to B trigger e?n condition since(T) >= 2 } }
+stm U { uses E initial i state A { } state B { } transition t0 { from i to A } transition t1 { from A to B trigger f } }
+controller C { uses E requires I sref s = S connection C on e to s on e }
+controller D { uses E sref u = U connection D on f to u on f }
+robotic platform R { provides I uses E }
+module Two { rref r = R cref c = C cref d = D connection r on e to c on e (_async) connection r on f to d on f (_async) }
+)"),
+         "Two",
+         "ros2 for Two { receive event e as my_msgs/Lamp on \"lamp\" { value = colour }\n"
+         "  receive event f as my_msgs/Lamp on \"lamp\" }");
+    drive("Two_node.hpp", R"(
+int main() {
+    p::TwoNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    network.tick();
+    network.send("/lamp", my_msgs::msg::Lamp{4, true});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/Two/out/beep").empty());  // the clock is at 1
+    std::size_t states = 0;
+    for (auto& [topic, messages] : network.published)
+        if (topic.find("/Two/state") == 0 && !messages.empty()) ++states;
+    EXPECT(states == 2);
+    network.tick();
+    network.send("/lamp", my_msgs::msg::Lamp{4, true});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/Two/out/beep").size() == 1);
+    return 0;
+})");
+}
+
+TEST_F(Package, OfAMachineWithoutOperations) {
+    emit(testing::model("stm M { initial i state A { } transition t0 { from i to A } }"), "M", "ros2 for M { }");
+    drive("M_node.hpp", R"(
+int main() {
+    robot::MNode node;
+    EXPECT(started(node));
+    Network::get().tick();
+    EXPECT(taken<std_msgs::msg::String>("/M/state").back().data == "A");
+    return 0;
+})");
+}
+
+/// Elements called like what the node, its messages, ROS and C++ have, in a package called like one of theirs.
+TEST_F(Package, OfElementsWithNamesOfRos) {
+    emit(testing::model(R"(package rclcpp_lifecycle
+enumeration State { active off }
+interface Twist { outbox(message : State, ^now : nat) message(put : real) std_msgs() to_cmd_vel(a0 : nat, a1 : nat) }
+interface MOutbox { event unfit : State event on_configure event from_scan : real }
+interface MMessages { var last_state : nat var a__b : nat var a_b : nat }
+interface MNode { var to_state : nat }
+stm M { requires Twist requires MMessages requires MNode uses MOutbox var s : State var r : real initial i
+    state A { entry outbox(s, 1); message(0.5); std_msgs(); to_cmd_vel(1, 2) ; a__b = 1 ; a_b = 2 }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger unfit?s }
+    transition t2 { from A to A trigger on_configure action last_state = 1 ; to_state = 2 }
+    transition t3 { from A to A trigger from_scan?r } }
+)"),
+         "M",
+         "ros2 for M { publish operation to_cmd_vel as my_msgs/Lamp on \"cmd_vel\" { colour = a0 on = true }\n"
+         "  receive event from_scan as sensor_msgs/Range on \"scan\" { value = range }\n"
+         "  publish operation outbox as std_msgs/UInt8 on \"message\" { data = message }\n"
+         "  publish variable last_state as std_msgs/Int16 on \"last_state\" { data = value } }");
+    for (const char* const compiler : {"g++", "clang++"}) {
+        folder_.run("rm -rf build");
+        build("-DROBOCHART_TRACE=ON -DCMAKE_CXX_COMPILER=" + std::string(compiler));
+    }
+}
+
+/// The launch file in a stub of launch: it starts the node, configures it, and activates it once.
+TEST_F(Package, IsLaunched) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    write("check.py", R"(
+import runpy
+from launch.actions import DeclareLaunchArgument, EmitEvent, RegisterEventHandler
+from launch_ros.actions import LifecycleNode
+
+made = runpy.run_path('launch/M.launch.py')['generate_launch_description']().entities
+of = lambda kind: [each for each in made if isinstance(each, kind)]
+[node] = of(LifecycleNode)
+assert (node.package, node.executable, node.name, node.namespace) == ('mod', 'run_mod', 'Mod', '')
+assert node.parameters[0].variable_name == 'parameters'
+assert node.parameters[1]['use_sim_time'].variable_name == 'use_sim_time'
+values = {each.name: each.default_value for each in of(DeclareLaunchArgument)}
+assert values == {'parameters': '/share/mod/config/M.yaml', 'autostart': 'true', 'use_sim_time': 'false'}
+[configure] = of(EmitEvent)
+assert configure.event.transition_id == 1 and configure.event.matches(node) and not configure.event.matches(made[0])
+assert configure.condition.predicate_expression.variable_name == 'autostart'
+[handler] = [each.event_handler for each in of(RegisterEventHandler)]
+assert (handler.start_state, handler.goal_state, handler.node) == ('configuring', 'inactive', node)
+[activate] = handler.entities
+assert activate.event.transition_id == 3 and activate.event.matches(node)
+)");
+    folder_.run("PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=" + stub() + "/python python3 check.py");
+}
+
+TEST_F(Package, NamesWhatItNeeds) {
+    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    folder_.run("grep -q '^    cycle: 0.1$' config/M.yaml && grep -q '^    # constants.SPEED: 1.5$' config/M.yaml");
+    for (const char* const name : {"builtin_interfaces", "geometry_msgs", "rcl_interfaces", "sensor_msgs", "std_msgs"})
+        folder_.run(
+            fmt::format("grep -q '<depend>{0}</depend>' package.xml && "
+                        "grep -q '^find_package({0} REQUIRED)$' CMakeLists.txt && "
+                        "grep -q '${{{0}_TARGETS}}' CMakeLists.txt",
+                        name));
+    folder_.run("! grep -q my_msgs package.xml");
+    folder_.run("grep -q '^install(DIRECTORY launch config DESTINATION share/' CMakeLists.txt");
+}
+
+/// Shared variables that are records, in both directions; one that is written from outside.
+TEST_F(Package, HasVariablesThatAreRecords) {
+    emit(testing::model(R"(package p
+enumeration Light { Red Green }
+datatype Place { x : real lamp : Light }
+datatype Both { first : Place second : nat }
+interface I { var target : Both }
+stm M { requires I initial i state A { }
+    state B { entry target = Both (| first = Place (| x = 2.5, lamp = Light::Green |), second = 3 |) }
+    transition t0 { from i to A } transition t1 { from A to B condition target.second == 7 } }
+)"),
+         "M", R"(ros2 for M {
+    publish variable target as my_msgs/Goal on "target" { x = value.first.x kind = value.first.lamp count = value.second }
+    receive variable target as my_msgs/Goal on "wanted" { value.first.x = x value.first.lamp = kind value.second = count }
+})");
+    drive("M_node.hpp", R"(
+int main() {
+    using my_msgs::msg::Goal;
+    p::MNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    network.tick();
+    EXPECT(taken<Goal>("/target").size() == 1);
+    network.send("/wanted", Goal{1.5, 2, 7});   // no light
+    network.send("/wanted", Goal{1.5, 1, -7});  // no natural number
+    network.tick();
+    EXPECT(taken<Goal>("/target").empty());
+    network.send("/wanted", Goal{1.5, 1, 7});
+    network.tick();
+    const auto targets = taken<Goal>("/target");
+    EXPECT(!targets.empty() && targets.back().x == 2.5F && targets.back().kind == 1 && targets.back().count == 3);
+    EXPECT(taken<std_msgs::msg::String>("/M/state").back().data == "B");
+    return 0;
+})");
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit::ros2

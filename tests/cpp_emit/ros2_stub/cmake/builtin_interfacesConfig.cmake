@@ -1,0 +1,4 @@
+# builtin_interfaces' targets, for tests.
+add_library(builtin_interfaces::builtin_interfaces INTERFACE IMPORTED)
+set_target_properties(builtin_interfaces::builtin_interfaces PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)
+set(builtin_interfaces_TARGETS builtin_interfaces::builtin_interfaces)

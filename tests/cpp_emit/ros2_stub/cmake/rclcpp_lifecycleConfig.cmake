@@ -1,0 +1,4 @@
+# rclcpp_lifecycle's target, for tests.
+add_library(rclcpp_lifecycle::rclcpp_lifecycle INTERFACE IMPORTED)
+set_target_properties(rclcpp_lifecycle::rclcpp_lifecycle PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)

@@ -1,0 +1,13 @@
+// builtin_interfaces/msg/Time as far as generated nodes use it, for tests.
+#pragma once
+
+#include <cstdint>
+
+namespace builtin_interfaces::msg {
+
+struct Time {
+    std::int32_t sec{};
+    std::uint32_t nanosec{};
+};
+
+}  // namespace builtin_interfaces::msg

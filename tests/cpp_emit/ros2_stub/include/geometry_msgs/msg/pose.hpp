@@ -1,0 +1,14 @@
+// geometry_msgs/msg/Pose as far as generated nodes use it, for tests.
+#pragma once
+
+#include "geometry_msgs/msg/point.hpp"
+#include "geometry_msgs/msg/quaternion.hpp"
+
+namespace geometry_msgs::msg {
+
+struct Pose {
+    geometry_msgs::msg::Point position{};
+    geometry_msgs::msg::Quaternion orientation{};
+};
+
+}  // namespace geometry_msgs::msg

@@ -1,0 +1,13 @@
+// geometry_msgs/msg/Twist as far as generated nodes use it, for tests.
+#pragma once
+
+#include "geometry_msgs/msg/vector3.hpp"
+
+namespace geometry_msgs::msg {
+
+struct Twist {
+    geometry_msgs::msg::Vector3 linear{};
+    geometry_msgs::msg::Vector3 angular{};
+};
+
+}  // namespace geometry_msgs::msg

@@ -1,0 +1,14 @@
+// A message of a user's own, for tests.
+#pragma once
+
+#include <cstdint>
+
+namespace my_msgs::msg {
+
+struct Goal {
+    float x{};
+    std::uint8_t kind{};
+    std::int32_t count{};
+};
+
+}  // namespace my_msgs::msg

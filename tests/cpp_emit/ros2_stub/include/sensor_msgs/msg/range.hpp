@@ -1,0 +1,19 @@
+// sensor_msgs/msg/Range as far as generated nodes use it, for tests.
+#pragma once
+
+#include <cstdint>
+
+#include "std_msgs/msg/header.hpp"
+
+namespace sensor_msgs::msg {
+
+struct Range {
+    std_msgs::msg::Header header{};
+    std::uint8_t radiation_type{};
+    float field_of_view{};
+    float min_range{};
+    float max_range{};
+    float range{};
+};
+
+}  // namespace sensor_msgs::msg

@@ -1,0 +1,5 @@
+# Where packages are installed, for tests.
+
+
+def get_package_share_directory(package_name):
+    return '/share/' + package_name

@@ -1,0 +1,6 @@
+# Conditions of launch, for tests.
+
+
+class IfCondition:
+    def __init__(self, predicate_expression):
+        self.predicate_expression = predicate_expression

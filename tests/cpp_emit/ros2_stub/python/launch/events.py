@@ -1,0 +1,5 @@
+# Events of launch, for tests.
+
+
+def matches_action(target_action):
+    return lambda action: action is target_action
