@@ -254,6 +254,8 @@ const std::vector<OptionRow>& option_table() {
 
         {"--simulation", Group::files, of(Verb::init), {}, "with a scenario for `simulate`",
          [](Options& o, const std::string&) { o.simulation = true; }},
+        {"--ros2", Group::files, of(Verb::init), {}, "with a mapping to messages of ROS 2 for `emit cpp --target ros2`",
+         [](Options& o, const std::string&) { o.ros2 = true; }},
 
         {"-o,--out", Group::output, models | of(Verb::simulate),
          {.kind = Kind::folder, .name = "DIR", .usual = "out"}, "folder for the files written",

@@ -48,15 +48,17 @@ std::string filled(std::string text, std::string_view key, std::string_view valu
 }
 
 std::vector<NewFile> files_of(const std::string& name, const Options& options) {
-    const std::string simulate =
-        options.simulation
-            ? fmt::format("robochart-verify simulate {}.scenario   # the controller in a simulated arena\n", name)
-            : "";
+    std::string commands;
+    if (options.simulation)
+        commands += "robochart-verify simulate @NAME@.scenario  # the controller in a simulated arena\n";
+    if (options.ros2)
+        commands += "robochart-verify emit cpp . --target ros2 --mapping @NAME@.ros2  # a package for ROS 2\n";
     const auto text = [&](std::string_view path) {
-        return filled(filled(template_text(path), "SIMULATE", simulate), "NAME", name);
+        return filled(filled(template_text(path), "COMMANDS", commands), "NAME", name);
     };
     std::vector<NewFile> files{{name + ".rct", text("model.rct")}, {name + ".assertions", text("model.assertions")}};
     if (options.simulation) files.push_back({name + ".scenario", text("model.scenario")});
+    if (options.ros2) files.push_back({name + ".ros2", text("model.ros2")});
     files.push_back({"README.md", text("README.md"), true});
     files.push_back({".gitignore", text("gitignore"), true});
     return files;

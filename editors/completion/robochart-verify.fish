@@ -76,6 +76,7 @@ complete -c robochart-verify -n '__robochart_verify_is "format"' -l check -d 'wr
 complete -c robochart-verify -n '__robochart_verify_is "format"' -l diff -d 'write nothing; show what would change'
 complete -c robochart-verify -n '__robochart_verify_is "format"' -l assertions -d 'read standard input (-) as an assertion file'
 complete -c robochart-verify -n '__robochart_verify_is "init"' -l simulation -d 'with a scenario for `simulate`'
+complete -c robochart-verify -n '__robochart_verify_is "init"' -l ros2 -d 'with a mapping to messages of ROS 2 for `emit cpp --target ros2`'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "simulate"' -s o -l out -x -a '(__fish_complete_directories)' -d 'folder for the files written'
 complete -c robochart-verify -n '__robochart_verify_is "emit csp" "emit cpp" "emit monitor" "emit tests" "simulate"' -l format -x -a 'text json' -d 'how the result is printed'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check"' -l format -x -a 'text json sarif junit' -d 'how the result is printed'

@@ -42,7 +42,7 @@ Names all_names() {
 
 /// The options that begin a line of a help text.
 Names listed(const std::string& help) {
-    Names names = found(help, "\n  (?:-[a-z], |    )(--[a-z-]+)");
+    Names names = found(help, "\n  (?:-[a-z], |    )(--[a-z][a-z0-9-]*)");
     names.merge(found(help, "\n  (-[a-z]), --"));
     return names;
 }
@@ -109,7 +109,7 @@ TEST(Help, AModelMayBeCalledLikeAVerb) {
 TEST(ManPage, NamesTheOptionsAndNoOthers) {
     const std::string page = manual_page();
     Names options;
-    for (std::string name : found(page, "\n\\.TP\n(?:\\\\fB\\\\-[a-z]\\\\fR, )?\\\\fB((?:\\\\-)+[a-z\\\\-]+)\\\\fR")) {
+    for (std::string name : found(page, "\n\\.TP\n(?:\\\\fB\\\\-[a-z]\\\\fR, )?\\\\fB((?:\\\\-)+[a-z0-9\\\\-]+)\\\\fR")) {
         name.erase(std::remove(name.begin(), name.end(), '\\'), name.end());
         options.insert(name);
     }
@@ -131,7 +131,7 @@ TEST(ManPage, IsFormattedWithoutWarnings) {
 
 TEST(Completions, NameTheOptionsAndNoOthers) {
     Names in_fish;
-    for (const std::string& name : found(fish_completion(), "\n(?:complete [^\n]*?)(?:'| -s [a-z]) -l ([a-z-]+)"))
+    for (const std::string& name : found(fish_completion(), "\n(?:complete [^\n]*?)(?:'| -s [a-z]) -l ([a-z0-9-]+)"))
         in_fish.insert("--" + name);
     for (const std::string& name : found(fish_completion(), "' -s ([a-z]) -l")) in_fish.insert("-" + name);
     EXPECT_EQ(in_fish, all_names());
@@ -143,7 +143,7 @@ TEST(Completions, NameTheOptionsAndNoOthers) {
         for (std::string word; words >> word;) in_bash.insert(word);
     }
     EXPECT_EQ(in_bash, all_names());
-    Names in_zsh = found(zsh_completion(), "\\n        '[^']*?[)*](--?[a-z-]+)=?\\[");
+    Names in_zsh = found(zsh_completion(), "\\n        '[^']*?[)*](--?[a-z0-9-]+)=?\\[");
     EXPECT_EQ(in_zsh, all_names());
 }
 

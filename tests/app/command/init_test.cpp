@@ -35,8 +35,19 @@ TEST(Init, WithASimulation) {
     EXPECT_THAT(ran.out, HasSubstr("1 of 1 bands hold"));
 }
 
+TEST(Init, WithAPackageForRos2) {
+    const Ran ran = run_shell(
+        "\"$verify\" init wanderer --ros2 && cd wanderer && "
+        "\"$verify\" emit cpp . --target ros2 --mapping wanderer.ros2 && cat out/ros2/Robot/package.xml README.md");
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("<depend>geometry_msgs</depend>"));
+    EXPECT_THAT(ran.out, HasSubstr("--mapping wanderer.ros2"));
+    EXPECT_THAT(ran.err, Not(HasSubstr("RC-R"))) << "every operation has its message";
+}
+
 TEST(Init, LeavesNoMarkOfATemplate) {
-    const Ran ran = run_shell("\"$verify\" init a --simulation && \"$verify\" init b && cat a/* a/.gitignore b/*");
+    const Ran ran =
+        run_shell("\"$verify\" init a --simulation --ros2 && \"$verify\" init b && cat a/* a/.gitignore b/*");
     EXPECT_EQ(ran.exit, 0) << ran.err;
     EXPECT_THAT(ran.out, Not(HasSubstr("@")));
 }
@@ -50,8 +61,8 @@ TEST(Init, TakesNamesThatOtherLanguagesReserve) {
 }
 
 TEST(Init, RefusesWhatIsNoName) {
-    for (const std::string name : {"state", "2wheels", "_x", "my-robot", "a b", "/", "''",
-                                   "\"$(printf 'a\\nb')\"", "\"$(printf 'a%.0s' $(seq 65))\""}) {
+    for (const std::string name : {"state", "2wheels", "_x", "my-robot", "a b", "/", "''", "\"$(printf 'a\\nb')\"",
+                                   "\"$(printf 'a%.0s' $(seq 65))\""}) {
         const Ran ran =
             run_shell("\"$verify\" init " + (name == "a b" ? "'a b'" : name) + "; echo $?; ls -A | grep -v txt");
         EXPECT_THAT(ran.err, HasSubstr("cannot be the name of a project: ")) << name;
