@@ -109,7 +109,8 @@ TEST(Help, AModelMayBeCalledLikeAVerb) {
 TEST(ManPage, NamesTheOptionsAndNoOthers) {
     const std::string page = manual_page();
     Names options;
-    for (std::string name : found(page, "\n\\.TP\n(?:\\\\fB\\\\-[a-z]\\\\fR, )?\\\\fB((?:\\\\-)+[a-z0-9\\\\-]+)\\\\fR")) {
+    for (std::string name :
+         found(page, "\n\\.TP\n(?:\\\\fB\\\\-[a-z]\\\\fR, )?\\\\fB((?:\\\\-)+[a-z0-9\\\\-]+)\\\\fR")) {
         name.erase(std::remove(name.begin(), name.end(), '\\'), name.end());
         options.insert(name);
     }
