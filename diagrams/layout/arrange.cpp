@@ -1,0 +1,182 @@
+// The steps of the layout in their order. Parts of a level that no edge joins are laid out alone and put into rows.
+#include "diagrams/layout/arrange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "diagrams/layout/graph.hpp"
+#include "diagrams/layout/routes.hpp"
+
+namespace robochart::diagrams::layout {
+namespace {
+
+/// A part of a level, with the places of its boxes and edges in the whole.
+struct Part {
+    Level level;
+    std::vector<std::size_t> boxes, edges;
+};
+
+/// What was one part before an edit stays one.
+void join_as_before(const Level& level, const auto& join) {
+    std::map<std::size_t, std::size_t> first_of;
+    for (std::size_t b = 0; b < level.boxes.size(); ++b)
+        if (level.boxes[b].previous) join(b, first_of.emplace(level.boxes[b].previous->part, b).first->second);
+}
+
+/// Places of several parts before an edit mean nothing together: those of the first part count.
+void forget_other_parts(Level& level) {
+    std::optional<std::size_t> part;
+    for (Box& box : level.boxes) {
+        if (!box.previous) continue;
+        if (!part) part = box.previous->part;
+        if (box.previous->part != *part) box.previous.reset();
+    }
+    for (Edge& edge : level.edges)
+        if (!level.boxes[edge.from].previous || !level.boxes[edge.to].previous) edge.previous.clear();
+}
+
+/// The boxes that edges join, and those at the ends of the level, in the order of their first boxes.
+std::vector<Part> parts_of(const Level& level) {
+    std::vector<std::size_t> parent(level.boxes.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](std::size_t box) {
+        while (parent[box] != box) box = parent[box] = parent[parent[box]];
+        return box;
+    };
+    const auto join = [&](std::size_t a, std::size_t b) {
+        parent[std::max(root(a), root(b))] = std::min(root(a), root(b));
+    };
+    for (const Edge& edge : level.edges) join(edge.from, edge.to);
+    std::size_t pinned = nothing;
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        if (level.boxes[b].pin == Pin::none) continue;
+        if (pinned != nothing) join(b, pinned);
+        pinned = b;
+    }
+    join_as_before(level, join);
+    std::vector<Part> parts;
+    std::vector<std::size_t> part_of(level.boxes.size(), nothing);
+    std::vector<std::size_t> place(level.boxes.size());
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        std::size_t& part = part_of[root(b)];
+        if (part == nothing) {
+            part = parts.size();
+            parts.emplace_back();
+        }
+        place[b] = parts[part].boxes.size();
+        parts[part].boxes.push_back(b);
+        parts[part].level.boxes.push_back(level.boxes[b]);
+    }
+    for (std::size_t e = 0; e < level.edges.size(); ++e) {
+        Part& part = parts[part_of[root(level.edges[e].from)]];
+        Edge edge = level.edges[e];
+        edge.from = place[edge.from];
+        edge.to = place[edge.to];
+        part.edges.push_back(e);
+        part.level.edges.push_back(edge);
+    }
+    for (Part& part : parts) forget_other_parts(part.level);
+    return parts;
+}
+
+Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* budget) {
+    Graph graph;
+    graph.level = &level;
+    graph.turned = turned;
+    graph.budget = budget;
+    break_cycles(graph);
+    assign_layers(graph);
+    make_nodes(graph);
+    order_layers(graph);
+    place_nodes(graph);
+    place_tracks(graph);
+    return placement_of(graph);
+}
+
+void add_part(Placement& whole, const Part& part, std::size_t number, Placement placed, double x, double y) {
+    for (std::size_t i = 0; i < part.boxes.size(); ++i) {
+        PlacedBox& box = placed.boxes[i];
+        box.rank.part = number;
+        box.place.x += x;
+        box.place.y += y;
+        for (PlacedPort& port : box.ports) port.centre = {port.centre.x + x, port.centre.y + y};
+        whole.boxes[part.boxes[i]] = std::move(box);
+    }
+    for (std::size_t i = 0; i < part.edges.size(); ++i) {
+        PlacedEdge& edge = placed.edges[i];
+        for (Point& point : edge.points) point = {point.x + x, point.y + y};
+        edge.label.x += x;
+        edge.label.y += y;
+        whole.edges[part.edges[i]] = std::move(edge);
+    }
+    whole.size.width = std::max(whole.size.width, x + placed.size.width);
+    whole.size.height = std::max(whole.size.height, y + placed.size.height);
+}
+
+/// In rows, as wide as the widest part, or as makes the whole one and a half times as wide as high.
+double row_width(const std::vector<Placement>& placed) {
+    double widest = 0;
+    double area = 0;
+    for (const Placement& part : placed) {
+        widest = std::max(widest, part.size.width);
+        area += (part.size.width + distance::boxes) * (part.size.height + distance::boxes);
+    }
+    return std::max(widest, std::sqrt(area * 1.5));
+}
+
+Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool turned, diagnostics::Budget* budget) {
+    std::vector<Placement> placed;
+    for (const Part& part : parts) placed.push_back(arrange_part(part.level, turned, budget));
+    Placement whole;
+    whole.direction = turned ? Direction::right : Direction::down;
+    whole.boxes.resize(level.boxes.size());
+    whole.edges.resize(level.edges.size());
+    const double width = row_width(placed);
+    double x = 0;
+    double y = 0;
+    double height = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Size size = placed[i].size;
+        if (x > 0 && x + size.width > width) {
+            y += std::exchange(height, 0) + distance::boxes;
+            x = 0;
+        }
+        add_part(whole, parts[i], i, std::move(placed[i]), x, y);
+        x += size.width + distance::boxes;
+        height = std::max(height, size.height);
+    }
+    return whole;
+}
+
+/// How much of a page it takes that is half as wide again as it is high.
+double extent(const Size& size) {
+    return std::max(size.width / 1.5, size.height);
+}
+
+/// Loops beside boxes are at their right side, where edges that lead to the right begin.
+bool has_loops(const Level& level) {
+    return std::any_of(level.edges.begin(), level.edges.end(),
+                       [](const Edge& edge) { return edge.from == edge.to && !edge.from_port; });
+}
+
+}  // namespace
+
+Placement arrange(const Level& level, diagnostics::Budget* budget) {
+    const std::vector<Part> parts = parts_of(level);
+    const bool ports =
+        std::any_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return !box.ports.empty(); });
+    if (ports) return arrange_in(level, parts, true, budget);
+    if (level.direction == Direction::down || has_loops(level)) return arrange_in(level, parts, false, budget);
+    if (level.direction == Direction::right) return arrange_in(level, parts, true, budget);
+    Placement down = arrange_in(level, parts, false, budget);
+    Placement right = arrange_in(level, parts, true, budget);
+    // What leads to the right is taken where it is clearly better; what was taken before stays unless it is much worse.
+    const double bound = !level.previous ? 0.85 : level.previous == Direction::right ? 1.3 : 0.7;
+    return extent(right.size) < bound * extent(down.size) ? right : down;
+}
+
+}  // namespace robochart::diagrams::layout
