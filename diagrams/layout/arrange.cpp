@@ -128,6 +128,45 @@ double row_width(const std::vector<Placement>& placed) {
     return std::max(widest, std::sqrt(area * 1.5));
 }
 
+/// The parts in rows, between what is at both ends of the level.
+class Rows {
+public:
+    Rows(Placement& whole, double width) : whole_(whole), right_(width) {}
+
+    /// In a row of its own; what follows keeps off what is pinned in it.
+    void add_pinned(const Part& part, std::size_t number, Placement placed) {
+        double left = 0;
+        double right = std::max(right_, placed.size.width);
+        for (std::size_t i = 0; i < part.boxes.size(); ++i) {
+            const Rectangle& place = placed.boxes[i].place;
+            if (!part.level.boxes[i].on_border) continue;
+            if (part.level.boxes[i].pin == Pin::first) left = std::max(left, place.right() + distance::boxes);
+            if (part.level.boxes[i].pin == Pin::last) right = std::min(right, place.x - distance::boxes);
+        }
+        const double height = placed.size.height;
+        add_part(whole_, part, number, std::move(placed), 0, 0);
+        x_ = left_ = left;
+        right_ = right;
+        y_ = height + distance::boxes;
+    }
+
+    void add(const Part& part, std::size_t number, Placement placed) {
+        const Size size = placed.size;
+        if (x_ > left_ && x_ + size.width > right_) {
+            y_ += std::exchange(height_, 0) + distance::boxes;
+            x_ = left_;
+        }
+        add_part(whole_, part, number, std::move(placed), x_, y_);
+        x_ += size.width + distance::boxes;
+        height_ = std::max(height_, size.height);
+    }
+
+private:
+    Placement& whole_;
+    double left_ = 0, right_ = 0, x_ = 0, y_ = 0;
+    double height_ = 0;  ///< of the row
+};
+
 Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool turned, diagnostics::Budget* budget) {
     std::vector<Placement> placed;
     for (const Part& part : parts) placed.push_back(arrange_part(part.level, turned, budget));
@@ -135,20 +174,15 @@ Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool tu
     whole.direction = turned ? Direction::right : Direction::down;
     whole.boxes.resize(level.boxes.size());
     whole.edges.resize(level.edges.size());
-    const double width = row_width(placed);
-    double x = 0;
-    double y = 0;
-    double height = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Size size = placed[i].size;
-        if (x > 0 && x + size.width > width) {
-            y += std::exchange(height, 0) + distance::boxes;
-            x = 0;
-        }
-        add_part(whole, parts[i], i, std::move(placed[i]), x, y);
-        x += size.width + distance::boxes;
-        height = std::max(height, size.height);
-    }
+    Rows rows(whole, row_width(placed));
+    const auto pinned = [&](const Part& part) {
+        return std::any_of(part.level.boxes.begin(), part.level.boxes.end(),
+                           [](const Box& box) { return box.on_border; });
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (pinned(parts[i])) rows.add_pinned(parts[i], i, std::move(placed[i]));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!pinned(parts[i])) rows.add(parts[i], i, std::move(placed[i]));
     return whole;
 }
 

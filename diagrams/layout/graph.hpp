@@ -42,6 +42,7 @@ struct Link {
     std::size_t edge = nothing;
     std::size_t upper_port = nothing, lower_port = nothing;  ///< of the box there
     double upper_x = 0, lower_x = 0;
+    double upper_offset = 0, lower_offset = 0;  ///< of the ends from the middles of their boxes, as far as known
     /// The tracks that it runs on: y, and the x at which it goes on to the next one; the last goes on to `lower_x`.
     struct Track {
         double y = 0, x = 0;
@@ -69,6 +70,7 @@ struct Graph {
     std::vector<double> layer_y;                   ///< the middle of each layer
     diagnostics::Budget* budget = nullptr;
 
+    [[nodiscard]] double label_gap() const;
     void poll() const {
         if (budget != nullptr) budget->poll();
     }
@@ -96,13 +98,18 @@ inline constexpr double slots = 14;        ///< between two ends of edges on a s
 inline constexpr double slot_margin = 8;   ///< between such an end and the corner
 inline constexpr double tracks = 10;       ///< between two parallel pieces of edges
 inline constexpr double label = 5;         ///< between a line and its label
-inline constexpr double ports = 36;        ///< between the middles of two ports
-inline constexpr double port_margin = 20;  ///< between the middle of a port and the corner
+inline constexpr double label_below = 2;   ///< the same where the label is below the line
+inline constexpr double ports = 28;        ///< between the middles of two ports
+inline constexpr double port_margin = 15;  ///< between the middle of a port and the corner
 inline constexpr double at_boxes = 14;     ///< between a layer of boxes and the tracks beside it
 inline constexpr double at_labels = 7;     ///< the same for a layer of labels
 inline constexpr double at_lines = 4;      ///< the same for a layer that only lines pass
 inline constexpr double pieces = 6;        ///< between two pieces that are not to look like one
 }  // namespace distance
+
+inline double Graph::label_gap() const {
+    return turned ? distance::label_below : distance::label;
+}
 
 /// Edges from a box to itself are stacked at its right side.
 inline constexpr double loop_reach = 18;   ///< how far a loop goes out

@@ -33,6 +33,7 @@ struct Box {
     bool round = false;  ///< a circle: it does not grow, and lines may meet in it
     bool entry = false;  ///< the search for cycles begins here
     Pin pin = Pin::none;
+    bool on_border = false;  ///< nothing but its one port, which is on the border of what the level is in
     std::vector<Port> ports;
     double port_start = 0;         ///< ports are below this distance from the top
     std::optional<Rank> previous;  ///< in the layout before an edit
@@ -55,7 +56,7 @@ struct Level {
 };
 
 /// Width of the square of a port.
-inline constexpr double port_size = 30;
+inline constexpr double port_size = 18;
 
 /// Where a port is.
 struct PlacedPort {

@@ -142,7 +142,7 @@ private:
         const Size& label = level_.edges[e].label;
         if (with_label && !label.empty()) {
             node.kind = Node::Kind::label;
-            node.after = distance::label + (graph_.turned ? label.height : label.width);
+            node.after = graph_.label_gap() + (graph_.turned ? label.height : label.width);
             node.above = node.below = (graph_.turned ? label.width : label.height) / 2;
         }
         graph_.nodes.push_back(std::move(node));
@@ -152,7 +152,14 @@ private:
     void link(std::size_t e, std::size_t upper, std::size_t lower, Link::Turn turn, std::size_t upper_port,
               std::size_t lower_port) {
         const std::size_t number = graph_.links.size();
-        graph_.links.push_back({upper, lower, turn, e, upper_port, lower_port, 0, 0, {}});
+        Link link;
+        link.upper = upper;
+        link.lower = lower;
+        link.turn = turn;
+        link.edge = e;
+        link.upper_port = upper_port;
+        link.lower_port = lower_port;
+        graph_.links.push_back(std::move(link));
         graph_.chains[e].push_back(number);
         (turn == Link::Turn::over ? graph_.nodes[upper].up : graph_.nodes[upper].down).push_back(number);
         (turn == Link::Turn::under ? graph_.nodes[lower].down : graph_.nodes[lower].up).push_back(number);
@@ -202,7 +209,9 @@ private:
         }
         const auto most = static_cast<double>(std::max(count[0], count[1]));
         const double height =
-            std::max(box.size.height, box.port_start + (most - 1) * distance::ports + 2 * distance::port_margin);
+            box.on_border
+                ? port_size
+                : std::max(box.size.height, box.port_start + (most - 1) * distance::ports + 2 * distance::port_margin);
         const double inside = labels[0] + labels[1];
         const double width =
             inside > 0 ? std::max(box.size.width, inside + port_size + 3 * distance::slot_margin) : box.size.width;

@@ -23,14 +23,16 @@ Interval common(const Interval& a, const Interval& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-double distance_between(const Node& left, const Node& right) {
+double distance_between(const Graph& graph, const Node& left, const Node& right) {
+    const auto on_border = [&](const Node& node) { return node.is_box() && graph.level->boxes[node.box].on_border; };
+    if (on_border(left) && on_border(right)) return distance::ports - port_size;
     if (left.is_box() && right.is_box()) return distance::boxes;
     return left.is_box() || right.is_box() ? distance::box_line : distance::lines;
 }
 
 /// Between the x of two neighbours of a layer.
-double separation(const Node& left, const Node& right) {
-    return left.after + right.before + distance_between(left, right);
+double separation(const Graph& graph, const Node& left, const Node& right) {
+    return left.after + right.before + distance_between(graph, left, right);
 }
 
 /// Where ends of edges on one side of a box may be.
@@ -42,6 +44,7 @@ Interval side_of(const Graph& graph, const Node& node, std::size_t ends) {
     }
     const double left = node.x - node.before;
     const double right = node.x + node.after - node.loops;
+    if (box.on_border) return {node.x, node.x};
     if (!box.ports.empty()) return {left + box.port_start + distance::port_margin, right - distance::port_margin};
     return {left + distance::slot_margin, right - distance::slot_margin};
 }
@@ -55,6 +58,7 @@ public:
         const bool large = nodes_.size() > 3'000;
         for (int round = 0; round < (large ? 2 : 6); ++round) sweep(round % 2 == 0, true);
         for (int round = 0; round < (large ? 2 : 24); ++round) sweep(round % 2 == 0, false);
+        if (has_ports()) meet_ports();
         for (int round = 0; round < 3; ++round) straighten_all();
         round_all();
         place_ends();
@@ -67,11 +71,27 @@ public:
     }
 
 private:
+    [[nodiscard]] bool has_ports() const {
+        return std::any_of(graph_.ports.begin(), graph_.ports.end(), [](const auto& ports) { return !ports.empty(); });
+    }
+
+    /// Boxes go to where their ports are opposite of each other.
+    void meet_ports() {
+        for (int round = 0; round < 12; ++round) {
+            place_ends();
+            for (Link& link : graph_.links) {
+                link.upper_offset = link.upper_x - nodes_[link.upper].x;
+                link.lower_offset = link.lower_x - nodes_[link.lower].x;
+            }
+            sweep(round % 2 == 0, false);
+        }
+    }
+
     void pack() {
         for (const auto& layer : graph_.layers) {
             double x = 0;
             for (std::size_t i = 0; i < layer.size(); ++i) {
-                if (i > 0) x += separation(nodes_[layer[i - 1]], nodes_[layer[i]]);
+                if (i > 0) x += separation(graph_, nodes_[layer[i - 1]], nodes_[layer[i]]);
                 nodes_[layer[i]].x = x;
             }
             for (const std::size_t n : layer) nodes_[n].x -= x / 2;
@@ -91,7 +111,7 @@ private:
         for (std::size_t i = 0; i < layer.size(); ++i) {
             const Node& node = nodes_[layer[i]];
             Wish wish = this->wish(node, above, below);
-            if (i > 0) wish.gap = separation(nodes_[layer[i - 1]], node);
+            if (i > 0) wish.gap = separation(graph_, nodes_[layer[i - 1]], node);
             wishes.push_back(wish);
         }
         const std::vector<double> places = nearest_places(wishes);
@@ -108,7 +128,9 @@ private:
                 if (link.turn != Link::Turn::none) continue;
                 const Node& other = nodes_[up ? link.upper : link.lower];
                 const double each = node.is_box() && other.is_box() ? 1 : node.is_box() || other.is_box() ? 3 : 40;
-                sum += each * other.x;
+                const double here = up ? link.lower_offset : link.upper_offset;
+                const double there = up ? link.upper_offset : link.lower_offset;
+                sum += each * (other.x + there - here);
                 weight += each;
             }
         };
@@ -124,11 +146,11 @@ private:
         Interval result;
         if (node.position > 0) {
             const Node& left = nodes_[layer[node.position - 1]];
-            result.low = left.x + separation(left, node);
+            result.low = left.x + separation(graph_, left, node);
         }
         if (node.position + 1 < layer.size()) {
             const Node& right = nodes_[layer[node.position + 1]];
-            result.high = right.x - separation(node, right);
+            result.high = right.x - separation(graph_, node, right);
         }
         return result;
     }

@@ -67,7 +67,7 @@ private:
     }
 
     [[nodiscard]] Rectangle label_of(const Node& node) const {
-        const Rectangle place{node.x + distance::label, y_of(node) - node.above, node.after - distance::label,
+        const Rectangle place{node.x + graph_.label_gap(), y_of(node) - node.above, node.after - graph_.label_gap(),
                               node.above + node.below};
         return graph_.turned ? turned(place) : place;
     }

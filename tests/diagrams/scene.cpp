@@ -65,12 +65,14 @@ private:
             if (inner == outer) return true;
         return false;
     }
-    /// One is in the other, or a square on its border.
+    /// One is in the other, or a square on the border of it or of what is in it.
     [[nodiscard]] bool belong_together(std::size_t a, std::size_t b) const {
         const std::size_t owner_a = scene_.boxes[a].port_of;
         const std::size_t owner_b = scene_.boxes[b].port_of;
-        return contains(a, b) || contains(b, a) || (owner_a != no_box && contains(owner_a, b)) ||
-               (owner_b != no_box && contains(owner_b, a) && owner_a != owner_b);
+        if (owner_a != no_box && owner_b != no_box) return false;
+        if (owner_a != no_box) return contains(b, owner_a);
+        if (owner_b != no_box) return contains(a, owner_b);
+        return contains(a, b) || contains(b, a);
     }
 
     void boxes_apart() {
@@ -102,9 +104,12 @@ private:
         }
     }
 
+    /// The box whose level the line is in.
     [[nodiscard]] std::size_t parent_of(const SceneLine& line) const {
         const SceneBox& from = scene_.boxes[line.from];
-        return from.port_of == no_box ? from.parent : scene_.boxes[from.port_of].parent;
+        if (from.port_of == no_box) return from.parent;
+        const SceneBox& owner = scene_.boxes[from.port_of];
+        return owner.frame ? from.port_of : owner.parent;
     }
 
     /// Lines may run together into a circle or a square.
@@ -188,7 +193,8 @@ Scene scene_of(const layout::Level& level, const layout::Placement& placement) {
     Scene scene;
     std::vector<std::vector<std::size_t>> ports(level.boxes.size());
     for (std::size_t b = 0; b < level.boxes.size(); ++b)
-        scene.boxes.push_back({fmt::format("b{}", b), placement.boxes[b].place, no_box, no_box, level.boxes[b].round});
+        scene.boxes.push_back(
+            {fmt::format("b{}", b), placement.boxes[b].place, no_box, no_box, level.boxes[b].round, false});
     for (std::size_t b = 0; b < level.boxes.size(); ++b)
         for (std::size_t p = 0; p < level.boxes[b].ports.size(); ++p) {
             const Point centre = placement.boxes[b].ports[p].centre;
@@ -206,6 +212,20 @@ Scene scene_of(const layout::Level& level, const layout::Placement& placement) {
                                edge.to_port ? ports[edge.to][*edge.to_port] : edge.to, placement.edges[e].points,
                                placement.edges[e].label});
     }
+    return scene;
+}
+
+Scene scene_of(const Picture& picture) {
+    Scene scene;
+    for (const PictureBox& box : picture.boxes) {
+        const std::string title = box.texts.empty() ? "" : box.texts.front().text;
+        scene.boxes.push_back({fmt::format("{} ({})", title, scene.boxes.size()), box.place, box.parent, box.event_of,
+                               is_round(box.look), box.look == Look::frame});
+    }
+    for (const PictureLine& line : picture.lines)
+        scene.lines.push_back({fmt::format("line {} from {} to {}", scene.lines.size(), scene.boxes[line.from].name,
+                                           scene.boxes[line.to].name),
+                               line.from, line.to, line.points, line.label});
     return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagrams/layout/level.hpp"
+#include "diagrams/notation/picture.hpp"
 
 namespace robochart::diagrams {
 
@@ -19,6 +20,7 @@ struct SceneBox {
     std::size_t parent = no_box;   ///< of boxes, the one that it is in
     std::size_t port_of = no_box;  ///< of a square, the box on whose border it is
     bool round = false;
+    bool frame = false;  ///< everything is in it, also lines from the squares on its border
 };
 
 /// An edge between two boxes of one level.
@@ -34,6 +36,9 @@ struct Scene {
     std::vector<SceneBox> boxes;
     std::vector<SceneLine> lines;
 };
+
+/// A picture.
+[[nodiscard]] Scene scene_of(const Picture&);
 
 /// A level and where it was put.
 [[nodiscard]] Scene scene_of(const layout::Level&, const layout::Placement&);

@@ -62,6 +62,7 @@ layout::Level random_components(std::uint64_t seed, std::size_t most_boxes) {
         layout::Box box;
         box.size = {0, layout::port_size};
         box.pin = dice.one_in(2) ? layout::Pin::first : layout::Pin::last;
+        box.on_border = true;
         box.ports.resize(1);
         level.boxes.push_back(box);
     }
