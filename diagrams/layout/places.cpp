@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "diagrams/layout/graph.hpp"
@@ -58,7 +59,7 @@ public:
         const bool large = nodes_.size() > 3'000;
         for (int round = 0; round < (large ? 2 : 6); ++round) sweep(round % 2 == 0, true);
         for (int round = 0; round < (large ? 2 : 24); ++round) sweep(round % 2 == 0, false);
-        if (has_ports()) meet_ports();
+        if (has_ports() && !large) meet_ports();
         for (int round = 0; round < 3; ++round) straighten_all();
         round_all();
         place_ends();
@@ -67,6 +68,8 @@ public:
             round_all();
             place_ends();
         }
+        if (!large)
+            for (std::size_t e = 0; e < graph_.chains.size(); ++e) take_jog_away(e);
         move_to_origin();
     }
 
@@ -85,6 +88,28 @@ private:
             }
             sweep(round % 2 == 0, false);
         }
+        round_all();
+        for (int round = 0; round < 2; ++round)
+            for (std::size_t layer = 1; layer < graph_.layers.size(); ++layer)
+                for (const std::size_t n : graph_.layers[layer])
+                    if (nodes_[n].is_box()) make_straight(n);
+    }
+
+    /// Moves a box a little so that as many edges from above as possible are straight.
+    void make_straight(std::size_t n) {
+        constexpr double little = 24;
+        place_ends();
+        std::map<double, std::size_t> shifts;
+        for (const auto& chain : graph_.chains) {
+            if (chain.empty() || graph_.links[chain.back()].lower != n) continue;
+            const double shift = graph_.links[chain.front()].upper_x - graph_.links[chain.back()].lower_x;
+            if (std::abs(shift) <= little) ++shifts[shift];
+        }
+        const auto best = std::max_element(shifts.begin(), shifts.end(), [](const auto& a, const auto& b) {
+            return std::pair(a.second, -std::abs(a.first)) < std::pair(b.second, -std::abs(b.first));
+        });
+        if (best == shifts.end()) return;
+        nodes_[n].x = free_around(n).nearest(nodes_[n].x + best->first);
     }
 
     void pack() {
@@ -291,6 +316,66 @@ private:
             const double lower = graph_.links[graph_.chains[e].back()].lower_x;
             straighten(passed(e), {upper, upper}, {lower, lower});
         }
+    }
+
+    /// An edge whose ends are nearly opposite becomes straight where there is space for it.
+    void take_jog_away(std::size_t e) {
+        constexpr double little = 18;
+        const auto& chain = graph_.chains[e];
+        if (chain.size() < 2) return;
+        Link& first = graph_.links[chain.front()];
+        Link& last = graph_.links[chain.back()];
+        if (std::abs(first.upper_x - last.lower_x) > little) return;
+        for (const double x : {first.upper_x, last.lower_x}) {
+            const bool free = is_free(chain.front(), true, x) && is_free(chain.back(), false, x);
+            const std::vector<std::size_t> nodes = passed(e);
+            const auto can_move = [&](std::size_t n) {
+                const Interval around = free_around(n);
+                return around.low <= x && x <= around.high;
+            };
+            if (!free || !std::all_of(nodes.begin(), nodes.end(), can_move)) continue;
+            for (const std::size_t n : nodes) nodes_[n].x = x;
+            for (const std::size_t l : chain) graph_.links[l].upper_x = graph_.links[l].lower_x = x;
+            move_port(first.upper, first.upper_port, x);
+            move_port(last.lower, last.lower_port, x);
+            return;
+        }
+    }
+
+    void move_port(std::size_t node, std::size_t port, double x) {
+        if (port != nothing) graph_.ports[nodes_[node].box][port].x = x;
+    }
+
+    /// May the end of a link at a box be here? Not where others end there too.
+    [[nodiscard]] bool is_free(std::size_t l, bool upper, double x) const {
+        const Link& link = graph_.links[l];
+        if (link.turn != Link::Turn::none) return false;
+        const std::size_t b = upper ? link.upper : link.lower;
+        const std::size_t port = upper ? link.upper_port : link.lower_port;
+        if ((upper ? link.upper_x : link.lower_x) == x) return true;
+        const std::vector<std::size_t>& ends = upper ? nodes_[b].down : nodes_[b].up;
+        const Interval side = side_of(graph_, nodes_[b], ends.size());
+        if (x < side.low || x > side.high) return false;
+        if (port != nothing) return is_free_port(b, port, ends, x);
+        return std::all_of(ends.begin(), ends.end(), [&](std::size_t other) {
+            const Link& it = graph_.links[other];
+            return other == l || std::abs((it.upper == b ? it.upper_x : it.lower_x) - x) >= distance::slots;
+        });
+    }
+
+    [[nodiscard]] bool is_free_port(std::size_t b, std::size_t port, const std::vector<std::size_t>& ends,
+                                    double x) const {
+        std::size_t users = 0;
+        for (const std::size_t l : ends) {
+            const Link& link = graph_.links[l];
+            if ((link.upper == b && link.upper_port == port) || (link.lower == b && link.lower_port == port)) ++users;
+        }
+        if (users != 1) return false;
+        const auto& ports = graph_.ports[b];
+        for (std::size_t p = 0; p < ports.size(); ++p)
+            if (p != port && ports[p].down == ports[port].down && std::abs(ports[p].x - x) < distance::ports)
+                return false;
+        return true;
     }
 
     void move_to_origin() {

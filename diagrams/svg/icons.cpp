@@ -55,9 +55,9 @@ std::string icon_svg(Icon icon) {
         case Icon::uses:
             return in_circle("i", 1);
         case Icon::precondition:
-            return letter("pre", 9, "italic");
+            return letter("pre", 8, "italic");
         case Icon::postcondition:
-            return letter("post", 9, "italic");
+            return letter("post", 8, "italic");
     }
     return "";
 }

@@ -205,8 +205,9 @@ private:
 
     void write_texts(const std::vector<Text>& texts) {
         for (std::size_t t = 0; t < texts.size(); ++t) {
-            if (t == 0 || !texts[t].flows) begin_text(texts[t]);
-            const bool alone = !texts[t].flows && (t + 1 == texts.size() || !texts[t + 1].flows);
+            const bool more = t + 1 < texts.size() && texts[t + 1].flows;
+            if (!texts[t].flows) begin_text(texts[t], more);
+            const bool alone = !texts[t].flows && !more;
             if (!alone) out_ += texts[t].element == none ? "<tspan>" : "<tspan " + identity(texts[t].element) + ">";
             if (alone && texts[t].element != none) {
                 out_.pop_back();
@@ -214,17 +215,18 @@ private:
             }
             out_ += lines_of(texts[t].text);
             if (!alone) out_ += "</tspan>";
-            if (t + 1 == texts.size() || !texts[t + 1].flows) out_ += "</text>";
+            if (!more) out_ += "</text>";
         }
     }
 
-    void begin_text(const Text& text) {
+    void begin_text(const Text& text, bool more) {
         out_ += fmt::format("<text x=\"{}\" y=\"{}\"", number(text.at.x), number(text.at.y));
         if (text.anchor != Anchor::start)
             out_ += text.anchor == Anchor::middle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
         if (text.size != 11) out_ += fmt::format(" font-size=\"{}\"", number(text.size));
         if (text.bold) out_ += " font-weight=\"bold\"";
         if (text.italic) out_ += " font-style=\"italic\"";
+        if (more) out_ += " xml:space=\"preserve\"";
         if (text.underlined) out_ += " text-decoration=\"underline\"";
         out_ += ">";
     }
