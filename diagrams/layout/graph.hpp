@@ -59,7 +59,8 @@ struct GraphPort {
 /// All nodes and links.
 struct Graph {
     const Level* level = nullptr;
-    bool turned = false;      ///< for edges that lead to the right
+    bool turned = false;  ///< for edges that lead to the right
+    bool has_ports = false;
     std::vector<Node> nodes;  ///< the boxes first, in their order
     std::vector<Link> links;
     std::vector<std::vector<std::size_t>> layers;  ///< nodes from left to right

@@ -51,7 +51,10 @@ private:
     /// A port is on the side to which more of its edges lead; one without edges where there are fewer.
     void decide_sides() {
         std::vector<std::vector<int>> towards(level_.boxes.size());
-        for (std::size_t b = 0; b < level_.boxes.size(); ++b) towards[b].resize(level_.boxes[b].ports.size());
+        for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
+            towards[b].resize(level_.boxes[b].ports.size());
+            graph_.has_ports = graph_.has_ports || !towards[b].empty();
+        }
         for (const Edge& edge : level_.edges) {
             if (!edge.from_port || !edge.to_port) continue;
             const auto [from, to] = std::pair(graph_.layer_of_box[edge.from], graph_.layer_of_box[edge.to]);

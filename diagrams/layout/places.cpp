@@ -14,6 +14,11 @@ namespace {
 
 constexpr double far = 1e9;
 
+/// The nearest whole number; halves upwards on both sides of zero, so that distances stay.
+double whole(double x) {
+    return std::floor(x + 0.5);
+}
+
 /// An interval; empty where `low` is above `high`.
 struct Interval {
     double low = -far, high = far;
@@ -28,7 +33,8 @@ double distance_between(const Graph& graph, const Node& left, const Node& right)
     const auto on_border = [&](const Node& node) { return node.is_box() && graph.level->boxes[node.box].on_border; };
     if (on_border(left) && on_border(right)) return distance::ports - port_size;
     if (left.is_box() && right.is_box()) return distance::boxes;
-    return left.is_box() || right.is_box() ? distance::box_line : distance::lines;
+    if (!left.is_box() && !right.is_box()) return distance::lines;
+    return graph.has_ports ? distance::lines : distance::box_line;
 }
 
 /// Between the x of two neighbours of a layer.
@@ -59,7 +65,7 @@ public:
         const bool large = nodes_.size() > 3'000;
         for (int round = 0; round < (large ? 2 : 6); ++round) sweep(round % 2 == 0, true);
         for (int round = 0; round < (large ? 2 : 24); ++round) sweep(round % 2 == 0, false);
-        if (has_ports() && !large) meet_ports();
+        if (graph_.has_ports && !large) meet_ports();
         for (int round = 0; round < 3; ++round) straighten_all();
         round_all();
         place_ends();
@@ -74,10 +80,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_ports() const {
-        return std::any_of(graph_.ports.begin(), graph_.ports.end(), [](const auto& ports) { return !ports.empty(); });
-    }
-
     /// Boxes go to where their ports are opposite of each other.
     void meet_ports() {
         for (int round = 0; round < 12; ++round) {
@@ -221,7 +223,7 @@ private:
 
     /// To whole pixels: what is straight is so exactly.
     void round_all() {
-        for (Node& node : nodes_) node.x = std::round(node.x);
+        for (Node& node : nodes_) node.x = whole(node.x);
     }
 
     /// Ends on one side of a box that are at one place.
@@ -256,7 +258,7 @@ private:
         const Interval side = side_of(graph_, node, slots.size());
         const std::vector<double> places = nearest_places(wishes, side.low, std::max(side.low, side.high));
         for (std::size_t i = 0; i < slots.size(); ++i) {
-            const double x = node.x + std::round(places[i] - node.x);
+            const double x = node.x + whole(places[i] - node.x);
             if (slots[i].port != nothing) graph_.ports[b][slots[i].port].x = x;
             for (const std::size_t l : slots[i].links) end_of(l, b, slots[i].port, down) = x;
         }
