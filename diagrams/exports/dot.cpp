@@ -66,7 +66,8 @@ private:
 
     void write_line(const PictureLine& line) {
         std::string more;
-        if (is_cluster(line.from)) more += fmt::format(", ltail=cluster_{}", outline_.id(line.from));
+        if (is_cluster(line.from) && line.to != line.from)
+            more += fmt::format(", ltail=cluster_{}", outline_.id(line.from));
         if (is_cluster(line.to) && line.to != line.from)
             more += fmt::format(", lhead=cluster_{}", outline_.id(line.to));
         if (line.both_ways) more += ", dir=both";

@@ -97,10 +97,18 @@ Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* bud
     return placement_of(graph);
 }
 
-void add_part(Placement& whole, const Part& part, std::size_t number, Placement placed, double x, double y) {
+/// Where a part goes.
+struct Spot {
+    std::size_t part = 0, row = 0;
+    double x = 0, y = 0;
+};
+
+void add_part(Placement& whole, const Part& part, const Spot& spot, Placement placed) {
+    const auto [number, row, x, y] = spot;
     for (std::size_t i = 0; i < part.boxes.size(); ++i) {
         PlacedBox& box = placed.boxes[i];
         box.rank.part = number;
+        box.rank.row = row;
         box.place.x += x;
         box.place.y += y;
         for (PlacedPort& port : box.ports) port.centre = {port.centre.x + x, port.centre.y + y};
@@ -144,7 +152,7 @@ public:
             if (part.level.boxes[i].pin == Pin::last) right = std::min(right, place.x - distance::boxes);
         }
         const double height = placed.size.height;
-        add_part(whole_, part, number, std::move(placed), 0, 0);
+        add_part(whole_, part, {number, 0, 0, 0}, std::move(placed));
         x_ = left_ = left;
         right_ = right;
         y_ = height + distance::boxes;
@@ -152,17 +160,26 @@ public:
 
     void add(const Part& part, std::size_t number, Placement placed) {
         const Size size = placed.size;
-        if (x_ > left_ && x_ + size.width > right_) {
+        if (x_ > left_ && begins_row(part, size)) {
+            ++row_;
             y_ += std::exchange(height_, 0) + distance::boxes;
             x_ = left_;
         }
-        add_part(whole_, part, number, std::move(placed), x_, y_);
+        add_part(whole_, part, {number, row_, x_, y_}, std::move(placed));
         x_ += size.width + distance::boxes;
         height_ = std::max(height_, size.height);
     }
 
 private:
+    /// As before an edit, otherwise where the row is full.
+    [[nodiscard]] bool begins_row(const Part& part, const Size& size) const {
+        for (const Box& box : part.level.boxes)
+            if (box.previous) return box.previous->row != row_;
+        return x_ + size.width > right_;
+    }
+
     Placement& whole_;
+    std::size_t row_ = 0;
     double left_ = 0, right_ = 0, x_ = 0, y_ = 0;
     double height_ = 0;  ///< of the row
 };

@@ -16,9 +16,10 @@ enum class Direction { down, right, best };
 /// Boxes that are to stand at an end of the level: in the first layer or in the last.
 enum class Pin { none, first, last };
 
-/// Where a box stood: the part of the level that edges join, the layer in it, and the place in that.
+/// Where a box stood: the part of the level that edges join, the layer in it, and the place in that; and in which row
+/// of parts.
 struct Rank {
-    std::size_t part = 0, layer = 0, position = 0;
+    std::size_t part = 0, layer = 0, position = 0, row = 0;
     friend bool operator==(const Rank&, const Rank&) = default;
 };
 

@@ -58,7 +58,7 @@ private:
                         node.above - node.ports_above + node.below - node.ports_below};
         if (level_.boxes[b].round)
             place = {node.x - node.before, y_of(node) - node.before, 2 * node.before, 2 * node.before};
-        PlacedBox box{graph_.turned ? turned(place) : place, {}, {0, node.layer / 2, node.position}};
+        PlacedBox box{graph_.turned ? turned(place) : place, {}, {0, node.layer / 2, node.position, 0}};
         for (const GraphPort& port : graph_.ports[b]) {
             const Point centre{port.x, port.down ? place.bottom() : place.y};
             box.ports.push_back({!port.down, turned(centre)});
