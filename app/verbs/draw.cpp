@@ -57,7 +57,7 @@ public:
         bool good = written_;
         for (const Part& part : parts_) {
             show_findings(*part.project, options_);
-            good = good && part.project->diagnostics.ok();
+            good = good && acceptable(*part.project, options_);
         }
         if (found_.empty() && good) print_error("robochart-verify: there is nothing to draw\n");
         return good && !found_.empty() ? Exit::success : Exit::bad_input;

@@ -9,7 +9,7 @@ namespace robochart::diagrams::layout {
 /// Of how many parts the widths are: the em of the font.
 inline constexpr double units_of_em = 2048;
 
-/// The widths of consecutive characters, in the regular and the bold face (an oblique one has those of the regular).
+/// The widths of consecutive characters, in regular and in bold (oblique letters are as wide as regular ones).
 struct WidthRange {
     std::uint32_t first, last;
     const std::uint16_t* regular;

@@ -7,9 +7,9 @@ namespace robochart::diagrams {
 namespace {
 
 std::string letter(std::string_view text, double size, std::string_view style = "bold") {
-    const std::string_view face = style == "bold" ? "font-weight=\"bold\"" : "font-style=\"italic\"";
+    const std::string_view weight = style == "bold" ? "font-weight=\"bold\"" : "font-style=\"italic\"";
     return fmt::format(R"(<text class="sign" y="{:.1f}" font-size="{}" text-anchor="middle" {}>{}</text>)", size * 0.36,
-                       size, face, text);
+                       size, weight, text);
 }
 
 std::string in_circle(std::string_view text, double line) {
