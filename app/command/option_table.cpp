@@ -174,10 +174,10 @@ const std::vector<OptionRow>& option_table() {
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::simulate),
+        {"--allow", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
-        {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::simulate), {},
+        {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
         {"--component", Group::code, coding, {.kind = Kind::name, .name = "NAME"},

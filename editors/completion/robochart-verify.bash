@@ -48,6 +48,9 @@ _robochart_verify_argument() {
     'simulate --seed') echo '<value>' ;;
     'simulate --log') echo '<folder>' ;;
     'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out') echo '<folder>' ;;
+    'draw -o' | 'draw --out') echo '<folder>' ;;
+    'draw --format') echo 'svg png pdf mermaid dot' ;;
+    'draw --theme') echo 'auto light dark' ;;
     'emit csp --format' | 'emit cpp --format' | 'emit monitor --format' | 'emit tests --format' | 'simulate --format') echo 'text json' ;;
     'verify --format' | 'check --format') echo 'text json sarif junit' ;;
     'conform --format') echo 'text json junit' ;;
