@@ -75,7 +75,12 @@ public:
             place_ends();
         }
         if (!large)
-            for (std::size_t e = 0; e < graph_.chains.size(); ++e) take_jog_away(e);
+            for (std::size_t e = 0; e < graph_.chains.size(); ++e) {
+                take_jog_away(e);
+                if (graph_.chains[e].size() < 2) continue;
+                meet_line(graph_.chains[e].front(), true);
+                meet_line(graph_.chains[e].back(), false);
+            }
         move_to_origin();
     }
 
@@ -342,6 +347,17 @@ private:
             move_port(last.lower, last.lower_port, x);
             return;
         }
+    }
+
+    /// An end that is nearly opposite of where its line goes on moves there.
+    void meet_line(std::size_t l, bool upper) {
+        constexpr double little = 8;
+        Link& link = graph_.links[l];
+        const double x = nodes_[upper ? link.lower : link.upper].x;
+        double& end = upper ? link.upper_x : link.lower_x;
+        if (link.turn != Link::Turn::none || end == x || std::abs(end - x) > little || !is_free(l, upper, x)) return;
+        end = x;
+        move_port(upper ? link.upper : link.lower, upper ? link.upper_port : link.lower_port, x);
     }
 
     void move_port(std::size_t node, std::size_t port, double x) {

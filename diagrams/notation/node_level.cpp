@@ -50,7 +50,7 @@ bool holds(const State& node, const State* target) {
 }  // namespace
 
 NodeLevel::NodeLevel(const NodeContainer& container, std::string path, const Drawing& drawing)
-    : container_(container), path_(std::move(path)), drawing_(drawing) {
+    : path_(std::move(path)), drawing_(drawing) {
     for (const auto& node : container.nodes) add_node(*node);
     for (const auto& transition : container.transitions) add_arrow(*transition);
     lay_out();
@@ -168,7 +168,7 @@ void NodeLevel::paint_node(Picture& picture, std::size_t node, const Point& corn
     if (!is_round(shape.look)) {
         shape.title.write(box, measure::state_title);
         double y = box.place.y + measure::state_title;
-        if (!shape.actions.empty() || shape.inner != nullptr) box.rules.push_back(y);
+        if (box.place.height > measure::state_title + measure::padding) box.rules.push_back(y);
         for (std::size_t i = 0; i < shape.actions.size(); ++i) {
             const std::size_t before = box.texts.size();
             write_lines(shape.actions[i], {box.place.x + measure::padding, y + 3}, box.texts);

@@ -47,7 +47,6 @@ private:
     void paint_node(Picture& picture, std::size_t node, const layout::Point& corner, std::size_t parent) const;
     void paint_arrow(Picture& picture, std::size_t arrow, const layout::Point& corner, std::size_t first_box) const;
 
-    const frontend::NodeContainer& container_;
     std::string path_;
     const Drawing& drawing_;
     std::vector<Shape> nodes_;

@@ -115,7 +115,7 @@ private:
 /// The title and the rows of a component, the squares of its events at the right where `events` says so.
 class Frame {
 public:
-    Frame(const Context& context, const Drawing& drawing, bool events) : context_(context), drawing_(drawing) {
+    Frame(const Context& context, const Drawing& drawing, bool events) : context_(context) {
         box_.look = Look::frame;
         box_.element = drawing.elements.find(&context);
         rows_ = rows_of(context, drawing.elements, false);
@@ -180,7 +180,6 @@ private:
     }
 
     const Context& context_;
-    const Drawing& drawing_;
     PictureBox box_;
     Title title_;
     Rows rows_;
