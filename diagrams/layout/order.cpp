@@ -1,6 +1,6 @@
 // The order of the nodes of each layer: sweeps that sort a layer by the mean place of the neighbours in the one beside
-// it (barycentres), and exchanges of neighbours, from six orders to begin with; the one with the fewest crossings is
-// kept, among equals the first. The first is the order of the text (Domroes, von Hanxleden: Preserving order during
+// it (barycentres), and exchanges of neighbours, from several orders to begin with; the one with the fewest crossings
+// is kept, among equals the first. The first is the order of the text (Domroes, von Hanxleden: Preserving order during
 // crossing minimization in Sugiyama layouts, 2022), or the one before an edit.
 #include <algorithm>
 #include <cstdint>
@@ -15,12 +15,13 @@ using Layers = std::vector<std::vector<std::size_t>>;
 
 /// How much is tried; large graphs get less.
 struct Effort {
-    std::size_t starts = 6, sweeps = 16, exchanges = 8;
+    std::size_t starts = 40, sweeps = 16, exchanges = 8;
 };
 Effort effort_for(std::size_t nodes) {
     if (nodes > 20'000) return {1, 2, 0};
     if (nodes > 3'000) return {1, 6, 1};
     if (nodes > 800) return {3, 10, 4};
+    if (nodes > 250) return {8, 16, 8};
     return {};
 }
 
