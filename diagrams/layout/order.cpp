@@ -41,7 +41,7 @@ public:
         std::size_t fewest = SIZE_MAX;
         if (keep_order()) {
             const std::size_t crossing = crossings();
-            fewest = crossing - std::min(crossing, 1 + crossing / 8);  // what is kept may be a little worse
+            fewest = crossing - std::min(crossing, 2 + crossing / 4);  // what is kept may be a little worse
             best = graph_.layers;
         }
         for (std::size_t start = 0; start < effort.starts && fewest > 0; ++start) {

@@ -362,6 +362,7 @@ private:
 
     void move_port(std::size_t node, std::size_t port, double x) {
         if (port != nothing) graph_.ports[nodes_[node].box][port].x = x;
+        if (graph_.level->boxes[nodes_[node].box].on_border) nodes_[node].x = x;
     }
 
     /// May the end of a link at a box be here? Not where others end there too.
@@ -372,6 +373,10 @@ private:
         const std::size_t port = upper ? link.upper_port : link.lower_port;
         if ((upper ? link.upper_x : link.lower_x) == x) return true;
         const std::vector<std::size_t>& ends = upper ? nodes_[b].down : nodes_[b].up;
+        if (graph_.level->boxes[nodes_[b].box].on_border) {
+            const Interval around = free_around(b);  // it moves itself
+            return ends.size() == 1 && around.low <= x && x <= around.high;
+        }
         const Interval side = side_of(graph_, nodes_[b], ends.size());
         if (x < side.low || x > side.high) return false;
         if (port != nothing) return is_free_port(b, port, ends, x);

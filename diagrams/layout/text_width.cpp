@@ -47,12 +47,15 @@ std::size_t bytes_of(std::string_view text, std::size_t columns) {
     return bytes;
 }
 
-/// Where a line that has to end within `columns` characters ends: behind the last blank, or anywhere.
+/// Where a line that has to end within `columns` characters ends: behind the last blank; where there is none behind a
+/// sign in its second half, or anywhere.
 std::size_t line_end(std::string_view text, std::size_t columns) {
     const std::size_t most = bytes_of(text, columns);
     if (most >= text.size()) return text.size();
     const std::size_t blank = text.substr(0, most + 1).rfind(' ');
-    return blank == std::string_view::npos || blank == 0 ? most : blank;
+    if (blank != std::string_view::npos && blank > 0) return blank;
+    const std::size_t sign = text.substr(0, most).find_last_of("!?.,;:_=()[]/|");
+    return sign != std::string_view::npos && sign + 1 > most / 2 ? sign + 1 : most;
 }
 
 void without_blanks(std::string_view& text) {

@@ -130,7 +130,13 @@ std::vector<const Event*> events_of(const Context& context) {
 }
 
 EventSquare square_of(const Event& event, const Elements& elements) {
-    return {layout::elided(text_of(event), 40), elements.find(&event), event.broadcast};
+    return square_of(text_of(event), elements.find(&event), event.broadcast);
+}
+
+EventSquare square_of(const std::string& label, std::size_t element, bool broadcast) {
+    constexpr std::size_t longest = 40;
+    const std::string shown = layout::elided(label, longest);
+    return {shown, element, broadcast, shown == label ? "" : label};
 }
 
 double label_width(const EventSquare& square) {
@@ -143,6 +149,7 @@ PictureBox draw_square(const EventSquare& square, const Point& centre, std::size
     box.look = square.broadcast ? Look::broadcast : Look::event;
     box.element = square.element;
     box.event_of = owner;
+    box.whole = square.whole;
     box.place = {centre.x - half, centre.y - half, layout::port_size, layout::port_size};
     Text label{{label_left ? centre.x - half - 5 : centre.x + half + 5, centre.y + 4}, square.label};
     label.size = measure::row_font;

@@ -42,7 +42,10 @@ struct EventSquare {
     std::string label;
     std::size_t element = none;
     bool broadcast = false;
+    std::string whole;  ///< the label where that is elided
 };
+/// A label of a square.
+[[nodiscard]] EventSquare square_of(const std::string& label, std::size_t element, bool broadcast);
 /// The events of a component, its own and those of the interfaces that it uses.
 [[nodiscard]] std::vector<const frontend::Event*> events_of(const frontend::Context& context);
 [[nodiscard]] EventSquare square_of(const frontend::Event& event, const Elements& elements);

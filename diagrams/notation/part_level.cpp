@@ -143,7 +143,7 @@ std::size_t PartLevel::own_event(const Connection::End& end, bool source) {
         part.name = name;
         part.on_border = true;
         part.events = {nullptr};
-        part.squares = {{layout::elided(name, 40), none, false}};
+        part.squares = {square_of(name, none, false)};
         parts_.push_back(std::move(part));
         pins_.push_back(Pin::none);
     }
@@ -169,15 +169,16 @@ std::size_t PartLevel::part_of(const Connection::End& end) {
 }
 
 std::size_t PartLevel::square_in(Part& part, const Connection::End& end) const {
-    const std::string name = shown_name(end.event.text());
-    for (std::size_t s = 0; s < part.events.size(); ++s) {
+    const EventSquare named = square_of(shown_name(end.event.text()), none, false);
+    const auto is_meant = [&](std::size_t s) {
         const Event* event = part.events[s];
-        if (end.event_target != nullptr && event != nullptr ? event == end.event_target
-                                                            : part.squares[s].label == layout::elided(name, 40))
-            return s;
-    }
+        if (event == nullptr) return part.squares[s].label == named.label && part.squares[s].whole == named.whole;
+        return end.event_target != nullptr ? event == end.event_target : event->name == end.event.text();
+    };
+    for (std::size_t s = 0; s < part.events.size(); ++s)
+        if (is_meant(s)) return s;
     part.events.push_back(nullptr);
-    part.squares.push_back({layout::elided(name, 40), none, false});
+    part.squares.push_back(named);
     return part.squares.size() - 1;
 }
 

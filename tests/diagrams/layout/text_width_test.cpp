@@ -30,6 +30,8 @@ TEST(Broken, PiecesStayTogetherWhereTheyFit) {
 TEST(Broken, LinesEndAtBlanksOrAnywhere) {
     EXPECT_THAT(broken({"one two three"}, {8, 6}).lines, ElementsAre("one two", "three"));
     EXPECT_THAT(broken({"abcdefghij"}, {4, 6}).lines, ElementsAre("abcd", "efgh", "ij"));
+    EXPECT_THAT(broken({"event!value_of_it"}, {12, 6}).lines, ElementsAre("event!value_", "of_it"));
+    EXPECT_THAT(broken({"a!bcdefghijkl"}, {6, 6}).lines, ElementsAre("a!bcde", "fghijk", "l"));
     EXPECT_THAT(broken({""}, {4, 6}).lines, ElementsAre());
 }
 
