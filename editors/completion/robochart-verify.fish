@@ -1,5 +1,5 @@
 # Completion of robochart-verify for fish, made by `robochart-verify help --generate fish`.
-set -g __robochart_verify_verbs verify init validate check emit conform cspm step simulate format explain lsp help version
+set -g __robochart_verify_verbs verify init validate check emit conform cspm step draw simulate format explain lsp help version
 
 # The verb of the command line, `emit` with what it writes; `none` before there is one.
 function __robochart_verify_verb
@@ -34,6 +34,7 @@ complete -c robochart-verify -f -n '__robochart_verify_is emit' -a tests -d 'wri
 complete -c robochart-verify -n '__robochart_verify_is none help' -a conform -d 'check generated C++ against the semantics, exhaustively'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a cspm -d 'decide the assertions of CSPM scripts'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a step -d 'animate the semantics by hand: of a component, or of a process of a CSPM script'
+complete -c robochart-verify -n '__robochart_verify_is none help' -a draw -d 'draw diagrams of a model, or of some of its components'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a simulate -d 'run a scenario\'s trials with the generated controllers: measures, bands, pictures'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a format -d 'write model and assertion files in the standard layout, in place'
 complete -c robochart-verify -n '__robochart_verify_is none help' -a explain -d 'explain a rule by its code; without one, list all rules'
@@ -52,8 +53,8 @@ complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l types -d 'prin
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "step" "simulate"' -l const -x -d 'value of a constant the model leaves open'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "step"' -l range -x -d 'carrier of nat, int or real; lengths of Seq, times of clock, elements of given'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform"' -l print -x -a 'ast model ir script timed-script' -d 'print a phase and stop'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "step" "simulate"' -l allow -x -d 'leave out warnings of this code'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "step" "simulate"' -l deny-warnings -d 'treat a model with warnings as wrong'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "step" "draw" "simulate"' -l allow -x -d 'leave out warnings of this code'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "step" "draw" "simulate"' -l deny-warnings -d 'treat a model with warnings as wrong'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit monitor" "emit tests" "conform"' -l component -x -d 'only this module, controller or machine'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit monitor" "emit tests" "conform"' -l cycle -x -d 'time units of one control cycle'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l target -x -a 'library main ros2 enki argos' -d 'a complete project, below DIR/TARGET/COMPONENT'
@@ -84,7 +85,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "check"' -l form
 complete -c robochart-verify -n '__robochart_verify_is "conform"' -l format -x -a 'text json junit' -d 'how the result is printed'
 complete -c robochart-verify -n '__robochart_verify_is "validate"' -l format -x -a 'text json sarif' -d 'how findings are printed'
 complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l format -x -a 'text plain json framed_json junit' -d 'how the result is printed; plain, json and framed_json as by FDR\'s refines'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "simulate" "format" "explain"' -l color -x -a 'auto always never' -d 'colours of the text; auto: on a terminal, unless NO_COLOR is set'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "draw" "simulate" "format" "explain"' -l color -x -a 'auto always never' -d 'colours of the text; auto: on a terminal, unless NO_COLOR is set'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -s q -l quiet -d 'print only what is wrong and the closing line'
 complete -c robochart-verify -n '__robochart_verify_is "validate"' -s q -l quiet -d 'print only what is wrong'
 complete -c robochart-verify -n '__robochart_verify_is "draw"' -s q -l quiet -d 'do not list the files written'
@@ -96,12 +97,12 @@ complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l split -d 'show
 complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l export -x -a 'aut dot csp' -d 'write all states of a process, any expression of the script, and stop'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -l progress -x -a 'auto json never' -d 'how far the run has come, on standard error; auto: a line on a terminal'
 complete -c robochart-verify -n '__robochart_verify_is "help"' -l generate -x -a 'man bash zsh fish' -d 'write the man page, or the completion for a shell'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "simulate" "format"' -l memory -x -d 'memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine\'s by default'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "simulate" "format"' -l timeout -x -d 'time bound of the whole run in seconds; 0 for none'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "draw" "simulate" "format"' -l memory -x -d 'memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine\'s by default'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "draw" "simulate" "format"' -l timeout -x -d 'time bound of the whole run in seconds; 0 for none'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm"' -l threads -x -d 'threads of a check at most, used where its state space is wide; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l threads -x -d 'parallel trials at most; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm"' -l max-states -x -d 'bound on states of a check'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -l no-cache -d 'work out everything anew, and keep nothing for later runs'
 complete -c robochart-verify -n '__robochart_verify_is "lsp"' -l stdio -d 'accepted because editors\' libraries pass it; standard input and output are always used'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "init" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "simulate" "format" "explain" "lsp" "help" "version" none' -s h -l help -d 'show the help of the program or of the verb'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "init" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "draw" "simulate" "format" "explain" "lsp" "help" "version" none' -s h -l help -d 'show the help of the program or of the verb'
 complete -c robochart-verify -n '__robochart_verify_is none' -l version -d 'show the version'
