@@ -20,11 +20,39 @@ struct Part {
     std::vector<std::size_t> boxes, edges;
 };
 
-/// What was one part before an edit stays one.
-void join_as_before(const Level& level, const auto& join) {
+/// Sets of boxes, each with its first box as its name.
+class Partition {
+public:
+    explicit Partition(std::size_t boxes) : parent_(boxes) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+    std::size_t set_of(std::size_t box) {
+        while (parent_[box] != box) box = parent_[box] = parent_[parent_[box]];
+        return box;
+    }
+    void join(std::size_t a, std::size_t b) {
+        const auto [first, second] = std::minmax({set_of(a), set_of(b)});
+        parent_[second] = first;
+    }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+/// What edges join, what is at the ends of the level, and what was one part before an edit, is one part.
+Partition partition_of(const Level& level) {
+    Partition partition(level.boxes.size());
+    for (const Edge& edge : level.edges) partition.join(edge.from, edge.to);
+    std::size_t pinned = nothing;
     std::map<std::size_t, std::size_t> first_of;
-    for (std::size_t b = 0; b < level.boxes.size(); ++b)
-        if (level.boxes[b].previous) join(b, first_of.emplace(level.boxes[b].previous->part, b).first->second);
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        const Box& box = level.boxes[b];
+        if (box.pin != Pin::none) {
+            if (pinned == nothing) pinned = b;
+            partition.join(b, pinned);
+        }
+        if (box.previous) partition.join(b, first_of.emplace(box.previous->part, b).first->second);
+    }
+    return partition;
 }
 
 /// Places of several parts before an edit mean nothing together: those of the first part count.
@@ -39,30 +67,14 @@ void forget_other_parts(Level& level) {
         if (!level.boxes[edge.from].previous || !level.boxes[edge.to].previous) edge.previous.clear();
 }
 
-/// The boxes that edges join, and those at the ends of the level, in the order of their first boxes.
+/// The parts of a level in the order of their first boxes.
 std::vector<Part> parts_of(const Level& level) {
-    std::vector<std::size_t> parent(level.boxes.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::size_t box) {
-        while (parent[box] != box) box = parent[box] = parent[parent[box]];
-        return box;
-    };
-    const auto join = [&](std::size_t a, std::size_t b) {
-        parent[std::max(root(a), root(b))] = std::min(root(a), root(b));
-    };
-    for (const Edge& edge : level.edges) join(edge.from, edge.to);
-    std::size_t pinned = nothing;
-    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
-        if (level.boxes[b].pin == Pin::none) continue;
-        if (pinned != nothing) join(b, pinned);
-        pinned = b;
-    }
-    join_as_before(level, join);
+    Partition partition = partition_of(level);
     std::vector<Part> parts;
     std::vector<std::size_t> part_of(level.boxes.size(), nothing);
     std::vector<std::size_t> place(level.boxes.size());
     for (std::size_t b = 0; b < level.boxes.size(); ++b) {
-        std::size_t& part = part_of[root(b)];
+        std::size_t& part = part_of[partition.set_of(b)];
         if (part == nothing) {
             part = parts.size();
             parts.emplace_back();
@@ -72,7 +84,7 @@ std::vector<Part> parts_of(const Level& level) {
         parts[part].level.boxes.push_back(level.boxes[b]);
     }
     for (std::size_t e = 0; e < level.edges.size(); ++e) {
-        Part& part = parts[part_of[root(level.edges[e].from)]];
+        Part& part = parts[part_of[partition.set_of(level.edges[e].from)]];
         Edge edge = level.edges[e];
         edge.from = place[edge.from];
         edge.to = place[edge.to];

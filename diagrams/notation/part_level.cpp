@@ -211,50 +211,50 @@ void PartLevel::lay_out() {
     placement_ = arrange_again(level_, std::move(names), drawing_.memory, drawing_.budget);
 }
 
-void PartLevel::paint(Picture& picture, const Size& header) const {
-    bool left = false;
-    bool right = false;
-    double left_border = std::numeric_limits<double>::infinity();
-    double right_border = 0;
+PartLevel::Borders PartLevel::borders(const Size& header) const {
+    Borders result{std::numeric_limits<double>::infinity(), 0, false, false, 0};
     double rightmost = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-        if (!parts_[p].on_border) continue;
-        (is_first(p) ? left : right) = true;
-        const double x = placement_.boxes[p].place.x;
-        is_first(p) ? left_border = std::min(left_border, x) : right_border = std::max(right_border, x);
+        const Rectangle& place = placement_.boxes[p].place;
+        if (!parts_[p].on_border) {
+            rightmost = std::max(rightmost, place.right() + component_inset);
+        } else if (is_first(p)) {
+            result.events_left = true;
+            result.left = std::min(result.left, place.x);
+        } else {
+            result.events_right = true;
+            result.right = std::max(result.right, place.x);
+        }
     }
-    if (!left) left_border = -component_inset;
-    if (!right) right_border = placement_.size.width + component_inset;
+    if (!result.events_left) result.left = -component_inset;
+    if (!result.events_right) result.right = placement_.size.width + component_inset;
     // What no connection joins may reach further than the events on the right border, which have to be outside of it.
-    for (std::size_t p = 0; p < parts_.size(); ++p)
-        if (!parts_[p].on_border) rightmost = std::max(rightmost, placement_.boxes[p].place.right() + component_inset);
-    const double missing =
-        std::max({0.0, header.width - (right_border - left_border), right ? rightmost - right_border : 0.0});
-    const Point corner{right ? 0 : missing / 2, header.height + component_inset};
+    result.missing = std::max({0.0, header.width - (result.right - result.left), rightmost - result.right});
+    return result;
+}
+
+/// Where the frame has to be wider than the parts need, these are in its middle, unless events are on its right border:
+/// then that is moved with them.
+void PartLevel::paint(Picture& picture, const Size& header) {
+    const Borders at = borders(header);
+    const Point corner{at.events_right ? 0 : at.missing / 2, header.height + component_inset};
+    const double moved = at.events_right ? at.missing : 0;
     PictureBox& frame = picture.boxes.front();
-    if (right) right_border += missing;  // what is on the right border is moved there with it
-    const double reach = right_border - left_border + (right ? 0 : missing);
-    frame.place = {left ? left_border + corner.x : left_border, 0, reach,
+    frame.place = {at.events_left ? at.left + corner.x : at.left, 0, at.right - at.left + at.missing,
                    header.height + placement_.size.height + 2 * component_inset};
     frame.whole += left_out_;
-    boxes_.assign(parts_.size(), none);
     squares_.assign(parts_.size(), {});
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-        const bool moved = parts_[p].on_border && !is_first(p);
-        paint_part(picture, p, {moved ? corner.x + missing : corner.x, corner.y});
-    }
-    for (std::size_t c = 0; c < connections_.size(); ++c) paint_connection(picture, c, corner);
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+        paint_part(picture, p, {is_last(p) ? corner.x + moved : corner.x, corner.y});
     for (std::size_t c = 0; c < connections_.size(); ++c) {
-        PictureLine& line = picture.lines[picture.lines.size() - connections_.size() + c];
-        const auto reach_border = [&](std::size_t part, Point& end) {
-            if (parts_[part].on_border && !is_first(part)) end.x += missing;
-        };
-        reach_border(ends_[c].first.part, line.points.front());
-        reach_border(ends_[c].second.part, line.points.back());
+        paint_connection(picture, c, corner);
+        PictureLine& line = picture.lines.back();
+        if (is_last(ends_[c].first.part)) line.points.front().x += moved;
+        if (is_last(ends_[c].second.part)) line.points.back().x += moved;
     }
 }
 
-void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner) const {
+void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner) {
     const Part& part = parts_[p];
     const layout::PlacedBox& placed = placement_.boxes[p];
     std::size_t owner = 0;
@@ -275,7 +275,6 @@ void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner)
         owner = picture.boxes.size();
         picture.boxes.push_back(std::move(box));
     }
-    boxes_[p] = owner;
     for (std::size_t s = 0; s < part.squares.size(); ++s) {
         const layout::PlacedPort& port = placed.ports[s];
         const Point centre{port.centre.x + corner.x, port.centre.y + corner.y};

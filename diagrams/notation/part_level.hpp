@@ -16,7 +16,7 @@ public:
 
     /// Adds the parts and connections to a picture whose first box is the frame, and gives that its place. `header`:
     /// the size of what is above the parts.
-    void paint(Picture& picture, const layout::Size& header) const;
+    void paint(Picture& picture, const layout::Size& header);
 
 private:
     /// A part, or an event of the component itself.
@@ -38,6 +38,13 @@ private:
         std::size_t square = 0;
     };
 
+    /// x of the borders of the component.
+    struct Borders {
+        double left = 0, right = 0;
+        bool events_left = false, events_right = false;
+        double missing = 0;  ///< what they have to be further apart
+    };
+
     void add_part(const frontend::Declaration& declaration);
     void describe(Part& part) const;
     void describe_reference(Part& part, const frontend::Reference& reference) const;
@@ -47,9 +54,12 @@ private:
     [[nodiscard]] std::size_t part_of(const frontend::Connection::End& end);
     [[nodiscard]] std::size_t square_in(Part& part, const frontend::Connection::End& end) const;
     void lay_out();
-    void paint_part(Picture& picture, std::size_t part, const layout::Point& corner) const;
+    void paint_part(Picture& picture, std::size_t part, const layout::Point& corner);
     void paint_connection(Picture& picture, std::size_t connection, const layout::Point& corner) const;
+    [[nodiscard]] Borders borders(const layout::Size& header) const;
     [[nodiscard]] bool is_first(std::size_t part) const { return pins_[part] == layout::Pin::first; }
+    /// An event on the right border.
+    [[nodiscard]] bool is_last(std::size_t part) const { return parts_[part].on_border && !is_first(part); }
 
     const frontend::Component& component_;
     const Drawing& drawing_;
@@ -60,8 +70,7 @@ private:
     std::string left_out_;                   ///< connections from an event to itself
     layout::Level level_;
     layout::Placement placement_;
-    mutable std::vector<std::size_t> boxes_;                 ///< of the parts in the picture
-    mutable std::vector<std::vector<std::size_t>> squares_;  ///< of their events
+    std::vector<std::vector<std::size_t>> squares_;  ///< of the parts, as boxes of the picture
 };
 
 }  // namespace robochart::diagrams

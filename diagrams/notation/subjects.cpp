@@ -202,7 +202,7 @@ Picture draw_machine(const Machine& machine, const std::string& path, const Draw
 
 Picture draw_component(const Component& component, const Drawing& drawing) {
     const Frame frame(component, drawing, false);
-    const PartLevel level(component, drawing);
+    PartLevel level(component, drawing);
     Picture picture;
     picture.boxes.push_back(frame.box());
     level.paint(picture, frame.header());
