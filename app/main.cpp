@@ -12,6 +12,7 @@ Exit run(const robochart::app::Options& options) {
     if (options.verb == Verb::cspm) return robochart::app::run_cspm(options);
     if (options.verb == Verb::lsp) return robochart::app::run_lsp();
     if (options.verb == Verb::explain) return robochart::app::run_explain(options);
+    if (options.verb == Verb::draw) return robochart::app::run_draw(options);
     if (options.verb == Verb::format) return robochart::app::run_format(options);
     if (options.verb == Verb::init) return robochart::app::run_init(options);
     if (options.verb == Verb::simulate) return robochart::app::run_simulate(options);

@@ -37,6 +37,7 @@ const std::vector<VerbRow>& verb_table() {
         {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT..."},
         {Verb::step, "step", "", "animate the semantics by hand: of a component, or of a process of a CSPM script",
          "MODEL [COMPONENT]"},
+        {Verb::draw, "draw", "", "draw diagrams of a model, or of some of its components", "MODEL [COMPONENT...]"},
         {Verb::simulate, "simulate", "",
          "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
         {Verb::format, "format", "", "write model and assertion files in the standard layout, in place", "FILE..."},
@@ -97,7 +98,8 @@ constexpr Verbs models = checking | emitting | of(Verb::conform);
 constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
 constexpr Verbs searching = models | of(Verb::cspm);
-constexpr Verbs limited = searching | of(Verb::step) | of(Verb::validate) | of(Verb::format) | of(Verb::simulate);
+constexpr Verbs limited =
+    searching | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::format) | of(Verb::simulate);
 constexpr Verbs all_verbs =
     limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::init) | of(Verb::help) | of(Verb::version);
 
@@ -172,10 +174,10 @@ const std::vector<OptionRow>& option_table() {
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::simulate),
+        {"--allow", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
-        {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::simulate), {},
+        {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
         {"--component", Group::code, coding, {.kind = Kind::name, .name = "NAME"},
@@ -263,6 +265,20 @@ const std::vector<OptionRow>& option_table() {
              o.out = word;
              o.out_given = true;
          }},
+        {"-o,--out", Group::output, of(Verb::draw), {.kind = Kind::folder, .name = "PATH", .usual = "out/diagrams"},
+         "folder for the diagrams; with one COMPONENT the file for its diagram, otherwise on standard output (-)",
+         [](Options& o, const std::string& word) {
+             o.out = word;
+             o.out_given = true;
+         }},
+        {"--format", Group::output, of(Verb::draw),
+         {.kind = Kind::choice, .name = "FORMAT", .usual = "svg", .choices = "svg,png,pdf,mermaid,dot"},
+         "format of the diagrams; png and pdf need rsvg-convert",
+         [](Options& o, const std::string& word) { o.picture = word; }},
+        {"--theme", Group::output, of(Verb::draw),
+         {.kind = Kind::choice, .name = "THEME", .usual = "auto", .choices = "auto,light,dark"},
+         "colours of the diagrams; auto: as the reader's system prefers",
+         [](Options& o, const std::string& word) { o.theme = word; }},
         {"--format", Group::output, emitting | of(Verb::simulate), format_of("text,json"), "how the result is printed",
          take_format},
         {"--format", Group::output, checking, format_of("text,json,sarif,junit"), "how the result is printed",
@@ -282,6 +298,7 @@ const std::vector<OptionRow>& option_table() {
         {"-q,--quiet", Group::output, searching | of(Verb::simulate), {},
          "print only what is wrong and the closing line", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::validate), {}, "print only what is wrong", take_quiet},
+        {"-q,--quiet", Group::output, of(Verb::draw), {}, "do not list the files written", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::format), {}, "do not list the files changed", take_quiet},
         {"--trace", Group::output, checking | of(Verb::conform), {},
          "also print raw event traces of counterexamples",

@@ -35,6 +35,7 @@ enum class Verb {
     emit_tests,
     conform,
     cspm,
+    draw,
     explain,
     format,
     init,
@@ -90,6 +91,8 @@ struct Options {
     bool reveal_taus = false;           ///< cspm: hidden events by their names
     bool split = false;                 ///< cspm: what each part did, however many they are
     std::vector<std::string> exported;  ///< cspm: format and process to write out; empty: none
+    std::string picture = "svg";        ///< draw: the format of diagrams
+    std::string theme = "auto";         ///< draw: their colours
     ProgressMode progress = ProgressMode::automatic;
     std::string component;  ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;

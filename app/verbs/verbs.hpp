@@ -12,6 +12,7 @@ Exit run_cspm(const Options&);
 Exit export_process(const Options&);  ///< cspm --export
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
+Exit run_draw(const Options&);
 Exit run_format(const Options&);
 Exit run_init(const Options&);
 Exit run_simulate(const Options&);  ///< in the embedded world

@@ -1,0 +1,210 @@
+// The verb `draw`: diagrams of a model's components, of all of them into a folder, or of one (docs/diagrams.md).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "app/command/numbers.hpp"
+#include "app/command/option_table.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "cpp_emit/load/shared_library.hpp"
+#include "diagnostics/files.hpp"
+#include "diagrams/exports/dot.hpp"
+#include "diagrams/exports/mermaid.hpp"
+#include "diagrams/layout/arrange.hpp"
+#include "diagrams/notation/subjects.hpp"
+#include "diagrams/svg/svg.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// What is drawn, with the part of the input that it is of.
+struct Drawn {
+    Project* project = nullptr;
+    const diagrams::Elements* elements = nullptr;
+    diagrams::Subject subject;
+};
+
+/// The last names of it fit: "S", "C::S" for "P::C::S"; or it is how its file is called.
+bool is_called(const diagrams::Subject& subject, const std::string& name) {
+    return subject.name == name || subject.file == name || subject.name.ends_with("::" + name);
+}
+
+/// One run of the verb.
+class DiagramWriter {
+public:
+    explicit DiagramWriter(const Options& options) : options_(options) {
+        options_.inputs = {options.inputs.front()};
+        wanted_.assign(options.inputs.begin() + 1, options.inputs.end());
+        if (!options_.out_given) options_.out = "out/diagrams";
+    }
+
+    Exit run() {
+        parts_ = read_parts(options_);
+        find();
+        choose();
+        std::optional<diagnostics::Budget::Phase> phase(std::in_place, options_.run->budget(), "drawing");
+        written_ = wanted_.size() == 1 ? draw_one() : draw_all();
+        phase.reset();
+        options_.run->finish();
+        bool good = written_;
+        for (const Part& part : parts_) {
+            show_findings(*part.project, options_);
+            good = good && acceptable(*part.project, options_);
+        }
+        if (found_.empty() && good) print_error("robochart-verify: there is nothing to draw\n");
+        return good && !found_.empty() ? Exit::success : Exit::bad_input;
+    }
+
+private:
+    void find() {
+        std::size_t next = 1;
+        for (const Part& part : parts_) {
+            elements_.push_back(std::make_unique<diagrams::Elements>(*part.project->model, next));
+            next += elements_.back()->all().size();
+            for (diagrams::Subject& subject : diagrams::subjects(*part.project->model, part.project->sources)) {
+                name_apart(subject.file);
+                found_.push_back({part.project.get(), elements_.back().get(), std::move(subject)});
+            }
+        }
+    }
+
+    /// Parts may have components of one name.
+    void name_apart(std::string& file) {
+        const std::string name = file;
+        for (int i = 2; !files_.insert(file).second; ++i) file = fmt::format("{}_{}", name, i);
+    }
+
+    /// Those of the names on the command line. Throws UsageError.
+    void choose() {
+        if (wanted_.empty()) return;
+        std::vector<Drawn> chosen;
+        for (const std::string& name : wanted_) chosen.push_back(named(name));
+        found_ = std::move(chosen);
+    }
+
+    [[nodiscard]] Drawn named(const std::string& name) const {
+        std::vector<const Drawn*> called;
+        std::vector<std::string> known;
+        for (const Drawn& each : found_) {
+            if (each.subject.name == name && each.subject.component != nullptr) return each;
+            if (is_called(each.subject, name)) called.push_back(&each);
+            known.push_back(each.subject.name);
+            if (each.subject.component != nullptr) known.push_back(each.subject.component->name);
+        }
+        if (called.empty())
+            throw UsageError(fmt::format("the model has no component '{}'{}", name, did_you_mean(name, known)));
+        if (called.size() == 1) return *called.front();
+        std::vector<std::string> names;
+        for (const Drawn* each : called) names.push_back(each->subject.file + " (" + each->subject.name + ")");
+        throw UsageError(fmt::format("'{}' may be {}", name, fmt::join(names, ", ")));
+    }
+
+    /// The diagram in the format asked for; nothing, with a diagnostic, where it cannot be made.
+    std::optional<std::string> text_of(const Drawn& drawn) {
+        diagrams::SvgOptions style;
+        if (options_.theme == "light" || options_.picture != "svg") style.theme = diagrams::Theme::light;
+        if (options_.theme == "dark") style.theme = diagrams::Theme::dark;
+        try {
+            const diagrams::Picture picture =
+                diagrams::draw(drawn.subject, {*drawn.elements, nullptr, &options_.run->budget()});
+            if (options_.picture == "mermaid") return diagrams::mermaid(picture);
+            if (options_.picture == "dot") return diagrams::dot(picture);
+            const std::string text = diagrams::svg(picture, *drawn.elements, style);
+            return options_.picture == "svg" ? text : converted(drawn, text);
+        } catch (const diagrams::layout::TooLarge& large) {
+            return fail(drawn, fmt::format("{}: {}", drawn.subject.name, large.what()));
+        }
+    }
+
+    static std::nullopt_t fail(const Drawn& drawn, const std::string& why) {
+        drawn.project->diagnostics.report(rules::unwritable, {}, {why});
+        return std::nullopt;
+    }
+
+    /// By rsvg-convert, in a folder of its own.
+    std::optional<std::string> converted(const Drawn& drawn, const std::string& text) {
+        std::string error;
+        diagnostics::Budget* budget = &options_.run->budget();
+        const diagnostics::TemporaryFolder folder("", error, budget);
+        if (error.empty()) error = diagnostics::write_below(folder.path(), "diagram.svg", text, budget);
+        if (!error.empty()) return fail(drawn, error);
+        const std::string made = folder.path() + "/diagram";
+        const std::string log = folder.path() + "/log";
+        const int status = cpp_emit::run_program(
+            {"rsvg-convert", "--format", options_.picture, "--output", made, folder.path() + "/diagram.svg"}, log,
+            error, budget);
+        if (status < 0)
+            return fail(
+                drawn,
+                fmt::format("{}; it makes PNG and PDF: on Debian, `apt install librsvg2-bin` installs it", error));
+        if (status > 0)
+            return fail(drawn,
+                        fmt::format("rsvg-convert failed with status {}: {}", status, contents(log).substr(0, 500)));
+        return contents(made);
+    }
+
+    static std::string contents(const std::string& path) {
+        std::ifstream in(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    /// To the file of `--out`, or to standard output.
+    bool draw_one() {
+        const Drawn& drawn = found_.front();
+        const auto text = text_of(drawn);
+        if (!text) return false;
+        if (options_.out_given && options_.out != "-") {
+            const std::string error = diagnostics::replace_file(options_.out, *text, &options_.run->budget());
+            if (!error.empty()) fail(drawn, error);
+            return error.empty();
+        }
+        const bool binary = options_.picture == "png" || options_.picture == "pdf";
+        if (binary && output_is_a_terminal())
+            throw UsageError(fmt::format("a terminal shows no {}; --out FILE writes it to a file", options_.picture));
+        print_exact(*text);
+        return true;
+    }
+
+    bool draw_all() {
+        const std::string extension = options_.picture == "mermaid" ? "mmd" : options_.picture;
+        bool good = true;
+        for (const Drawn& drawn : found_) {
+            const std::string file = drawn.subject.file + "." + extension;
+            const auto text = text_of(drawn);
+            if (!text || !write_output(*drawn.project, options_, file, *text)) {
+                good = false;
+                continue;
+            }
+            if (!options_.quiet) print("  {:<60} {:>12} bytes\n", options_.out + "/" + file, with_commas(text->size()));
+        }
+        return good;
+    }
+
+    Options options_;
+    std::vector<std::string> wanted_;
+    std::vector<Part> parts_;
+    std::vector<std::unique_ptr<diagrams::Elements>> elements_;
+    std::vector<Drawn> found_;
+    std::set<std::string> files_;
+    bool written_ = false;
+};
+
+}  // namespace
+
+Exit run_draw(const Options& options) {
+    options.run->last_word([](const std::string& why) {
+        print_error("robochart-verify: inconclusive: {}\n", why);
+        return Exit::inconclusive;
+    });
+    return DiagramWriter(options).run();
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,245 @@
+// The steps of the layout in their order. Parts of a level that no edge joins are laid out alone and put into rows.
+#include "diagrams/layout/arrange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "diagrams/layout/graph.hpp"
+#include "diagrams/layout/routes.hpp"
+
+namespace robochart::diagrams::layout {
+namespace {
+
+/// A part of a level, with the places of its boxes and edges in the whole.
+struct Part {
+    Level level;
+    std::vector<std::size_t> boxes, edges;
+};
+
+/// Sets of boxes, each with its first box as its name.
+class Partition {
+public:
+    explicit Partition(std::size_t boxes) : parent_(boxes) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+    std::size_t set_of(std::size_t box) {
+        while (parent_[box] != box) box = parent_[box] = parent_[parent_[box]];
+        return box;
+    }
+    void join(std::size_t a, std::size_t b) {
+        const auto [first, second] = std::minmax({set_of(a), set_of(b)});
+        parent_[second] = first;
+    }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+/// What edges join, what is at the ends of the level, and what was one part before an edit, is one part.
+Partition partition_of(const Level& level) {
+    Partition partition(level.boxes.size());
+    for (const Edge& edge : level.edges) partition.join(edge.from, edge.to);
+    std::size_t pinned = nothing;
+    std::map<std::size_t, std::size_t> first_of;
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        const Box& box = level.boxes[b];
+        if (box.pin != Pin::none) {
+            if (pinned == nothing) pinned = b;
+            partition.join(b, pinned);
+        }
+        if (box.previous) partition.join(b, first_of.emplace(box.previous->part, b).first->second);
+    }
+    return partition;
+}
+
+/// Places of several parts before an edit mean nothing together: those of the first part count.
+void forget_other_parts(Level& level) {
+    std::optional<std::size_t> part;
+    for (Box& box : level.boxes) {
+        if (!box.previous) continue;
+        if (!part) part = box.previous->part;
+        if (box.previous->part != *part) box.previous.reset();
+    }
+    for (Edge& edge : level.edges)
+        if (!level.boxes[edge.from].previous || !level.boxes[edge.to].previous) edge.previous.clear();
+}
+
+/// The parts of a level in the order of their first boxes.
+std::vector<Part> parts_of(const Level& level) {
+    Partition partition = partition_of(level);
+    std::vector<Part> parts;
+    std::vector<std::size_t> part_of(level.boxes.size(), nothing);
+    std::vector<std::size_t> place(level.boxes.size());
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        std::size_t& part = part_of[partition.set_of(b)];
+        if (part == nothing) {
+            part = parts.size();
+            parts.emplace_back();
+        }
+        place[b] = parts[part].boxes.size();
+        parts[part].boxes.push_back(b);
+        parts[part].level.boxes.push_back(level.boxes[b]);
+    }
+    for (std::size_t e = 0; e < level.edges.size(); ++e) {
+        Part& part = parts[part_of[partition.set_of(level.edges[e].from)]];
+        Edge edge = level.edges[e];
+        edge.from = place[edge.from];
+        edge.to = place[edge.to];
+        part.edges.push_back(e);
+        part.level.edges.push_back(edge);
+    }
+    for (Part& part : parts) forget_other_parts(part.level);
+    return parts;
+}
+
+Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* budget) {
+    Graph graph;
+    graph.level = &level;
+    graph.turned = turned;
+    graph.budget = budget;
+    break_cycles(graph);
+    assign_layers(graph);
+    make_nodes(graph);
+    order_layers(graph);
+    place_nodes(graph);
+    place_tracks(graph);
+    return placement_of(graph);
+}
+
+/// Where a part goes.
+struct Spot {
+    std::size_t part = 0, row = 0;
+    double x = 0, y = 0;
+};
+
+void add_part(Placement& whole, const Part& part, const Spot& spot, Placement placed) {
+    const auto [number, row, x, y] = spot;
+    for (std::size_t i = 0; i < part.boxes.size(); ++i) {
+        PlacedBox& box = placed.boxes[i];
+        box.rank.part = number;
+        box.rank.row = row;
+        box.place.x += x;
+        box.place.y += y;
+        for (PlacedPort& port : box.ports) port.centre = {port.centre.x + x, port.centre.y + y};
+        whole.boxes[part.boxes[i]] = std::move(box);
+    }
+    for (std::size_t i = 0; i < part.edges.size(); ++i) {
+        PlacedEdge& edge = placed.edges[i];
+        for (Point& point : edge.points) point = {point.x + x, point.y + y};
+        edge.label.x += x;
+        edge.label.y += y;
+        whole.edges[part.edges[i]] = std::move(edge);
+    }
+    whole.size.width = std::max(whole.size.width, x + placed.size.width);
+    whole.size.height = std::max(whole.size.height, y + placed.size.height);
+}
+
+/// In rows, as wide as the widest part, or as makes the whole one and a half times as wide as high.
+double row_width(const std::vector<Placement>& placed) {
+    double widest = 0;
+    double area = 0;
+    for (const Placement& part : placed) {
+        widest = std::max(widest, part.size.width);
+        area += (part.size.width + distance::boxes) * (part.size.height + distance::boxes);
+    }
+    return std::max(widest, std::sqrt(area * 1.5));
+}
+
+/// The parts in rows, between what is at both ends of the level.
+class Rows {
+public:
+    Rows(Placement& whole, double width) : whole_(whole), right_(width) {}
+
+    /// In a row of its own; what follows keeps off what is pinned in it.
+    void add_pinned(const Part& part, std::size_t number, Placement placed) {
+        double left = 0;
+        double right = std::max(right_, placed.size.width);
+        for (std::size_t i = 0; i < part.boxes.size(); ++i) {
+            const Rectangle& place = placed.boxes[i].place;
+            if (!part.level.boxes[i].on_border) continue;
+            if (part.level.boxes[i].pin == Pin::first) left = std::max(left, place.right() + distance::boxes);
+            if (part.level.boxes[i].pin == Pin::last) right = std::min(right, place.x - distance::boxes);
+        }
+        const double height = placed.size.height;
+        add_part(whole_, part, {number, 0, 0, 0}, std::move(placed));
+        x_ = left_ = left;
+        right_ = right;
+        y_ = height + distance::boxes;
+    }
+
+    void add(const Part& part, std::size_t number, Placement placed) {
+        const Size size = placed.size;
+        if (x_ > left_ && begins_row(part, size)) {
+            ++row_;
+            y_ += std::exchange(height_, 0) + distance::boxes;
+            x_ = left_;
+        }
+        add_part(whole_, part, {number, row_, x_, y_}, std::move(placed));
+        x_ += size.width + distance::boxes;
+        height_ = std::max(height_, size.height);
+    }
+
+private:
+    /// As before an edit, otherwise where the row is full.
+    [[nodiscard]] bool begins_row(const Part& part, const Size& size) const {
+        for (const Box& box : part.level.boxes)
+            if (box.previous) return box.previous->row != row_;
+        return x_ + size.width > right_;
+    }
+
+    Placement& whole_;
+    std::size_t row_ = 0;
+    double left_ = 0, right_ = 0, x_ = 0, y_ = 0;
+    double height_ = 0;  ///< of the row
+};
+
+Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool turned, diagnostics::Budget* budget) {
+    std::vector<Placement> placed;
+    for (const Part& part : parts) placed.push_back(arrange_part(part.level, turned, budget));
+    Placement whole;
+    whole.direction = turned ? Direction::right : Direction::down;
+    whole.boxes.resize(level.boxes.size());
+    whole.edges.resize(level.edges.size());
+    Rows rows(whole, row_width(placed));
+    const auto pinned = [&](const Part& part) {
+        return std::any_of(part.level.boxes.begin(), part.level.boxes.end(),
+                           [](const Box& box) { return box.on_border; });
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (pinned(parts[i])) rows.add_pinned(parts[i], i, std::move(placed[i]));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!pinned(parts[i])) rows.add(parts[i], i, std::move(placed[i]));
+    return whole;
+}
+
+/// How much of a page it takes that is half as wide again as it is high.
+double extent(const Size& size) {
+    return std::max(size.width / 1.5, size.height);
+}
+
+/// Loops beside boxes are at their right side, where edges that lead to the right begin.
+bool has_loops(const Level& level) {
+    return std::any_of(level.edges.begin(), level.edges.end(),
+                       [](const Edge& edge) { return edge.from == edge.to && !edge.from_port; });
+}
+
+}  // namespace
+
+Placement arrange(const Level& level, diagnostics::Budget* budget) {
+    const std::vector<Part> parts = parts_of(level);
+    const bool ports =
+        std::any_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return !box.ports.empty(); });
+    if (ports) return arrange_in(level, parts, true, budget);
+    if (level.direction == Direction::down || has_loops(level)) return arrange_in(level, parts, false, budget);
+    if (level.direction == Direction::right) return arrange_in(level, parts, true, budget);
+    Placement down = arrange_in(level, parts, false, budget);
+    Placement right = arrange_in(level, parts, true, budget);
+    // What leads to the right is taken where it is clearly better; what was taken before stays unless it is much worse.
+    const double bound = !level.previous ? 0.85 : level.previous == Direction::right ? 1.3 : 0.7;
+    return extent(right.size) < bound * extent(down.size) ? right : down;
+}
+
+}  // namespace robochart::diagrams::layout

@@ -1,0 +1,12 @@
+// From the graph of layers back to boxes and edges.
+#pragma once
+
+#include "diagrams/layout/graph.hpp"
+#include "diagrams/layout/level.hpp"
+
+namespace robochart::diagrams::layout {
+
+/// The placement of a graph whose nodes have their places and whose links have their tracks.
+[[nodiscard]] Placement placement_of(const Graph& graph);
+
+}  // namespace robochart::diagrams::layout

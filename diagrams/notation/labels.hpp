@@ -1,0 +1,37 @@
+// The text of diagrams, in RoboTool's order and spelling, where no character is invisible.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/syntax/ast.hpp"
+
+namespace robochart::diagrams {
+
+/// A name as people see it, whatever it holds.
+[[nodiscard]] std::string shown_name(std::string_view name);
+/// "entry", "during", "exit".
+[[nodiscard]] std::string_view word_of(frontend::ActionKind kind);
+/// "uses", "requires", "provides".
+[[nodiscard]] std::string_view word_of(frontend::InterfaceUse use);
+
+[[nodiscard]] std::string text_of(const frontend::Expr& expr);
+/// Without the word `send`, as RoboTool draws statements.
+[[nodiscard]] std::string text_of(const frontend::Stmt& statement);
+/// `v: T = e`
+[[nodiscard]] std::string text_of(const frontend::Variable& variable);
+/// `e: T`
+[[nodiscard]] std::string text_of(const frontend::Event& event);
+/// `op(p: T)`
+[[nodiscard]] std::string text_of(const frontend::OperationSignature& signature);
+/// `op(p: T) [terminates]`
+[[nodiscard]] std::string title_of(const frontend::Machine& operation);
+/// `f(x: T): U`
+[[nodiscard]] std::string text_of(const frontend::Function& function);
+/// `l(T)`
+[[nodiscard]] std::string text_of(const frontend::EnumLiteral& literal);
+/// `trigger #C <{d}p{e}[guard]/action`, in the pieces that a line may be broken between.
+[[nodiscard]] std::vector<std::string> label_of(const frontend::Transition& transition);
+
+}  // namespace robochart::diagrams

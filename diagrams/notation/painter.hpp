@@ -1,0 +1,60 @@
+// What the diagrams of all kinds have in common: titles, labels, squares of events.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnostics/budget.hpp"
+#include "diagrams/layout/text_width.hpp"
+#include "diagrams/notation/elements.hpp"
+#include "diagrams/notation/memory.hpp"
+#include "diagrams/notation/picture.hpp"
+#include "diagrams/notation/rows.hpp"
+
+namespace robochart::diagrams {
+
+/// What drawing needs.
+struct Drawing {
+    const Elements& elements;
+    Memory* memory = nullptr;
+    diagnostics::Budget* budget = nullptr;
+};
+
+/// A title of a box: a sign and text.
+struct Title {
+    Icon icon = Icon::no_icon;
+    std::string text;
+    bool italic = false, bold = false, underlined = false;
+    bool reference = false;
+
+    [[nodiscard]] double width() const;
+    /// Writes it, centred, into the first `height` pixels of a box.
+    void write(PictureBox& box, double height) const;
+};
+
+/// Lines of text one below the other.
+[[nodiscard]] layout::Size size_of(const layout::Lines& lines);
+/// Writes them below a place.
+void write_lines(const layout::Lines& lines, const layout::Point& corner, std::vector<Text>& texts);
+
+/// An event on the border of a component.
+struct EventSquare {
+    std::string label;
+    std::size_t element = none;
+    bool broadcast = false;
+    std::string whole;  ///< the label where that is elided
+};
+/// A label of a square.
+[[nodiscard]] EventSquare square_of(const std::string& label, std::size_t element, bool broadcast);
+/// The events of a component, its own and those of the interfaces that it uses.
+[[nodiscard]] std::vector<const frontend::Event*> events_of(const frontend::Context& context);
+[[nodiscard]] EventSquare square_of(const frontend::Event& event, const Elements& elements);
+[[nodiscard]] double label_width(const EventSquare& square);
+/// The square with its label to the left or to the right of it.
+[[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::Point& centre, std::size_t owner,
+                                     bool label_left);
+
+/// Moves a picture so that everything is within its size, with a margin.
+void crop(Picture& picture);
+
+}  // namespace robochart::diagrams

@@ -1,0 +1,90 @@
+// Exports for Mermaid and Graphviz: what they say, and that Graphviz reads them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "diagnostics/files.hpp"
+#include "diagrams/exports/dot.hpp"
+#include "diagrams/exports/mermaid.hpp"
+#include "tests/diagrams/models.hpp"
+#include "tests/needed.hpp"
+
+namespace robochart::diagrams {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr const char* model =
+    "stm M { event e event f : nat var x : nat initial i junction j final F\n"
+    " state s { entry x = 1; wait(2) state t { } initial k transition u { from k to t } }\n"
+    " transition a { from i to s } transition b { from s to j trigger f?x condition x > 1 }\n"
+    " transition c { from j to F } transition d { from s to s trigger e } }\n";
+
+std::string exported(std::string (*format)(const Picture&), const std::string& text = model) {
+    std::string result;
+    draw_each({{"m.rct", text}}, [&](const DrawnModel& drawn) { result = format(drawn.picture); });
+    return result;
+}
+
+TEST(Mermaid, SaysWhatIsDrawn) {
+    EXPECT_EQ(exported(mermaid),
+              "stateDiagram-v2\n"
+              "  %% state machine M\n"
+              "  %% not shown: interfaces, variables, constants and clocks of the component\n"
+              "  %% not shown: its events\n"
+              "  state n4 <<choice>>\n"
+              "  state \"s\" as n6 {\n"
+              "    state \"t\" as n7\n"
+              "    [*] --> n7\n"
+              "  }\n"
+              "  note right of n6 : entry x = 1#59; wait(2)\n"
+              "  [*] --> n6\n"
+              "  n6 --> n4 : f?x[x #62; 1]\n"
+              "  n4 --> [*]\n"
+              "  n6 --> n6 : e\n");
+}
+
+/// `;` would end a statement, `::` is refused, `\n` would be a line end.
+TEST(Mermaid, TextIsEscaped) {
+    const std::string text = exported(
+        mermaid,
+        "stm M { var v : string initial i state s { entry v = \"a;b::c\\n%%{}<x>\" } transition t { from i to s } }\n");
+    const std::size_t begin = text.find("entry v");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string action = text.substr(begin, text.find('\n', begin) - begin);
+    for (const char* sign : {"::", "\\", "%", "{", "}", "<", ">", "\""}) EXPECT_THAT(action, Not(HasSubstr(sign)));
+    EXPECT_THAT(action, HasSubstr("a#59;b#58;#58;c#92;n"));
+}
+
+TEST(Mermaid, ComponentsAreFlowcharts) {
+    const std::string text = exported(mermaid,
+                                      "stm S { event e initial i }\nstm T { event e initial i }\n"
+                                      "controller C { sref a = S sref b = T connection a on e to b on e }\n");
+    EXPECT_THAT(text, StartsWith("flowchart LR\n"));
+    EXPECT_THAT(text, HasSubstr("ref a = S"));
+    EXPECT_THAT(text, HasSubstr(" --> "));
+}
+
+TEST(Dot, SaysWhatIsDrawn) {
+    const std::string text = exported(dot);
+    EXPECT_THAT(text, StartsWith("digraph \"state machine M\" {\n"));
+    EXPECT_THAT(text, HasSubstr("n6 -> n4 [label=\"f?x[x > 1]\", ltail=cluster_n6];"));
+    EXPECT_THAT(text, HasSubstr("subgraph cluster_n6 {\n      label=\"s\\nentry x = 1; wait(2)\";"));
+}
+
+TEST(Dot, IsReadByGraphviz) {
+    ROBOCHART_NEEDS(std::system("dot -V > /dev/null 2>&1") == 0, "dot (Debian: graphviz)");
+    draw_own_models([](const DrawnModel& drawn) {
+        std::string error;
+        const diagnostics::TemporaryFolder folder("", error);
+        ASSERT_EQ(diagnostics::write_below(folder.path(), "m.dot", dot(drawn.picture)), "");
+        const std::string command = "dot -Tcanon '" + folder.path() + "/m.dot' > /dev/null";
+        EXPECT_EQ(std::system(command.c_str()), 0) << drawn.subject.name;
+    });
+}
+
+}  // namespace
+}  // namespace robochart::diagrams

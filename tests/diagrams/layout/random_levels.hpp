@@ -1,0 +1,15 @@
+// Levels of every shape, from a seed.
+#pragma once
+
+#include <cstdint>
+
+#include "diagrams/layout/level.hpp"
+
+namespace robochart::diagrams {
+
+/// States, junctions, transitions with and without labels, loops; perhaps in several parts.
+[[nodiscard]] layout::Level random_machine(std::uint64_t seed, std::size_t most_boxes);
+/// Components with events on their borders, connections between them and to the border of the whole.
+[[nodiscard]] layout::Level random_components(std::uint64_t seed, std::size_t most_boxes);
+
+}  // namespace robochart::diagrams
