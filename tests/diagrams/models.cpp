@@ -2,6 +2,7 @@
 #include "tests/diagrams/models.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <vector>
 
 #include "tests/contents.hpp"
@@ -27,8 +28,43 @@ std::size_t draw_below(const fs::path& folder, const std::function<void(const Dr
     return files.size();
 }
 
+namespace {
+
+/// The models shown in a page: its blocks `robochart`.
+std::vector<std::string> models_in(const std::string& page) {
+    std::vector<std::string> models;
+    std::istringstream lines(page);
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("```")) {
+            inside = !inside && line.starts_with("```robochart");
+            if (inside) models.emplace_back();
+        } else if (inside) {
+            models.back() += line + "\n";
+        }
+    }
+    return models;
+}
+
+std::size_t draw_documents(const std::function<void(const DrawnModel&)>& look) {
+    std::vector<fs::path> pages;
+    for (const auto& entry : fs::recursive_directory_iterator(tests::source_folder() / "docs"))
+        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    std::sort(pages.begin(), pages.end());
+    std::size_t count = 0;
+    for (const fs::path& page : pages)
+        for (const std::string& model : models_in(tests::contents(page))) {
+            draw_each({{page.string() + ".rct", model}}, look);
+            ++count;
+        }
+    return count;
+}
+
+}  // namespace
+
 std::size_t draw_own_models(const std::function<void(const DrawnModel&)>& look) {
-    return draw_below(tests::source_folder() / "corpus", look) + draw_below(tests::source_folder() / "tests", look);
+    return draw_below(tests::source_folder() / "corpus", look) + draw_below(tests::source_folder() / "tests", look) +
+           draw_documents(look);
 }
 
 }  // namespace robochart::diagrams

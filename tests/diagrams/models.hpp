@@ -23,7 +23,7 @@ struct DrawnModel {
 void draw_each(const random_models::Project& project, const std::function<void(const DrawnModel&)>& look);
 /// The same for every model file below a folder, alone; returns how many there were.
 std::size_t draw_below(const std::filesystem::path& folder, const std::function<void(const DrawnModel&)>& look);
-/// The same for the corpus and the models of the tests.
+/// The same for the corpus, the models of the tests, and those shown in the documentation.
 std::size_t draw_own_models(const std::function<void(const DrawnModel&)>& look);
 
 }  // namespace robochart::diagrams

@@ -44,7 +44,7 @@ void expect_good(const DrawnModel& drawn) {
 }
 
 TEST(Pictures, OfOurModelsMeetTheCriteria) {
-    EXPECT_GT(draw_own_models(expect_good), 100U);
+    EXPECT_GT(draw_own_models(expect_good), 300U);
 }
 
 TEST(Pictures, OfPublicModelsMeetTheCriteria) {
