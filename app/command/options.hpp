@@ -75,6 +75,7 @@ struct Options {
     bool quiet = false;
     bool cache = true;           ///< take what earlier runs have worked out, and keep what this one does
     bool fix = false;            ///< validate: apply certain fixes to the files
+    std::string html;            ///< the report as a page, to this file; "": none
     bool simulation = false;     ///< init: with a scenario
     bool ros2 = false;           ///< init: with a mapping to messages
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample

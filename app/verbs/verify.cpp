@@ -11,6 +11,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/report/html.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -380,6 +381,15 @@ void report_broken_claims(const Project& project, const Options& options, Report
     }
 }
 
+/// `--html`. False, with a message, where it cannot be written.
+bool write_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
+    if (options.html.empty()) return true;
+    const std::string error =
+        diagnostics::replace_file(options.html, render_html(report, parts, options), &options.run->budget());
+    if (!error.empty()) print_error("robochart-verify: {}\n", error);
+    return error.empty();
+}
+
 /// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
 Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
     begin(parts, options, report);
@@ -405,9 +415,10 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
     }
     if (parts.size() > 1) note_refused(parts, options, report);
     note_nothing(options, report);
+    const bool written = write_page(parts, options, report);
     const bool accepted = show_all(parts, options);
     const Exit exit = print_report(report, options);
-    return accepted ? exit : Exit::bad_input;
+    return accepted && written ? exit : Exit::bad_input;
 }
 
 /// The phase asked for by --print, added to the text.

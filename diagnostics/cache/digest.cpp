@@ -45,4 +45,14 @@ Digest Hasher::finish() {
     return digest;
 }
 
+std::string policy_hash(std::string_view text) {
+    std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};
+    const std::string bytes(text);
+    crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+    std::string encoded(sodium_base64_ENCODED_LEN(hash.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
+    sodium_bin2base64(encoded.data(), encoded.size(), hash.data(), hash.size(), sodium_base64_VARIANT_ORIGINAL);
+    encoded.resize(encoded.find('\0'));
+    return "sha256-" + encoded;
+}
+
 }  // namespace robochart::diagnostics

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace robochart::diagnostics {
@@ -34,5 +35,8 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// "sha256-...": how a Content-Security-Policy names a script or style with this text.
+[[nodiscard]] std::string policy_hash(std::string_view text);
 
 }  // namespace robochart::diagnostics

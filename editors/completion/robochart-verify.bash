@@ -5,15 +5,15 @@ _robochart_verify_emitted='csp cpp monitor tests'
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
-    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
@@ -58,6 +58,7 @@ _robochart_verify_argument() {
     'conform --format') echo 'text json junit' ;;
     'validate --format') echo 'text json sarif' ;;
     'cspm --format') echo 'text plain json framed_json junit' ;;
+    'verify --html' | 'check --html' | 'conform --html') echo '<file>' ;;
     'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'step --color' | 'draw --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
     'cspm --export') echo 'aut dot csp' ;;
     'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'simulate --progress') echo 'auto json never' ;;

@@ -87,6 +87,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "check"' -l form
 complete -c robochart-verify -n '__robochart_verify_is "conform"' -l format -x -a 'text json junit' -d 'how the result is printed'
 complete -c robochart-verify -n '__robochart_verify_is "validate"' -l format -x -a 'text json sarif' -d 'how findings are printed'
 complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l format -x -a 'text plain json framed_json junit' -d 'how the result is printed; plain, json and framed_json as by FDR\'s refines'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "conform"' -l html -r -F -d 'also write the report as one page with diagrams, on which counterexamples are stepped through'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "step" "draw" "simulate" "format" "explain"' -l color -x -a 'auto always never' -d 'colours of the text; auto: on a terminal, unless NO_COLOR is set'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -s q -l quiet -d 'print only what is wrong and the closing line'
 complete -c robochart-verify -n '__robochart_verify_is "validate"' -s q -l quiet -d 'print only what is wrong'

@@ -1,0 +1,70 @@
+"use strict";
+(function () {
+  document.documentElement.classList.add("scripted");
+  const claims = Array.from(document.querySelectorAll("section.claim"));
+  let current = null;
+  function steps(claim) { return Array.from(claim.querySelectorAll("tr.step")); }
+  function at(claim) { return steps(claim).findIndex((row) => row.getAttribute("aria-current") === "step"); }
+  function marked(claim, list, name) {
+    for (const word of (list || "").split(" ")) {
+      const colon = word.indexOf(":");
+      if (colon < 0) continue;
+      const figure = claim.querySelector('figure[data-machine="' + word.slice(0, colon) + '"]');
+      if (!figure) continue;
+      for (const part of figure.querySelectorAll('[data-element="' + word.slice(colon + 1) + '"]')) part.classList.add(name);
+    }
+  }
+  function show(claim, index, move) {
+    const rows = steps(claim);
+    if (rows.length === 0) return;
+    index = Math.max(0, Math.min(rows.length - 1, index));
+    for (const row of rows) row.removeAttribute("aria-current");
+    for (const part of claim.querySelectorAll(".on, .fired")) part.classList.remove("on", "fired");
+    const row = rows[index];
+    row.setAttribute("aria-current", "step");
+    marked(claim, row.dataset.on, "on");
+    marked(claim, row.dataset.fired, "fired");
+    claim.querySelector(".status").textContent = "step " + index + " of " + (rows.length - 1) + ": " + row.dataset.text;
+    current = claim;
+    if (move) {
+      history.replaceState(null, "", "#" + claim.id + "/s/" + index);
+      row.scrollIntoView({ block: "nearest" });
+    }
+  }
+  function fromAddress() {
+    const match = /^#(a[0-9]+)(?:\/s\/([0-9]+))?$/.exec(location.hash);
+    const claim = match && document.getElementById(match[1]);
+    if (!claim || !claim.classList.contains("claim")) return;
+    show(claim, match[2] === undefined ? steps(claim).length - 1 : Number(match[2]), false);
+    claim.scrollIntoView();
+  }
+  for (const claim of claims) {
+    steps(claim).forEach((row, index) => {
+      row.tabIndex = 0;
+      row.addEventListener("click", () => show(claim, index, true));
+    });
+    for (const button of claim.querySelectorAll(".controls button"))
+      button.addEventListener("click", () => {
+        const last = steps(claim).length - 1;
+        const to = { first: 0, back: at(claim) - 1, next: at(claim) + 1, last: last };
+        show(claim, to[button.dataset.to], true);
+      });
+    show(claim, steps(claim).length - 1, false);
+  }
+  current = claims.length > 0 ? claims[0] : null;
+  document.addEventListener("keydown", (event) => {
+    if (!current || event.ctrlKey || event.altKey || event.metaKey) return;
+    const to = { ArrowRight: at(current) + 1, j: at(current) + 1, ArrowLeft: at(current) - 1, k: at(current) - 1,
+                 Home: 0, End: steps(current).length - 1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    show(current, to, true);
+  });
+  const only = document.getElementById("only");
+  if (only)
+    only.addEventListener("change", () => {
+      for (const row of document.querySelectorAll("#verdicts tbody tr")) row.hidden = only.checked && row.classList.contains("good");
+    });
+  window.addEventListener("hashchange", fromAddress);
+  fromAddress();
+})();
