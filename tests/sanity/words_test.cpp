@@ -96,7 +96,7 @@ Words words(std::string_view text) {
     return result;
 }
 
-constexpr std::string_view heading = "## Words that are not used\n";
+constexpr std::string_view heading = "### Words that are not used\n";
 
 /// The first column of the table below the heading: what stands between backquotes.
 std::vector<Words> words_not_used() {
