@@ -1,5 +1,5 @@
-# What is installed beside the program and the libraries of the language: man page, completions, licences, examples, pages of
-# rules; and a target that removes what was installed. Headers of generated code are not: they are built into the program,
+# What is installed beside the program and the libraries of the language: man page, completions, licences, examples, the
+# documents; and a target that removes what was installed. Headers of generated code are not: they are built into the program,
 # which writes them with the code.
 include(GNUInstallDirs)
 
@@ -19,6 +19,11 @@ install(FILES ${completions}/robochart-verify.fish DESTINATION ${CMAKE_INSTALL_D
 
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/cmake/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/corpus/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(CODE "set(sources \"${CMAKE_SOURCE_DIR}\")
+set(build \"${CMAKE_BINARY_DIR}\")
+set(destination \"${CMAKE_INSTALL_DOCDIR}\")
+include(\"${CMAKE_SOURCE_DIR}/cmake/install_pages.cmake\")")
 
 add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest.txt
                   -P ${CMAKE_SOURCE_DIR}/cmake/uninstall.cmake VERBATIM)

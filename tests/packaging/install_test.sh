@@ -25,6 +25,10 @@ expected="$(
     echo share/doc/robochart-verify/LICENSE
     echo share/doc/robochart-verify/copyright
     (cd "$sources/corpus" && find . -type f | sed 's|^\.|share/doc/robochart-verify/examples|')
+    echo share/doc/robochart-verify/README.md
+    echo share/doc/robochart-verify/CHANGELOG.md
+    (cd "$sources/docs" && find . -maxdepth 1 -name '*.md' | sed 's|^\.|share/doc/robochart-verify|')
+    (cd "$sources/docs" && find pictures -type f | sed 's|^|share/doc/robochart-verify/|')
     (cd "$sources/docs/rules" && find . -name '*.md' | sed 's|^\.|share/doc/robochart-verify/rules|')
     (cd "$sources/frontend/toolkits/library" && find . -name '*.rct' | sed 's|^\.|share/robochart-verify/library|')
   } | sort
@@ -33,6 +37,15 @@ found="$(cd "$folder/usr" && find . -type f -o -type l | sed 's|^\./||' | sort)"
 diff <(echo "$expected") <(echo "$found") || { echo "other files are installed than expected" >&2; exit 1; }
 
 gzip -dc "$folder/usr/share/man/man1/robochart-verify.1.gz" | cmp - "$sources/docs/robochart-verify.1"
+
+# Links of the documents lead to what is installed.
+links=0
+while IFS=: read -r page link; do
+  links=$((links + 1))
+  [ -e "$(dirname "$page")/$link" ] || { echo "$page: $link leads nowhere" >&2; exit 1; }
+done < <(grep -roE --include='*.md' '\]\([^)#: ]+' "$folder/usr/share/doc/robochart-verify" | sed 's/\](//' |
+  grep -vE ':(https?|CODE\.md)$')  # the form of a line of rules/README.md
+[ "$links" -gt 500 ] || { echo "only $links links are found" >&2; exit 1; }
 
 mkdir "$folder/elsewhere"
 cd "$folder/elsewhere"
