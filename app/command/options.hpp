@@ -46,6 +46,10 @@ enum class Verb {
     help,
     version
 };
+/// Whether assertions are decided.
+[[nodiscard]] constexpr bool decides_assertions(Verb verb) {
+    return verb == Verb::verify || verb == Verb::check;
+}
 /// How results are printed.
 enum class Format { text, json, sarif, plain, framed_json, junit };
 /// Whether progress goes to stderr, and how.

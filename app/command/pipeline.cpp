@@ -258,7 +258,7 @@ void read_blocks(const Part& part, const Options& options) {
 /// Where claims are decided, those of other files do not wait for an assertion file with errors: a part with errors
 /// becomes two where that leaves something to decide (broken_claims.hpp).
 void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
-    const bool decides = options.verb == Verb::check || options.verb == Verb::verify;
+    const bool decides = decides_assertions(options.verb);
     if (!decides || !options.print.empty() || !options.assertion.empty()) return;
     std::vector<Part> result;
     for (Part& part : parts) {
@@ -309,7 +309,7 @@ std::vector<Part> read_parts(const Options& options) {
 
 bool core_wanted(const Part& part, const Options& options) {
     const Project& project = *part.project;
-    const bool checks = options.verb == Verb::check || options.verb == Verb::verify;
+    const bool checks = decides_assertions(options.verb);
     const auto& files = project.model->files;
     const bool claims =
         !project.system.properties.empty() || std::any_of(files.begin(), files.end(), [](const auto& file) {

@@ -276,6 +276,9 @@ std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const
             text = assertion_text(stepper, stepped, path);
         else
             return fmt::format("{}: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", path);
+        std::error_code code;
+        if (std::filesystem::exists(std::filesystem::symlink_status(path, code)))
+            return fmt::format("{} is there already, and stays as it is", path);
         if (extension == ".trace" && stepped.time != csp_emit::Time::timed)
             return "logs have time; the untimed semantics has none";
         return diagnostics::replace_file(path, text, &run.budget());

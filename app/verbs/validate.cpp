@@ -40,6 +40,11 @@ diagnostics::Diagnostics together(const std::vector<Part>& parts) {
     return all;
 }
 
+/// No errors, and no warnings where they are denied.
+bool valid(const diagnostics::Diagnostics& findings, const Options& options) {
+    return findings.ok() && !(options.deny_warnings && findings.warnings() > 0);
+}
+
 /// `limit`: why not everything was looked at; "" if it was.
 void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings, const std::string& limit,
           const Options& options) {
@@ -51,8 +56,7 @@ void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnost
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
         print_error_styled(diagnostics::render_text(sources, findings, style));
-        const bool valid = findings.ok() && !(options.deny_warnings && findings.warnings() > 0);
-        if (!options.quiet && limit.empty() && valid) print("valid\n");
+        if (!options.quiet && limit.empty() && valid(findings, options)) print("valid\n");
     }
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
@@ -74,9 +78,9 @@ Exit validate(const Options& options) {
     options.run->finish();
     const diagnostics::Diagnostics findings = together(parts);
     show(parts.front().project->sources, findings, "", options);
-    const bool denied = options.deny_warnings && findings.warnings() > 0;
-    if (findings.ok() && denied) print_error("warnings are denied (--deny-warnings)\n");
-    return findings.ok() && !denied ? Exit::success : Exit::bad_input;
+    const bool good = valid(findings, options);
+    if (findings.ok() && !good) print_error("warnings are denied (--deny-warnings)\n");
+    return good ? Exit::success : Exit::bad_input;
 }
 
 }  // namespace

@@ -317,7 +317,7 @@ namespace {
 
 /// A run that was to check something and had nothing to check does not pass for one that found everything in order.
 void note_nothing(const Options& options, Report& report) {
-    if (options.verb != Verb::check && options.verb != Verb::verify) return;
+    if (!decides_assertions(options.verb)) return;
     const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
     if (std::any_of(report.assertions.begin(), report.assertions.end(), decided)) return;
     report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
@@ -365,7 +365,7 @@ void note_refused(const std::vector<Part>& parts, const Options& options, Report
 
 /// The claims of assertion files that have errors, or that may depend on those: none of them is decided.
 void report_broken_claims(const Project& project, const Options& options, Report& report) {
-    if (options.verb != Verb::check && options.verb != Verb::verify) return;
+    if (!decides_assertions(options.verb)) return;
     for (const auto& file : project.model->files) {
         if (!file->is_assertions) continue;
         for (const frontend::Assertion& claim : file->assertions) {
