@@ -158,8 +158,8 @@ private:
     void verdict(std::size_t number, const AssertionReport& assertion);
     void claim(std::size_t number, const AssertionReport& assertion);
     void steps(std::size_t number, const runs::Run& run);
-    void row(std::size_t number, const std::string& classes, const std::string& marks, const std::string& what,
-             const runs::Step* step, const std::vector<runs::Machine>& machines);
+    void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+             const std::vector<runs::Machine>& after);
     void figures(std::size_t number);
     void code();
     void pictures();
@@ -253,42 +253,74 @@ std::string Page::fired(const runs::Step& step) const {
     return fmt::format("{}", fmt::join(marks, " "));
 }
 
-/// `named`: with the last part of its path, where there are several.
-std::string machine_text(const runs::Machine& machine, bool named) {
+/// Where a machine is, with its variables.
+std::string machine_text(const runs::Machine& machine) {
     std::vector<std::string> values;
     for (const runs::Variable& each : machine.variables)
         if (each.kind != runs::VariableKind::constant && each.value)
             values.push_back(fmt::format("{} = {}", each.name, *each.value));
-    const std::string name = machine.component.substr(machine.component.rfind(':') + 1);
-    return fmt::format("{}{}{}{}", named ? name + ": " : "", machine.text, values.empty() ? "" : ", ",
-                       fmt::join(values, ", "));
+    return fmt::format("{}{}{}", machine.text, values.empty() ? "" : ", ", fmt::join(values, ", "));
+}
+
+std::string event_text(const runs::Event& event) {
+    return event.via.empty() ? event.text : fmt::format("{} ({})", event.text, event.via);
 }
 
 std::string step_text(const runs::Step& step) {
-    std::string text = step.event.text;
-    if (!step.event.via.empty()) text += fmt::format(" ({})", step.event.via);
+    std::string text = event_text(step.event);
     for (const runs::Event& other : step.with) text += fmt::format("; {}: {}", other.component, other.text);
     for (const runs::Change& change : step.changes) text += fmt::format("; {} = {}", change.name, change.after);
     return text;
 }
 
-void Page::row(std::size_t number, const std::string& classes, const std::string& marks, const std::string& what,
-               const runs::Step* step, const std::vector<runs::Machine>& machines) {
-    std::vector<std::string> states, offered;
-    for (const runs::Machine& each : machines) states.push_back(xml_text(machine_text(each, machines_.size() > 1)));
+/// What a component does in a step, and what it changes.
+std::string does(const runs::Step& step, const std::string& component) {
+    std::vector<std::string> parts;
+    if (step.event.component == component) parts.push_back(event_text(step.event));
+    for (const runs::Event& each : step.with)
+        if (each.component == component) parts.push_back(event_text(each));
+    for (const runs::Change& change : step.changes)
+        if (change.component == component) parts.push_back(fmt::format("{} = {}", change.name, change.after));
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+const runs::Machine* find(const std::vector<runs::Machine>& machines, const std::string& component) {
+    const auto found = std::find_if(machines.begin(), machines.end(),
+                                    [&](const runs::Machine& each) { return each.component == component; });
+    return found == machines.end() ? nullptr : &*found;
+}
+
+/// A lane for each machine: what it does, and below it where it is then, if that is new. `step`: null for the
+/// beginning.
+void Page::row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+               const std::vector<runs::Machine>& after) {
+    const std::string what = step == nullptr ? "the beginning" : step_text(*step);
+    out_ +=
+        fmt::format("<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-text=\"{}\"><td class=\"number\">{}</td>",
+                    active(after), step == nullptr ? "" : fired(*step), xml_text(what), number);
+    out_ += fmt::format("<td class=\"number\">{}</td>",
+                        step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
+    bool said = false;
+    for (const auto& [component, definition] : machines_) {
+        const std::string done = step == nullptr ? "" : does(*step, component);
+        const runs::Machine* const was = find(before, component);
+        const runs::Machine* const is = find(after, component);
+        const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : machine_text(*is);
+        const bool news = step == nullptr || was == nullptr || is == nullptr || machine_text(*was) != then;
+        said = said || !done.empty();
+        out_ += fmt::format("<td>{}{}</td>", xml_text(done),
+                            news && !then.empty() ? fmt::format("<div class=\"then\">{}</div>", xml_text(then)) : "");
+    }
+    out_ += fmt::format("<td>{}</td>", step == nullptr || said ? "" : xml_text(what));
+    std::vector<std::string> offered;
     if (step != nullptr)
         for (const runs::Event& each : step->offered) offered.push_back(xml_text(each.text));
-    std::string place;
-    if (step != nullptr && step->event.place)
-        place = fmt::format("{}:{}", xml_text(step->event.place->file), step->event.place->line);
-    out_ += fmt::format("<tr class=\"{}\" {} data-text=\"{}\"><td class=\"number\">{}</td><td class=\"number\">{}</td>",
-                        classes, marks, xml_text(what), number,
-                        step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
-    out_ += fmt::format(
-        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", xml_text(what), place, fmt::join(states, "<br>"),
-        offered.empty()
-            ? ""
-            : fmt::format("<details><summary>{}</summary>{}</details>", offered.size(), fmt::join(offered, "<br>")));
+    const bool placed = step != nullptr && step->event.place;
+    out_ += fmt::format("<td>{}</td><td>{}</td></tr>\n",
+                        placed ? fmt::format("{}:{}", xml_text(step->event.place->file), step->event.place->line) : "",
+                        offered.empty() ? ""
+                                        : fmt::format("<details><summary>{}</summary>{}</details>", offered.size(),
+                                                      fmt::join(offered, "<br>")));
 }
 
 void Page::steps(std::size_t number, const runs::Run& run) {
@@ -297,22 +329,27 @@ void Page::steps(std::size_t number, const runs::Run& run) {
         "<button type=\"button\" data-to=\"back\">back</button><button type=\"button\" data-to=\"next\">next</button>"
         "<button type=\"button\" data-to=\"last\">last</button> <span class=\"status\" "
         "aria-live=\"polite\"></span></p>\n"
-        "<table aria-label=\"steps of a{}\"><thead><tr><th scope=\"col\">step</th><th scope=\"col\">{}</th>"
-        "<th scope=\"col\">what happens</th><th scope=\"col\">place</th><th scope=\"col\">then</th>"
-        "<th scope=\"col\">also possible</th></tr></thead>\n<tbody>\n",
+        "<table aria-label=\"steps of a{}\"><thead><tr><th scope=\"col\">step</th><th scope=\"col\">{}</th>",
         number, run.timed ? "time" : "");
-    row(0, "step", fmt::format("data-on=\"{}\" data-fired=\"\"", active(run.initial)), "the beginning", nullptr,
-        run.initial);
+    for (const auto& [component, definition] : machines_)
+        out_ += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component),
+                            xml_text(component.substr(component.rfind(':') + 1)));
+    out_ +=
+        "<th scope=\"col\">elsewhere</th><th scope=\"col\">place</th><th scope=\"col\">also "
+        "possible</th></tr></thead>\n"
+        "<tbody>\n";
+    const std::size_t columns = machines_.size() + 5;
+    row(0, nullptr, {}, run.initial);
     const std::size_t count = run.steps.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (i == most_steps / 2 && count > most_steps) {
             i = count - most_steps / 2;
-            out_ += fmt::format("<tr><td colspan=\"6\">{} steps are left out</td></tr>\n", count - most_steps);
+            out_ +=
+                fmt::format("<tr><td colspan=\"{}\">{} steps are left out</td></tr>\n", columns, count - most_steps);
         }
-        if (run.loop_start == i) out_ += "<tr><td colspan=\"6\">then for ever:</td></tr>\n";
+        if (run.loop_start == i) out_ += fmt::format("<tr><td colspan=\"{}\">then for ever:</td></tr>\n", columns);
         const runs::Step& step = run.steps[i];
-        row(i + 1, "step", fmt::format("data-on=\"{}\" data-fired=\"{}\"", active(step.machines), fired(step)),
-            step_text(step), &step, step.machines);
+        row(i + 1, &step, i == 0 ? run.initial : run.steps[i - 1].machines, step.machines);
     }
     out_ += "</tbody></table>\n</div>\n";
 }

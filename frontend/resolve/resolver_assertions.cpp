@@ -1,9 +1,11 @@
 // Assertions and csp blocks (assertion language 4): names of components are paths through references,
 // `Module::controller_ref::machine_ref::State`; a csp block's name goes before.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "diagnostics/spelling.hpp"
 #include "frontend/resolve/resolver.hpp"
@@ -214,6 +216,27 @@ std::vector<std::string> AssertionResolver::known_names() const {
     return names;
 }
 
+/// Whether a line of the block begins with the name and a parameter or `=`, so that it defines it.
+bool defines(const CspBlock& block, std::string_view name) {
+    std::istringstream lines(block.text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+        if (line.compare(begin, name.size(), name) != 0) continue;
+        const std::size_t next = line.find_first_not_of(" \t", begin + name.size());
+        if (next != std::string::npos && (line[next] == '=' || line[next] == '(')) return true;
+    }
+    return false;
+}
+
+/// What there is instead, where it is not too much to read.
+std::string instead(std::vector<std::string> names) {
+    constexpr std::size_t most = 6;
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    if (names.empty() || names.size() > most) return "";
+    return fmt::format("; there are {}", fmt::join(names, ", "));
+}
+
 void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
     if (way.used > 0) return unknown_part(name, way);
     if (const Declaration* other = finder_.names().find({file_, nullptr}, name, other_kinds)) {
@@ -226,9 +249,17 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
     std::size_t wrong = 0;
     for (std::size_t parts = 1; parts < std::min(name.parts.size(), finder_.names().most_parts() + 1); ++parts)
         if (finder_.names().has_package(first_parts(name, parts).text())) wrong = parts;
-    auto& finding =
-        finder_.out().report(rules::unknown_component, name.span, {"component or csp process", name.text(), ""});
     const std::string meant = diagnostics::nearest(name.parts[wrong], known_names());
+    auto& finding = finder_.out().report(
+        rules::unknown_component, name.span,
+        {"component or csp process", name.text(), meant.empty() ? instead(known_names()) : std::string()});
+    for (const auto& file : model_.files)
+        for (const CspBlock& block : file->csp_blocks)
+            if (name.parts.size() == 1 && defines(block, name.text()))
+                finding.notes.push_back(
+                    {block.name_span, fmt::format("the csp block `{}` defines it; an assertion names a block, which "
+                                                  "defines a process of its own name",
+                                                  block.name)});
     if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, diagnostics::suggested(false)});
 }
 

@@ -90,13 +90,16 @@ TEST(Step, ALongWayIsAnAssertionToo) {
 }
 
 TEST(Step, ReportsWrongCommands) {
-    const Ran ran =
-        step("17\\nundo\\nundo 99\\ntock -1\\nuntil\\nrandm 2\\nsave way.txt\\nsave /proc/way.trace\\nsave m.assertions\\nsave m.assertions\\n", "S");
+    const Ran ran = step(
+        "17\\nundo\\nundo 99\\ntock -1\\nuntil\\nrandm 2\\nsave way.txt\\nsave /proc/way.trace\\nsave "
+        "m.assertions\\nsave m.assertions\\n",
+        "S");
     EXPECT_EQ(ran.exit, 1);
     for (const std::string text :
          {"there is no offer 17", "there is no choice to go back from", "the way has only ",
           "-1: a whole number is wanted", "until what?", "no command 'randm'; did you mean 'random'?",
-          "way.txt: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", "/proc/way.trace", "m.assertions is there already, and stays as it is"})
+          "way.txt: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", "/proc/way.trace",
+          "m.assertions is there already, and stays as it is"})
         EXPECT_THAT(ran.err, HasSubstr(text));
 }
 
