@@ -283,6 +283,20 @@ TEST(Diagram, WrongParametersAreRefused) {
     EXPECT_TRUE(client.request("robochart/diagram", asked("component", std::string(100000, ':'))).is_null());
 }
 
+TEST(Diagram, TooLargeOnesAreRefusedAndTheServerGoesOn) {
+    Client client;
+    std::string text = "stm R { event e initial i0 ";
+    // A chain, and a transition from each state over all behind it to the last one.
+    for (int i = 0; i < 500; ++i) text += fmt::format("state S{} {{ }} ", i);
+    for (int i = 0; i < 499; ++i)
+        for (const int to : {i + 1, 499})
+            text += fmt::format("transition t{}_{} {{ from S{} to S{} trigger e }} ", i, to, i, to);
+    client.open(diagram_uri, text + "}\nstm Q { initial i0 state A { } transition t { from i0 to A } }\n");
+    constexpr std::int64_t failed = -32803;
+    EXPECT_EQ(client.ask("robochart/diagram", asked("component", "R"))["error"]["code"].number(), failed);
+    EXPECT_EQ(client.request("robochart/diagram", asked("component", "Q"))["component"].text(), "Q");
+}
+
 TEST(Diagram, TextOfTheModelIsEscaped) {
     Client client;
     client.open(diagram_uri,
