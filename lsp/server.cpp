@@ -9,6 +9,7 @@
 
 #include "lsp/cspm/answers.hpp"
 #include "lsp/features/capabilities.hpp"
+#include "lsp/features/diagram.hpp"
 #include "lsp/features/documents.hpp"
 #include "lsp/features/features.hpp"
 
@@ -28,6 +29,7 @@ struct NotificationRow {
 constexpr std::array requests = {
     RequestRow{"callHierarchy/incomingCalls", incoming_calls},
     RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
+    RequestRow{diagram_request, diagram},
     RequestRow{"textDocument/codeAction", code_actions},
     RequestRow{"textDocument/codeLens", code_lenses},
     RequestRow{"textDocument/completion", completion},

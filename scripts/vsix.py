@@ -98,7 +98,7 @@ def manifest_of(package):
 def content_types(names):
     """Each extension has a type; files without one are named."""
     types = {".json": "application/json", ".js": "application/javascript", ".md": "text/markdown",
-             ".png": "image/png", ".vsixmanifest": "text/xml"}
+             ".png": "image/png", ".css": "text/css", ".vsixmanifest": "text/xml"}
     lines = set()
     for name in names:
         ending = os.path.splitext(name)[1]

@@ -77,6 +77,7 @@ Json server_capabilities(const Client& client) {
         {"selectionRangeProvider", true},
         {"semanticTokensProvider", Json::object({{"legend", legend}, {"full", true}})},
         {"workspace", Json::object({{"workspaceFolders", folders}})},
+        {"experimental", Json::object({{"robochart", Json::object({{"diagram", true}, {"diagramChanged", true}})}})},
     });
     if (client.checks_assertions) capabilities["codeLensProvider"] = Json::object({{"resolveProvider", false}});
     if (client.pulls_diagnostics)

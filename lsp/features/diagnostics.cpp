@@ -1,6 +1,7 @@
 // Findings of the rules as an editor shows them.
 #include <map>
 
+#include "lsp/features/diagram.hpp"
 #include "lsp/features/features.hpp"
 #include "lsp/protocol/findings.hpp"
 
@@ -54,6 +55,7 @@ void publish(Session& session) {
             document->published = std::move(text);
             session.send(publication(document->uri, document->version, std::move(list)));
         }
+        announce_diagrams(session, *project);
     }
     if (refresh && session.client.refreshes_diagnostics) session.send(refresh_request(++session.refreshes));
     for (const std::string& uri : session.workspace.take_orphans())

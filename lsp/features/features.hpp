@@ -51,6 +51,10 @@ void publish(Session&);
 // code_lens.cpp
 [[nodiscard]] Json code_lenses(Session&, View params);
 
+// diagram.cpp
+/// `{version, component, svg, elements, stale}`, or null where nothing is to be drawn.
+[[nodiscard]] Json diagram(Session&, View params);
+
 // folding.cpp
 [[nodiscard]] Json folding_ranges(Session&, View params);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -46,13 +47,17 @@ struct Client {
     bool refreshes_diagnostics = false;  ///< asks again when it is notified
 };
 
+class KeptDiagrams;
+
 struct Session {
-    explicit Session(diagnostics::Budget* budget = nullptr) : workspace(budget) {}
+    explicit Session(diagnostics::Budget* limits = nullptr) : workspace(limits), budget(limits) {}
 
     Workspace workspace;
     Client client;
-    std::int64_t refreshes = 0;             ///< requests to ask for diagnostics again, so far
-    std::function<void(const Json&)> send;  ///< messages to the editor
+    diagnostics::Budget* budget;             ///< ends what should end; null for none
+    std::shared_ptr<KeptDiagrams> diagrams;  ///< made when one is asked for first (lsp/features/diagram.hpp)
+    std::int64_t refreshes = 0;              ///< requests to ask for diagnostics again, so far
+    std::function<void(const Json&)> send;   ///< messages to the editor
 };
 
 /// A place in a document that a request is about.

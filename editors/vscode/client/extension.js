@@ -5,6 +5,7 @@ const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
 const { checkAssertion } = require("./check");
 const { Lenses } = require("./lenses");
+const preview = require("./preview");
 const { findProgram } = require("./program");
 
 /** The texts that verdicts depend on. */
@@ -22,6 +23,7 @@ const checkCommand = "robochart.check";
 let client;
 let output;
 let lenses;
+let diagrams;
 
 /** The work in hand: starts and stops never overlap. */
 let queue = Promise.resolve();
@@ -93,8 +95,10 @@ async function start() {
         },
     });
     try {
+        started.onNotification(preview.notification, (parameters) => diagrams.changed(parameters));
         await started.start();
         client = started;
+        void diagrams.refresh();
     } catch (error) {
         const reason = error instanceof Error ? error.message : String(error);
         output.appendLine(`${found.program} lsp: ${reason}`);
@@ -127,8 +131,11 @@ function settingsChanged(event) {
 function activate(context) {
     output = vscode.window.createOutputChannel("RoboChart");
     lenses = new Lenses();
+    diagrams = new preview.Preview(async (...words) => client?.sendRequest(...words), context.extensionUri);
     context.subscriptions.push(
         output,
+        diagrams,
+        vscode.commands.registerCommand("robochart.preview", () => diagrams.open()),
         vscode.commands.registerCommand(checkCommand, check),
         vscode.workspace.onDidChangeTextDocument(textChanged),
         vscode.commands.registerCommand("robochart.restartServer", () => enqueue(stop, start)),

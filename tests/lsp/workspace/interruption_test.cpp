@@ -54,10 +54,11 @@ public:
             "");
         server().step();
     }
-    void hover(std::int64_t id) {
+    void hover(std::int64_t id) { begin(id, "textDocument/hover"); }
+    void begin(std::int64_t id, const std::string& method) {
         const Json at = Json::object({{"line", 0}, {"character", 5}});
-        Json request = message("textDocument/hover",
-                               Json::object({{"textDocument", Json::object({{"uri", large_uri}})}, {"position", at}}));
+        Json request =
+            message(method, Json::object({{"textDocument", Json::object({{"uri", large_uri}})}, {"position", at}}));
         request["id"] = id;
         server().receive(std::move(request), "");
     }
@@ -88,6 +89,13 @@ TEST(Interruption, ARunningRequestIsCancelledAndTheServerGoesOn) {
     busy.work();
     EXPECT_EQ(busy.code_of(502), 0);
     EXPECT_EQ(busy.codes(large_uri), "RC-N01@1");
+}
+
+TEST(Interruption, ADiagramIsCancelled) {
+    Busy busy;
+    busy.begin(511, "robochart/diagram");
+    busy.interrupted_by(cancellation(511), [&] { busy.server().step(); });
+    EXPECT_EQ(busy.code_of(511), -32800);
 }
 
 TEST(Interruption, OtherRequestsAreNotCancelled) {

@@ -3,10 +3,49 @@
 
 const Module = require("node:module");
 
+function uriOf(text) {
+    const { pathname } = new URL(text);
+    return { fsPath: pathname, toString: () => text.replace("%3A", ":") };
+}
+
+/** A document whose ranges are all valid. */
+function documentAt(uri, languageId = "robochart") {
+    return { uri: uriOf(uri), languageId, validateRange: (range) => range };
+}
+
+/** A panel that writes down what it is sent; `hear` is what its page says. */
+function standInPanel(log, options) {
+    const listeners = {};
+    const listen = (name) => (handler) => ((listeners[name] = handler), { dispose: () => {} });
+    const webview = {
+        options,
+        cspSource: "https://files.example",
+        pages: 0,
+        asWebviewUri: (uri) => uriOf(uri.toString().replace("file://", "https://files.example")),
+        postMessage: async (message) => log.push(["post", message]),
+        onDidReceiveMessage: listen("message"),
+        set html(text) {
+            this.pages += 1;
+            this.page = text;
+        },
+    };
+    return {
+        webview,
+        visible: true,
+        title: "",
+        reveal: (...words) => log.push(["reveal panel", ...words]),
+        dispose: () => listeners.dispose?.(),
+        onDidDispose: listen("dispose"),
+        onDidChangeViewState: listen("state"),
+        hear: (message) => listeners.message(message),
+        shown: () => listeners.state(),
+    };
+}
+
 /** Loads the extension with `vscode` and `vscode-languageclient/node` replaced. `settings`: values by name. */
 function loadExtension(settings, failure) {
     const log = [];
-    const handlers = {};
+    const handlers = { panels: [], notifications: {}, answer: undefined };
     const disposable = { dispose: () => {} };
     const vscode = {
         workspace: {
@@ -16,6 +55,7 @@ function loadExtension(settings, failure) {
             onDidChangeTextDocument: (handler) => ((handlers.text = handler), disposable),
             saveAll: async () => log.push(["save"]),
             textDocuments: [{ uri: "open" }],
+            openTextDocument: async (uri) => documentAt(uri.toString()),
         },
         window: {
             createOutputChannel: (name) => ({
@@ -24,6 +64,23 @@ function loadExtension(settings, failure) {
                 show: () => log.push(["show"]),
                 ...disposable,
             }),
+            activeColorTheme: { kind: 1 },
+            activeTextEditor: undefined,
+            visibleTextEditors: [],
+            onDidChangeActiveTextEditor: (handler) => ((handlers.editor = handler), disposable),
+            onDidChangeTextEditorSelection: (handler) => ((handlers.selection = handler), disposable),
+            onDidChangeActiveColorTheme: (handler) => ((handlers.theme = handler), disposable),
+            registerWebviewPanelSerializer: (type, serializer) => ((handlers[type + " serializer"] = serializer), disposable),
+            createWebviewPanel: (type, title, column, options) => {
+                log.push(["panel", type, column]);
+                const panel = standInPanel(log, options);
+                handlers.panels.push(panel);
+                return panel;
+            },
+            showTextDocument: async (document, options) => {
+                log.push(["shown", document.uri.toString(), options]);
+                return { revealRange: (range) => log.push(["revealed", range]) };
+            },
             showErrorMessage: async (message, ...buttons) => (log.push(["error", message]), buttons[0]),
         },
         commands: {
@@ -31,7 +88,18 @@ function loadExtension(settings, failure) {
             executeCommand: async (...words) => log.push(["command", ...words]),
         },
     };
-    vscode.Uri = { parse: (uri) => ({ fsPath: new URL(uri).pathname }) };
+    vscode.Uri = {
+        parse: uriOf,
+        joinPath: (uri, ...names) => uriOf([uri.toString(), ...names].join("/")),
+    };
+    vscode.ViewColumn = { Beside: -2, One: 1 };
+    vscode.ColorThemeKind = { Light: 1, Dark: 2, HighContrast: 3, HighContrastLight: 4 };
+    vscode.TextEditorRevealType = { InCenterIfOutsideViewport: 2 };
+    vscode.Range = class {
+        constructor(...numbers) {
+            this.numbers = numbers;
+        }
+    };
     class LanguageClient {
         constructor(id, name, server, options) {
             Object.assign(this, { server, options });
@@ -42,6 +110,13 @@ function loadExtension(settings, failure) {
         getFeature(method) {
             const fire = () => log.push(["refresh", method]);
             return { getProvider: () => ({ onDidChangeCodeLensEmitter: { fire } }) };
+        }
+        onNotification(method, handler) {
+            handlers.notifications[method] = handler;
+        }
+        async sendRequest(method, parameters) {
+            log.push(["request", method, parameters]);
+            return handlers.answer(parameters);
         }
         async start() {
             if (failure !== undefined) throw new Error(failure);
@@ -55,11 +130,11 @@ function loadExtension(settings, failure) {
     const load = Module._load;
     Module._load = (request, ...rest) => stand[request] ?? load(request, ...rest);
     try {
-        delete require.cache[require.resolve("../../client/extension")];
-        return { ...require("../../client/extension"), log, handlers };
+        for (const name of ["extension", "preview"]) delete require.cache[require.resolve(`../../client/${name}`)];
+        return { ...require("../../client/extension"), log, handlers, vscode };
     } finally {
         Module._load = load;
     }
 }
 
-module.exports = { loadExtension };
+module.exports = { loadExtension, documentAt, uriOf };
