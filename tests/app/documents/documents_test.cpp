@@ -111,6 +111,7 @@ TEST(Steps, AreFilesAndSessions) {
 
 TEST(Agreement, IsOfLinesWithoutFiguresAndGaps) {
     EXPECT_TRUE(agrees({"holds  A1  11 states  0 ms"}, {"holds A1 1,024 states 12 ms  "}));
+    EXPECT_TRUE(agrees({"conforms  C  404 ms"}, {"conforms C 1.7 s"}));
     EXPECT_FALSE(agrees({"holds A1"}, {"FAILS A1"}));
     EXPECT_FALSE(agrees({"1 of 2 hold"}, {"2 of 2 hold"}));
     EXPECT_FALSE(agrees({"a"}, {}));
