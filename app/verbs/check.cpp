@@ -178,6 +178,18 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
     }
 }
 
+/// Assertions that csp blocks have as text are the script's, and not decided here: that is said.
+void note_assertions_of_blocks(const Context& context, Time time, Report& report) {
+    std::size_t ours = 0;
+    for (const csp_emit::Obligation& each : context.emission.obligations) ours += each.assertions.size();
+    const std::size_t all = context.session.assertions().size();
+    if (all <= ours) return;
+    const auto edit = context.options.run->edit();
+    report.notes.push_back(fmt::format(
+        "{}not decided here: {} assert line{} in csp blocks [{}]; `emit csp` writes them, and `cspm` decides them",
+        context.project.label, all - ours, all - ours == 1 ? "" : "s", time == Time::timed ? "timed" : "untimed"));
+}
+
 void check_time(Project& project, const Options& options, Time time, Report& report) {
     const csp_emit::Emission& emission = emit_csp(project, options, time);
     if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
@@ -187,6 +199,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     BoundWatch bounds(project, emission, time, bounds_met);
     session->observe(bounds.observer());
     const Context context{project, options, emission, *session};
+    note_assertions_of_blocks(context, time, report);
     std::size_t at = report.assertions.size();
     announce(context, report);
     for (const csp_emit::Obligation& obligation : emission.obligations) {

@@ -143,7 +143,7 @@ void Console::show() {
     std::vector<runs::Machine> machines = stepper_.machines();
     if (machines.empty())  // at the beginning they are behind the definitions of the compositions
         for (const runs::Standing& each : stepper_.components())
-            if (!each.calls.empty()) machines.push_back(each.machine);
+            if (!each.machine.text.empty()) machines.push_back(each.machine);
     for (const runs::Machine& machine : machines) {
         if (watched_.empty()) print("  {}: {}\n", machine.component, text_of(machine));
         for (const runs::Variable& each : machine.variables)

@@ -82,6 +82,15 @@ std::vector<std::string> notes(const std::vector<Part>& parts) {
             result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
         if (same) break;
     }
+    const auto replaces = [](const ir::CspBlock& block) {
+        return block.name == "Instantiations" || block.name == "instantiations";
+    };
+    for (const Project* project : finite)
+        if (std::any_of(project->system.csp_blocks.begin(), project->system.csp_blocks.end(), replaces))
+            result.push_back(fmt::format(
+                "{}the csp block Instantiations replaces that in the scripts, `--range` and `--const` change nothing "
+                "there; generated C++ and its comparison do not read it",
+                project->label));
     return result;
 }
 
