@@ -147,7 +147,8 @@ void Console::show() {
     for (const runs::Machine& machine : machines) {
         if (watched_.empty()) print("  {}: {}\n", machine.component, text_of(machine));
         for (const runs::Variable& each : machine.variables)
-            if (each.name == watched_) print("  {}: {} = {}\n", machine.component, each.name, each.value.value_or("-"));
+            if (each.name == watched_ || each.name == fmt::format("since({})", watched_))
+                print("  {}: {} = {}\n", machine.component, each.name, each.value.value_or("-"));
     }
     if (machines.empty())
         print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.here()));

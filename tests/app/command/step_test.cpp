@@ -109,6 +109,14 @@ TEST(Step, ARepeatedInputIsNoCycleOfALog) {
     EXPECT_THAT(ran.err, HasSubstr("way.trace")) << "nothing was written";
 }
 
+TEST(Step, WatchesAClockByItsName) {
+    const Ran ran = run_shell(
+        "printf 'stm S { clock T event e initial i state A { } transition t0 { from i to A #T } transition t1 { from A "
+        "to "
+        "A trigger e condition since(T) >= 3 } }' > m.rct; printf 'watch T\\ntock 2\\n' | \"$verify\" step m.rct");
+    EXPECT_THAT(ran.out, HasSubstr("S: since(T) = 2")) << ran.err;
+}
+
 TEST(Step, TakesUntimedSemanticsToo) {
     const Ran ran = step("save way.trace\\n", "S --untimed");
     EXPECT_THAT(ran.err, HasSubstr("logs have time; the untimed semantics has none"));
