@@ -43,7 +43,7 @@ const Rule too_many_points{
 const Rule instantiations_replaced{
     "RC-C07", Severity::note, "the csp block {} replaces the generated instantiations",
     "A block named Instantiations is used instead of the generated carriers, constants and functions, as RoboTool "
-    "does; it must define all names that the script needs."};
+    "does; what it does not define is generated."};
 
 const Rule constant_without_use{
     "RC-C08", Severity::warning, "assertion {} sets {}, which nothing that it is about takes",
