@@ -1,4 +1,4 @@
-# With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++, libgcc and libsodium are linked statically,
+# With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++, libgcc, libsodium and Expat are linked statically,
 # and fmt, of which Debian has a shared library alone, is compiled from its headers. ROBOCHART_FMT is what to link. Generated
 # code that the program loads brings the libstdc++ of its compiler: the interface between the two is C, and no exception and
 # no type of C++ crosses it.
@@ -28,6 +28,32 @@ FMT_END_NAMESPACE
   target_compile_definitions(robochart_fmt PUBLIC FMT_SHARED)
   set(ROBOCHART_FMT robochart_fmt)
   find_library(SODIUM_LIBRARY libsodium.a REQUIRED)
+  # Debian's libexpat.a takes the seed of its tables from a function that the C library has since 2.36; with this one the
+  # program starts on older systems too.
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/arc4random_buf.cpp CONTENT [[
+#include <sys/random.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdlib>
+
+extern "C" void arc4random_buf(void* buffer, std::size_t size) noexcept {
+    auto* at = static_cast<unsigned char*>(buffer);
+    while (size > 0) {
+        const ssize_t got = getrandom(at, size, 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) std::abort();
+        at += got;
+        size -= static_cast<std::size_t>(got);
+    }
+}
+]])
+  add_library(robochart_random_seed STATIC ${CMAKE_BINARY_DIR}/arc4random_buf.cpp)
+  find_library(EXPAT_ARCHIVE libexpat.a REQUIRED)
+  add_library(robochart_expat STATIC IMPORTED GLOBAL)
+  set_target_properties(robochart_expat PROPERTIES IMPORTED_LOCATION ${EXPAT_ARCHIVE}
+                                                   INTERFACE_LINK_LIBRARIES robochart_random_seed)
+  set(EXPAT_LIBRARY robochart_expat)
   # What is unused goes: of libstdc++ that is also what calls the newest functions of the C library.
   add_link_options(-static-libstdc++ -static-libgcc -Wl,--gc-sections)
 endif()

@@ -8,6 +8,7 @@
 
 #include "cpp_emit/ros2/node_files.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
+#include "diagnostics/text.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -69,11 +70,11 @@ private:
     void add(const std::string& path, const std::string& text) {
         const bool xml = text.ends_with(".xml") || text.ends_with(".argos");
         keys_["ELEMENT"] = xml ? diagnostics::xml_text(element_) : diagnostics::comment_text(element_);
-        files_.push_back({path, filled(project_template(text), keys_)});
+        files_.push_back({path, diagnostics::filled(project_template(text), keys_)});
     }
 
     std::string controller_target() {
-        std::string text = filled(project_template("controller.cmake"), keys_);
+        std::string text = diagnostics::filled(project_template("controller.cmake"), keys_);
         if (eigen_)
             text += fmt::format(
                 "# For robochart/eigen.hpp, where the robot's code uses it.\nfind_package(Eigen3 QUIET)\n"
@@ -153,21 +154,6 @@ private:
 };
 
 }  // namespace
-
-std::string filled(const std::string& text, const std::map<std::string, std::string>& keys) {
-    std::string result;
-    std::size_t from = 0;
-    for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + 1)) {
-        const std::size_t end = text.find('@', at + 1);
-        if (end == std::string::npos) break;
-        const auto key = keys.find(text.substr(at + 1, end - at - 1));
-        if (key == keys.end()) continue;
-        result.append(text, from, at - from) += key->second;
-        from = end + 1;
-        at = end;
-    }
-    return result.append(text, from);
-}
 
 std::vector<OutputFile> project_files(const Generation& generation, const Core& core, const ClassApi& api,
                                       const std::vector<OutputFile>& controller,

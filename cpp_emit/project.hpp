@@ -2,7 +2,6 @@
 // parts are the texts in cpp_emit/projects, in which names between @ signs are replaced. Private to this component.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +12,6 @@ namespace robochart::cpp_emit {
 
 /// A text of cpp_emit/projects, "enki/main.cpp".
 [[nodiscard]] std::string project_template(std::string_view path);
-/// The text with every @KEY@ replaced; what it is replaced by is not looked at again.
-[[nodiscard]] std::string filled(const std::string& text, const std::map<std::string, std::string>& keys);
 
 /// Files of the project of Options::target; `controller` holds those of the classes and their CMakeLists.txt and
 /// main.cpp. What the target cannot do is refused by name.

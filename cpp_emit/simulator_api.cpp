@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cpp_emit/faults/faulty_model.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
@@ -56,15 +58,14 @@ public:
     DriveWriter(const Generation& generation, const Core& core) : generation_(generation), core_(core) {
         collect_inputs();
         collect_outputs();
-        for (const ir::Node& node : generation.component.root(0).machine->nodes)
-            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final) states_.push_back(&node);
+        for (std::size_t part = 0; part < generation.component.parts.size(); ++part) collect_machine(part);
     }
 
     std::string write() {
         head();
         names("inputs", inputs_);
         names("outputs", outputs_);
-        state_names();
+        machine_tables();
         actions_class();
         state_function();
         place_function();
@@ -80,6 +81,7 @@ public:
     }
     [[nodiscard]] std::vector<Port> inputs() const { return ports(inputs_); }
     [[nodiscard]] std::vector<Port> outputs() const { return ports(outputs_); }
+    [[nodiscard]] const std::vector<DriveMachine>& machines() const { return machines_; }
 
 private:
     Channel channel(Port::Kind kind, const std::string& name, std::string exported, std::string member,
@@ -109,6 +111,16 @@ private:
                 inputs_.push_back(channel(Port::Kind::variable, variable.variable->name,
                                           "set_EXT_" + variable.variable->name, variable.input,
                                           {variable.variable->type}));
+    }
+
+    void collect_machine(std::size_t part) {
+        const Unit& root = generation_.component.root(part);
+        DriveMachine added{generation_.component.parts[part].name, root.id, {}};
+        for (std::uint32_t node = 0; node < root.machine->nodes.size(); ++node) {
+            const ir::NodeKind kind = root.machine->nodes[node].kind;
+            if (kind == ir::NodeKind::state || kind == ir::NodeKind::final) added.states.push_back(ir::NodeId{node});
+        }
+        machines_.push_back(std::move(added));
     }
 
     void collect_outputs() {
@@ -155,7 +167,13 @@ private:
         out_.line("using State = core::State<Types>;");
         out_.line("using Inputs = core::Inputs<Types>;");
         out_.gap();
-        out_.line("static_assert(std::is_trivially_copyable_v<State>);");
+        out_.gap();
+        out_.doc("The value that a simulator keeps for each robot.");
+        out_.open("struct Controller {");
+        out_.line("State state{};");
+        if (generation_.component.probabilistic) out_.line("robochart::Draws draws;");
+        out_.close("};");
+        out_.line("static_assert(std::is_trivially_copyable_v<Controller>);");
     }
 
     void names(const char* table, const std::vector<Channel>& channels) {
@@ -164,13 +182,21 @@ private:
         string_table(table, quoted);
     }
 
-    void state_names() {
-        std::vector<std::string> quoted;
-        for (const ir::Node* node : states_) quoted.push_back('"' + node->path + '"');
-        string_table("states", quoted);
+    void machine_tables() {
+        std::vector<std::string> rows;
+        for (std::size_t part = 0; part < machines_.size(); ++part) {
+            std::vector<std::string> quoted;
+            for (const ir::NodeId id : machines_[part].states)
+                quoted.push_back('"' + generation_.component.root(part).machine->nodes[id.index].path + '"');
+            const std::string table = fmt::format("states_{}", part);
+            string_table(table, quoted);
+            rows.push_back(fmt::format("{{\"{}\", {}, {}}}", machines_[part].name, quoted.size(), table));
+        }
+        out_.gap();
+        out_.line(fmt::format("constexpr rc_machine machines[] = {{{}}};", fmt::join(rows, ", ")));
     }
 
-    void string_table(const char* table, const std::vector<std::string>& quoted) {
+    void string_table(const std::string& table, const std::vector<std::string>& quoted) {
         out_.gap();
         if (quoted.empty()) return out_.line(fmt::format("constexpr const char* const* {} = nullptr;", table));
         out_.line(fmt::format("constexpr const char* {}[] = {{{}}};", table, fmt::join(quoted, ", ")));
@@ -239,8 +265,17 @@ private:
         out_.doc("The platform: writes down what the controller does.");
         out_.open("class Actions {");
         out_.label("public:");
-        out_.line("explicit Actions(rc_actions& actions) noexcept : actions_(actions) {}");
+        const bool draws = generation_.component.probabilistic;
+        if (draws)
+            out_.line(
+                "Actions(rc_actions& actions, robochart::Draws& draws) noexcept : actions_(actions), draws_(draws) {}");
+        else
+            out_.line("explicit Actions(rc_actions& actions) noexcept : actions_(actions) {}");
         out_.gap();
+        if (draws)
+            out_.line(
+                "std::size_t choose(const double* chances, std::size_t count) noexcept { return draws_.way(chances, "
+                "count); }");
         for (std::size_t index = 0; index < outputs_.size(); ++index) action_method(outputs_[index], index);
         for (const ModelledCall& call : generation_.component.modelled) modelled_method(call);
         for (const FunctionHook& hook : generation_.component.functions) function_method(hook);
@@ -258,47 +293,59 @@ private:
         out_.close();
         out_.gap();
         out_.line("rc_actions& actions_;");
+        if (generation_.component.probabilistic) out_.line("robochart::Draws& draws_;");
         out_.close("};");
     }
 
     void state_function() {
         out_.gap();
-        out_.open("std::uint32_t state_of(const void* controller) noexcept {");
-        out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
-        const ir::Machine& machine = *generation_.component.root(0).machine;
-        for (const Enumerator& value : root_places().values) {
-            if (!value.state.valid()) continue;
-            for (std::size_t s = 0; s < states_.size(); ++s)
-                if (states_[s] == &machine.nodes[value.state.index])
-                    out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name, s));
+        out_.open("std::uint32_t state_of(const void* controller, [[maybe_unused]] std::uint32_t machine) noexcept {");
+        for (std::size_t part = 0; part < machines_.size(); ++part) {
+            if (part + 1 < machines_.size()) out_.open(fmt::format("if (machine == {}) {{", part));
+            state_switch(part);
+            if (part + 1 < machines_.size()) out_.close();
         }
-        out_.line(fmt::format("default: return {};", states_.size()));
         out_.close();
+    }
+
+    void state_switch(std::size_t part) {
+        out_.open(
+            fmt::format("switch (static_cast<const Controller*>(controller)->state.{}at) {{", member_prefix(part)));
+        const Enumeration& places = root_places(part);
+        const std::vector<ir::NodeId>& states = machines_[part].states;
+        for (const Enumerator& value : places.values) {
+            const auto found = std::find(states.begin(), states.end(), value.state);
+            if (found != states.end())
+                out_.line(
+                    fmt::format("case core::{}::{}: return {};", places.name, value.name, found - states.begin()));
+        }
+        out_.line(fmt::format("default: return {};", states.size()));
         out_.close();
     }
 
     void place_function() {
         out_.gap();
         out_.open("const char* place_of(const void* controller) noexcept {");
-        out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
-        for (const Enumerator& value : root_places().values)
+        out_.open(fmt::format("switch (static_cast<const Controller*>(controller)->state.{}at) {{", member_prefix(0)));
+        const Enumeration& places = root_places(0);
+        for (const Enumerator& value : places.values)
             out_.line(fmt::format(
-                "case core::{}::{}: return {};", root_places().name, value.name,
+                "case core::{}::{}: return {};", places.name, value.name,
                 diagnostics::cpp_string(value.comment.empty() ? diagnostics::ForeignText(value.name) : value.comment)));
         out_.close();
         out_.line("return \"?\";");
         out_.close();
     }
 
-    /// Of several machines the first one is shown.
-    [[nodiscard]] std::string first_part() const {
-        const std::string& tag = generation_.component.parts.front().tag;
+    /// In front of the members of a part's machine: "", "stm0.".
+    [[nodiscard]] std::string member_prefix(std::size_t part) const {
+        const std::string& tag = generation_.component.parts[part].tag;
         return tag.empty() ? "" : tag + ".";
     }
 
-    [[nodiscard]] const Enumeration& root_places() const {
-        const MachineCode& machine = core_.machines[generation_.component.parts.front().root];
-        const std::string& wanted = generation_.component.root(0).points;
+    [[nodiscard]] const Enumeration& root_places(std::size_t part) const {
+        const MachineCode& machine = core_.machines[generation_.component.parts[part].root];
+        const std::string& wanted = generation_.component.root(part).points;
         for (const Enumeration& enumeration : machine.enumerations)
             if (enumeration.name == wanted) return enumeration;
         return machine.enumerations.front();
@@ -306,8 +353,9 @@ private:
 
     void step_function() {
         out_.gap();
-        out_.open("void initial(void* controller) noexcept {");
-        out_.line("::new (controller) State{};");
+        out_.open("void initial(void* controller, [[maybe_unused]] std::uint64_t seed) noexcept {");
+        out_.line(generation_.component.probabilistic ? "::new (controller) Controller{{}, robochart::Draws(seed)};"
+                                                      : "::new (controller) Controller{};");
         out_.close();
         out_.gap();
         out_.open(
@@ -323,9 +371,10 @@ private:
         }
         out_.line("actions->count = 0;");
         out_.line("actions->overflow = 0;");
-        out_.line("Actions platform(*actions);");
-        out_.line("State& state = *static_cast<State*>(controller);");
-        out_.line("return static_cast<rc_drive_result>(core::step<Types>(state, read, platform));");
+        out_.line("Controller& own = *static_cast<Controller*>(controller);");
+        out_.line(generation_.component.probabilistic ? "Actions platform(*actions, own.draws);"
+                                                      : "Actions platform(*actions);");
+        out_.line("return static_cast<rc_drive_result>(core::step<Types>(own.state, read, platform));");
         out_.close();
     }
 
@@ -334,11 +383,11 @@ private:
         out_.open("constexpr rc_drive drive = {");
         out_.line("ROBOCHART_DRIVE_ABI_VERSION,");
         out_.line(fmt::format("\"{}\",", generation_.component.name));
-        out_.line("sizeof(State),");
-        out_.line("alignof(State),");
+        out_.line("sizeof(Controller),");
+        out_.line("alignof(Controller),");
         out_.line(fmt::format("{}, inputs,", inputs_.size()));
         out_.line(fmt::format("{}, outputs,", outputs_.size()));
-        out_.line(fmt::format("{}, states,", states_.size()));
+        out_.line(fmt::format("{}, machines,", machines_.size()));
         out_.line("initial, step, state_of, place_of,");
         out_.close("};");
         out_.gap();
@@ -353,7 +402,7 @@ private:
     const Core& core_;
     std::vector<Channel> inputs_;
     std::vector<Channel> outputs_;
-    std::vector<const ir::Node*> states_;
+    std::vector<DriveMachine> machines_;
     CodeWriter out_;
 };
 
@@ -395,6 +444,7 @@ DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst
     emission.files.insert(emission.files.end(), values.begin(), values.end());
     emission.inputs = writer.inputs();
     emission.outputs = writer.outputs();
+    emission.machines = writer.machines();
     emission.fault_sites = mutation.sites();
     return emission;
 }

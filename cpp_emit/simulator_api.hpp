@@ -26,12 +26,20 @@ struct Port {
     std::vector<std::vector<std::string>> literals = {};  ///< of each argument: names of its enumeration's values
 };
 
+/// A state machine of the controller, as in the table of the interface.
+struct DriveMachine {
+    std::string name;  ///< where it is in the component: "ctrl0::stm0"; "" if it is the only one
+    ir::MachineId machine;
+    std::vector<ir::NodeId> states;  ///< final ones too
+};
+
 struct DriveEmission {
     std::vector<OutputFile> files;
     std::vector<std::string> sources;  ///< paths of the sources to compile; empty where nothing could be emitted
     std::vector<Port> inputs;          ///< events received, shared variables written from outside
     std::vector<Port> outputs;         ///< operations of the platform, events sent, shared variables written
-    std::uint32_t fault_sites = 0;     ///< how many places the requested fault applies to
+    std::vector<DriveMachine> machines;
+    std::uint32_t fault_sites = 0;  ///< how many places the requested fault applies to
 };
 
 /// Emits the controller of one component. What cannot be generated is refused by name, as by emit().

@@ -1,6 +1,8 @@
 // Each kind of property has its CSPM form, as RoboTool generates it and FDR decides it.
 #include "csp_emit/assertions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
@@ -84,7 +86,7 @@ private:
     void refinement(const ir::Property& property, Obligation& out);
     std::string model_shifting(const ir::Property& property, Obligation& out);
     ExprPtr alphabet(const ir::ComponentRef& ref) const;
-    bool has_alphabet(const ir::ComponentRef& ref) const;
+    std::string missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const;
     ExprPtr joint_alphabet(const ir::Property& property) const;
     std::vector<DeclPtr> reachability(const ir::Property& property) const;
     void initialisation(const ir::Property& property, Obligation& out);
@@ -194,14 +196,20 @@ ExprPtr Asserter::alphabet(const ir::ComponentRef& ref) const {
     return b::name(process ? name_of(ref, "__sem__events") : path(ref) + "::sem__events");
 }
 
-/// Whether a CSP block of this time defines the alphabet of its process.
-bool Asserter::has_alphabet(const ir::ComponentRef& ref) const {
-    if (ref.kind != ir::ComponentKind::process) return true;
+/// That no CSP block of this time defines the alphabet of its process, and what to write there; "" if one does.
+std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const {
+    if (ref.kind != ir::ComponentKind::process) return "";
     const std::string wanted = ref.path + "__sem__events";
     const auto& blocks = project_.system.csp_blocks;
-    return std::any_of(blocks.begin(), blocks.end(), [&](const ir::CspBlock& block) {
+    const bool defined = std::any_of(blocks.begin(), blocks.end(), [&](const ir::CspBlock& block) {
         return project_.applies(block) && block.text.find(wanted) != std::string::npos;
     });
+    if (defined) return "";
+    const bool between_blocks = other.kind == ir::ComponentKind::process;
+    return fmt::format(
+        "{} is not defined: the tick-tock model records which events are refused, so the csp block of {} has to say "
+        "which events the process has: `{} = {}`",
+        wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path(other) + "::sem__events");
 }
 
 /// The events of both sides; those of the subject that are renamed to the other's are no more.
@@ -274,9 +282,10 @@ std::string Asserter::unavailable_model(const ir::Property& property) const {
     if (property.model == ir::PropertyModel::failures_divergences || of_traces) return "";
     if (binary && property.model != ir::PropertyModel::tick_tock) return "";
     if (binary && !timed()) return "the tick-tock model is about time";
-    if (binary && !has_alphabet(property.subject)) return property.subject.path + "__sem__events is not defined";
-    if (binary && !has_alphabet(property.other)) return property.other.path + "__sem__events is not defined";
-    if (binary) return "";
+    if (binary) {
+        const std::string missing = missing_alphabet(property.subject, property.other);
+        return missing.empty() ? missing_alphabet(property.other, property.subject) : missing;
+    }
     if (property.model == ir::PropertyModel::traces) return "traces do not record refusals and divergences";
     if (property.kind == PropertyKind::divergence_free)
         return "divergence is visible in the failures-divergences model only";

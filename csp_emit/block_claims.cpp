@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "checker/cspm/syntax/lookup.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "diagnostics/text.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -31,14 +34,18 @@ void each_part(const cspm::Expr& expr, const std::function<void(const ExprPtr&)>
         if (each->body) visit(each->body);
 }
 
-/// One claim about a process of a block.
-class Claim {
+/// The definitions of a file of blocks, as claims about their processes see them.
+class Definitions {
 public:
-    Claim(const std::vector<DeclPtr>& decls, const Provenance& provenance) : provenance_(provenance) { declare(decls); }
+    Definitions(const std::vector<DeclPtr>& decls, const Provenance& provenance) : provenance_(provenance) {
+        declare(decls);
+    }
 
     [[nodiscard]] bool defines(const std::string& name) const { return declared_.contains(name); }
     /// The inputs that the process hides, as it names them.
     [[nodiscard]] std::set<std::string> hidden_inputs(const std::string& process) {
+        followed_.clear();
+        hidden_.clear();
         follow_name(process);
         return std::move(hidden_);
     }
@@ -123,10 +130,43 @@ bool with_refusals(const ir::Property& property) {
     return compared && property.model != ir::PropertyModel::traces;
 }
 
+ir::PropertyKind kind_of(cspm::AssertionKind kind) {
+    switch (kind) {
+        case cspm::AssertionKind::deadlock_free:
+            return ir::PropertyKind::deadlock_free;
+        case cspm::AssertionKind::divergence_free:
+            return ir::PropertyKind::divergence_free;
+        case cspm::AssertionKind::deterministic:
+            return ir::PropertyKind::deterministic;
+        case cspm::AssertionKind::refinement:
+        case cspm::AssertionKind::has_trace:
+            break;
+    }
+    return ir::PropertyKind::refines;
+}
+
 }  // namespace
+
+std::vector<Obligation> block_obligations(const Project& project, const std::vector<DeclPtr>& decls) {
+    std::vector<Obligation> result;
+    for (const DeclPtr& decl : cspm::assertions_in(decls)) {
+        Obligation one;
+        one.kind = kind_of(decl->assertion.kind);
+        one.negated = decl->assertion.negated;
+        one.title =
+            fmt::format("[{}] {}", project.timed() ? "timed" : "untimed", diagnostics::on_one_line(cspm::print(*decl)));
+        one.time = project.time;
+        one.origin.span = decl->span;
+        one.assertions = {decl};
+        if (one.negated) one.reason = "what it denies holds";
+        result.push_back(std::move(one));
+    }
+    return result;
+}
 
 void check_block_claims(const Project& project, const DeclsOfFiles& files, const Provenance& provenance) {
     std::set<std::string> reported;
+    std::map<std::string, Definitions> definitions;  // of a file
     for (const ir::Property& property : project.system.properties) {
         const bool both = property.timed && property.untimed;
         if (project.timed() ? !property.timed || both : !property.untimed) continue;
@@ -136,8 +176,8 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
             const ir::CspBlock& block = project.system.csp_blocks[side->definition];
             const auto decls = files.find(block.file);
             if (decls == files.end()) continue;
-            Claim claim(decls->second, provenance);
-            if (!claim.defines(block.name)) {
+            Definitions& defined = definitions.try_emplace(block.file, decls->second, provenance).first->second;
+            if (!defined.defines(block.name)) {
                 if (reported.insert(block.name).second)
                     project.diagnostics.report(rules::block_without_process, property.origin.span,
                                                {property.name, block.name});
@@ -145,7 +185,7 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
             }
             if (side != &property.subject && property.kind != ir::PropertyKind::equals) continue;
             if (!with_refusals(property)) continue;
-            const std::set<std::string> hidden = claim.hidden_inputs(block.name);
+            const std::set<std::string> hidden = defined.hidden_inputs(block.name);
             if (!hidden.empty())
                 project.diagnostics.report(rules::inputs_hidden, property.origin.span,
                                            {property.name, block.name, fmt::format("{}", fmt::join(hidden, ", "))});

@@ -1,4 +1,5 @@
-// What is wrong with claims about processes of CSP blocks, and can be seen without deciding them.
+// The claims that CSP blocks make as assert lines, and what is wrong with claims about processes of blocks and can be
+// seen without deciding them.
 #pragma once
 
 #include <map>
@@ -6,9 +7,13 @@
 #include <vector>
 
 #include "csp_emit/base/component.hpp"
+#include "csp_emit/base/emission.hpp"
 #include "csp_emit/base/project.hpp"
 
 namespace robochart::csp_emit {
+
+/// The assert lines of blocks, the only ones among these declarations, as they stand.
+[[nodiscard]] std::vector<Obligation> block_obligations(const Project&, const std::vector<cspm::DeclPtr>& decls);
 
 /// The declarations of the blocks of each assertion file, by its path.
 using DeclsOfFiles = std::map<std::string, std::vector<cspm::DeclPtr>>;

@@ -2,11 +2,13 @@
 #include "csp_emit/emit.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/assertions.hpp"
+#include "csp_emit/base/block_comments.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/script_library.hpp"
 #include "csp_emit/base/types.hpp"
@@ -20,6 +22,7 @@
 #include "csp_emit/passes/name_clashes.hpp"
 #include "csp_emit/passes/safe_names.hpp"
 #include "csp_emit/passes/shared_modules.hpp"
+#include "diagnostics/escape.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
@@ -144,7 +147,7 @@ std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& bloc
             if ((i < block.text_span.begin || i >= block.text_span.end) && text[i] != '\n') text[i] = ' ';
     }
     const auto source = project.sources.add(block.file, text);
-    return cspm::read(project.sources, source, project.diagnostics).decls;
+    return with_comments(cspm::read(project.sources, source, project.diagnostics).decls, text);
 }
 
 /// `transparent` lines need not repeat what the library declares so.
@@ -218,6 +221,18 @@ void reserve(const Project& project, NameManager& names) {
     }
 }
 
+/// Above what is checked stands the claim as reports have it, with its place.
+void name_claim(const Project& project, Obligation& obligation) {
+    std::vector<DeclPtr>& first = obligation.preparation.empty() ? obligation.assertions : obligation.preparation;
+    if (first.empty()) return;
+    const bool core = obligation.property == ir::no_id;
+    const ir::Origin& origin = core ? obligation.origin : project.system.properties[obligation.property].origin;
+    const std::string place = project.sources.place(origin.span);
+    cspm::Decl named = *first.front();
+    named.comment = diagnostics::shown(obligation.title + (place.empty() ? "" : ", " + place)) + "\n" + named.comment;
+    first.front() = std::make_shared<const cspm::Decl>(std::move(named));
+}
+
 /// The name that the script has for one of ours.
 std::string in(const cspm::NewNames& names, const std::string& name) {
     const auto found = names.find(name);
@@ -287,14 +302,19 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     DeclsOfFiles decls_of_files;
     for (const FileBlocks& file : files) decls_of_files[file.file] = file.others;
     check_block_claims(project, decls_of_files, emitted.provenance);
-    result.obligations = obligations(project, names, emitted);
-    if (options.core_properties)
-        for (Obligation& each : core_properties(project, names, emitted)) result.obligations.push_back(std::move(each));
-    for (Obligation& obligation : result.obligations) {
-        obligation.preparation = cspm::renamed(obligation.preparation, new_names);
-        append(result.script.decls, obligation.preparation);
-        append(result.script.decls, obligation.assertions);
-    }
+    std::vector<Obligation> of_blocks = block_obligations(project, result.script.decls);
+    const auto add = [&](std::vector<Obligation> more) {
+        for (Obligation& obligation : more) {
+            obligation.preparation = cspm::renamed(obligation.preparation, new_names);
+            name_claim(project, obligation);
+            append(result.script.decls, obligation.preparation);
+            append(result.script.decls, obligation.assertions);
+            result.obligations.push_back(std::move(obligation));
+        }
+    };
+    add(obligations(project, names, emitted));
+    std::move(of_blocks.begin(), of_blocks.end(), std::back_inserter(result.obligations));
+    if (options.core_properties) add(core_properties(project, names, emitted));
     result.captured = captured(cspm::renamed(ours, new_names));
     for (const auto& [path, component] : emitted.components)
         result.components.push_back(

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "diagnostics/control.hpp"
 #include "diagnostics/utf8.hpp"
 
@@ -147,6 +149,13 @@ std::string xml_text(const ForeignText& text) {
         },
         false);
     replace_all(result, "--", "-&#45;");
+    return result;
+}
+
+std::string xml_lines(const ForeignText& text) {
+    std::istringstream lines(text.unescaped());
+    std::string result;
+    for (std::string line; std::getline(lines, line);) result += (result.empty() ? "" : "\n") + xml_text(line);
     return result;
 }
 

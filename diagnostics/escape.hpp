@@ -50,6 +50,8 @@ private:
 
 /// Character data, an attribute's value or a comment of XML 1.0, SVG included; what XML cannot hold is shown.
 [[nodiscard]] std::string xml_text(const ForeignText&);
+/// The same for character data of several lines: line ends stay.
+[[nodiscard]] std::string xml_lines(const ForeignText&);
 
 /// Between the double quotes of a label of Graphviz or an event of Aldebaran's format.
 [[nodiscard]] std::string label_text(const ForeignText&);

@@ -33,11 +33,9 @@ private:
 };
 
 void Search::note(const ComponentStep& step) {
-    for (const Call& before : step.before) {
-        if (before.definition->memory) continue;
-        for (const std::string& element : reader_.meanings().elements(step.name, before, step.after))
-            result_.elements.insert(exercised_element(before.definition->component, element));
-    }
+    const std::set<std::string> elements = reader_.elements(step);
+    if (elements.size() == 1) result_.certain.insert(*elements.begin());
+    result_.possible.insert(elements.begin(), elements.end());
 }
 
 void Search::note(TermId term, const Transition& step) {
@@ -65,10 +63,6 @@ Exercised Search::run(TermId process, std::uint64_t most, const std::function<vo
 }
 
 }  // namespace
-
-std::string exercised_element(const std::string& component, const std::string& element) {
-    return component + " " + element;
-}
 
 Exercised exercised(StepReader& reader, TermId process, std::uint64_t most, const std::function<void()>& poll) {
     return Search(reader).run(process, most, poll);

@@ -15,15 +15,14 @@ namespace robochart::runs {
 
 /// What a search has met.
 struct Exercised {
-    /// As exercised_element has them. Where a step does not tell which of several elements is behind it, all of them:
-    /// an element that is missing is behind no step.
-    std::set<std::string> elements;
+    /// Elements, as element_in has them, that may be behind a step: where it does not tell which of several, all of
+    /// them. An element that is missing is behind no step.
+    std::set<std::string> possible;
+    /// Those of them that alone can be behind some step.
+    std::set<std::string> certain;
     std::uint64_t states = 0;  ///< that have been looked into
     bool all = true;           ///< no state is left
 };
-
-/// An element of the resolved model in an instance of its machine: "P::M::c::s P::S::t1".
-[[nodiscard]] std::string exercised_element(const std::string& component, const std::string& element);
 
 /// Looks into `most` states at most; `poll` is called for each and may throw. Throws what cspm::Session::transitions
 /// throws.

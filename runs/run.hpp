@@ -2,6 +2,7 @@
 // a diagram, an editor) reads this and needs to know nothing of CSP. Types only; interpreter.hpp makes runs.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,6 +16,8 @@ struct Place {
     std::string file;
     std::uint32_t line = 0, column = 0;
     std::uint32_t end_line = 0, end_column = 0;
+
+    friend auto operator<=>(const Place&, const Place&) = default;
 };
 
 /// What happens in a step, in terms of the model.
@@ -38,6 +41,8 @@ enum class Kind {
 struct Value {
     std::string text;
     std::string type;  ///< as the model writes it; "" where it is not known
+
+    friend auto operator<=>(const Value&, const Value&) = default;
 };
 
 /// Something that happens or could happen.
@@ -50,6 +55,8 @@ struct Event {
     std::string via;  ///< the transition or action that makes it happen, in words: "t1: S1 -> S2"; "" if not known
     std::vector<Value> values;
     std::optional<Place> place;
+
+    friend auto operator<=>(const Event&, const Event&) = default;
 };
 
 /// What a value shown beside a state is.
@@ -69,6 +76,8 @@ struct Variable {
     std::optional<std::string> value;  ///< none: nothing reads the value any more
     std::string deadline;              ///< countdown of a deadline: its element
     std::optional<Place> place;        ///< of that deadline
+
+    friend auto operator<=>(const Variable&, const Variable&) = default;
 };
 
 /// A machine at one moment.
@@ -79,6 +88,8 @@ struct Machine {
     std::vector<std::string> active;  ///< the elements of its active states, outermost first
     std::vector<Variable> variables;
     std::optional<Place> place;  ///< of the innermost state, or of the statement that is next
+
+    friend auto operator<=>(const Machine&, const Machine&) = default;
 };
 
 /// A variable that a step changes.

@@ -14,6 +14,10 @@ constexpr std::size_t most_unfoldings = 20;
 
 }  // namespace
 
+std::string element_in(const std::string& component, const std::string& element) {
+    return component + " " + element;
+}
+
 bool same(const Event& one, const Event& other) {
     return one.kind == other.kind && one.component == other.component && one.text == other.text &&
            one.element == other.element;
@@ -100,6 +104,16 @@ Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std
 ComponentStep StepReader::component_step(const process::Move& move) {
     return {name_of(move.step.event, move.step.revealed), calls_of(move.part),
             meanings_.calls(process::describe(context_.session.terms(), move.step.target))};
+}
+
+std::set<std::string> StepReader::elements(const ComponentStep& step) const {
+    std::set<std::string> result;
+    for (const Call& before : step.before) {
+        if (before.definition->memory) continue;
+        for (const std::string& each : meanings_.elements(step.name, before, step.after))
+            result.insert(element_in(before.definition->component, each));
+    }
+    return result;
 }
 
 std::vector<ComponentStep> StepReader::taken_apart(TermId whole, const process::Transition& step) {

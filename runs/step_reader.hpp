@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,10 +36,15 @@ struct ComponentStep {
     std::vector<Call> after;
 };
 
+/// An element of the resolved model in an instance of its machine: "P::M::c::s P::S::t1".
+[[nodiscard]] std::string element_in(const std::string& component, const std::string& element);
+
 /// What happens in a step: for the machine that it is reported for, and for the others that take part.
 struct Happening {
     Event event;
     std::vector<Event> with;
+
+    friend auto operator<=>(const Happening&, const Happening&) = default;
 };
 
 /// Whether two are the same for a reader of the model.
@@ -71,6 +77,8 @@ public:
 
     /// What one component does.
     [[nodiscard]] ComponentStep component_step(const process::Move& move);
+    /// The elements, as element_in has them, one of which is behind the step; more than one where it does not tell.
+    [[nodiscard]] std::set<std::string> elements(const ComponentStep& step) const;
     /// What each component does in a step of a process.
     [[nodiscard]] std::vector<ComponentStep> taken_apart(process::TermId whole, const process::Transition& step);
     /// Which of several components that move together a step is reported for: a machine before what connects machines,

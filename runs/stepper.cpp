@@ -56,6 +56,18 @@ std::size_t Stepper::settle(std::size_t most) {
     return taken;
 }
 
+std::vector<Machine> Stepper::machines() {
+    const std::vector<Standing> standing = components();
+    return standing.empty() ? reader_.machines_at(here_) : machines_of(standing);
+}
+
+std::vector<Machine> Stepper::machines_of(const std::vector<Standing>& standing) const {
+    std::vector<std::vector<Call>> calls;
+    calls.reserve(standing.size());
+    for (const Standing& each : standing) calls.push_back(each.calls);
+    return reader_.machines_of(calls);
+}
+
 std::vector<Standing> Stepper::components() {
     std::vector<Standing> result;
     const auto whole = structure();
@@ -67,8 +79,8 @@ std::vector<Standing> Stepper::components() {
         if (!machines.empty()) one.machine = std::move(machines.front());
         result.push_back(std::move(one));
     }
-    // Where the whole is read, what is kept beside a machine has been added to it.
-    for (Machine& machine : machines())
+    // Of all together, what is kept beside a machine has been added to it.
+    for (const Machine& machine : machines_of(result))
         for (Standing& each : result)
             if (each.machine.component == machine.component) each.machine = machine;
     return result;
@@ -77,10 +89,7 @@ std::vector<Standing> Stepper::components() {
 std::set<std::string> Stepper::offered_elements() {
     std::set<std::string> result;
     for (const Offer& offer : offers())
-        for (const ComponentStep& step : reader_.taken_apart(here_, offer.step))
-            for (const Call& before : step.before)
-                for (const std::string& element : reader_.meanings().elements(step.name, before, step.after))
-                    result.insert(before.definition->component + " " + element);
+        for (const ComponentStep& step : reader_.taken_apart(here_, offer.step)) result.merge(reader_.elements(step));
     return result;
 }
 
@@ -89,11 +98,8 @@ std::set<std::string> Stepper::ready_elements(const Standing& standing) {
     std::set<std::string> result;
     process::TermStore& terms = reader_.context().session.terms();
     for (const process::Transition& step : reader_.context().session.transitions(standing.term))
-        for (const Call& before : standing.calls)
-            for (const std::string& element :
-                 reader_.meanings().elements(reader_.name_of(step.event, step.revealed), before,
-                                             reader_.meanings().calls(process::describe(terms, step.target))))
-                result.insert(element);
+        result.merge(reader_.elements({reader_.name_of(step.event, step.revealed), standing.calls,
+                                       reader_.meanings().calls(process::describe(terms, step.target))}));
     return result;
 }
 
@@ -122,10 +128,11 @@ std::vector<Absence> Stepper::absences() {
             for (const ir::Transition& each : machine.transitions) {
                 const std::string& source = machine.nodes[each.source.index].origin.element;
                 if (std::find(active.begin(), active.end(), source) == active.end()) continue;
-                if (offered.contains(standing.machine.component + " " + each.origin.element)) continue;
+                const std::string element = element_in(standing.machine.component, each.origin.element);
+                if (offered.contains(element)) continue;
                 if (!ready) ready = ready_elements(standing);
                 result.push_back({standing.machine.component, ir::text_of(machine, each),
-                                  reason(each, standing, ready->contains(each.origin.element)),
+                                  reason(each, standing, ready->contains(element)),
                                   reader_.meanings().place(each.origin.span)});
             }
         }

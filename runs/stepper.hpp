@@ -31,6 +31,8 @@ struct Absence {
     std::string text;    ///< "met: Driving -> Turning"
     std::string reason;  ///< "its condition `x > 1` does not hold (x = 0)"
     std::optional<Place> place;
+
+    friend auto operator<=>(const Absence&, const Absence&) = default;
 };
 
 /// A step of the way.
@@ -70,7 +72,7 @@ public:
     std::size_t settle(std::size_t most);
 
     /// The machines where the process stands.
-    [[nodiscard]] std::vector<Machine> machines() { return reader_.machines_at(here_); }
+    [[nodiscard]] std::vector<Machine> machines();
     /// The components of the process where it stands.
     [[nodiscard]] std::vector<Standing> components();
     /// The transitions that leave active states and are not on offer, each with the reason.
@@ -87,6 +89,7 @@ private:
     std::vector<Taken> way_;
     std::optional<std::vector<Offer>> offers_;
 
+    [[nodiscard]] std::vector<Machine> machines_of(const std::vector<Standing>&) const;
     [[nodiscard]] std::set<std::string> offered_elements();
     [[nodiscard]] std::set<std::string> ready_elements(const Standing&);
     [[nodiscard]] std::string reason(const ir::Transition&, const Standing&, bool ready) const;

@@ -99,9 +99,7 @@ Line Writer::line(const Step& step) const {
     Line result;
     result.time = step.time.value_or(0);
     result.who = who(step.event.component);
-    result.what = step.event.text;
-    const bool by_transition = step.event.kind == Kind::input && step.event.via.find(" -> ") != std::string::npos;
-    if (by_transition) result.what += fmt::format(" ({})", step.event.via);
+    result.what = text(step.event);
     for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
     // What the words say already is no news.
     std::vector<std::string> changes;
@@ -150,13 +148,10 @@ void Writer::add(const std::vector<Line>& lines) {
 }
 
 std::string Writer::machine(const Machine& machine) const {
-    std::vector<std::string> values;
-    for (const Variable& each : machine.variables)
-        if (each.kind != VariableKind::constant && each.value)
-            values.push_back(fmt::format("{} = {}", each.name, *each.value));
+    const std::string values = values_text(machine);
     std::string text = machine.text;
     if (!short_names_.empty()) text = fmt::format("{}: {}", who(machine.component), text);
-    return values.empty() ? text : fmt::format("{} ({})", text, fmt::join(values, ", "));
+    return values.empty() ? text : fmt::format("{} ({})", text, values);
 }
 
 const std::vector<Machine>& Writer::at_the_end() const {
@@ -194,6 +189,30 @@ std::string Writer::write() {
 }
 
 }  // namespace
+
+std::string text(const Event& event) {
+    const bool by_transition = event.kind == Kind::input && event.via.find(" -> ") != std::string::npos;
+    return by_transition ? fmt::format("{} ({})", event.text, event.via) : event.text;
+}
+
+std::string text(const Event& event, const std::vector<Event>& with) {
+    std::string result = text(event);
+    for (const Event& other : with) result += fmt::format("; {}: {}", other.component, other.text);
+    return result;
+}
+
+std::string values_text(const Machine& machine) {
+    std::vector<std::string> values;
+    for (const Variable& each : machine.variables)
+        if (each.kind != VariableKind::constant && each.value)
+            values.push_back(fmt::format("{} = {}", each.name, *each.value));
+    return fmt::format("{}", fmt::join(values, ", "));
+}
+
+std::string text(const Machine& machine) {
+    const std::string values = values_text(machine);
+    return values.empty() ? machine.text : fmt::format("{}, {}", machine.text, values);
+}
 
 std::string text(const Run& run, std::string_view indent) {
     return Writer(run, indent).write();

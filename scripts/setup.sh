@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ clang clang-format cmake ninja-build ccache mold
   libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev
-  libsodium-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev libenki-dev librsvg2-bin graphviz
+  libsodium-dev libexpat1-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev libenki-dev librsvg2-bin graphviz
 )
 # For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.
 command -v npm >/dev/null || packages+=(nodejs npm)

@@ -29,12 +29,15 @@ const std::vector<VerbRow>& verb_table() {
         {Verb::check, "check", "", "read the model and decide its assertions", "MODEL..."},
         {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL..."},
         {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL..."},
+        {Verb::emit_prism, "prism", "emit", "write modules as PRISM models, in RoboTool's encoding", "MODEL..."},
         {Verb::emit_monitor, "monitor", "emit",
          "write monitors: headers that follow a controller and report where it leaves its model", "MODEL..."},
         {Verb::emit_tests, "tests", "emit",
          "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL..."},
         {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL..."},
         {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT..."},
+        {Verb::prism, "prism", "", "explore a PRISM model (dtmc, mdp) and decide its properties",
+         "MODEL [PROPERTIES...]"},
         {Verb::step, "step", "", "animate the semantics by hand: of a component, or of a process of a CSPM script",
          "MODEL [COMPONENT]"},
         {Verb::draw, "draw", "", "draw diagrams of a model, or of some of its components", "MODEL [COMPONENT...]"},
@@ -92,14 +95,15 @@ namespace {
 
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
 
-constexpr Verbs emitting = of(Verb::emit_csp) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests);
+constexpr Verbs instantiating = of(Verb::emit_csp) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests);
+constexpr Verbs emitting = instantiating | of(Verb::emit_prism);
 constexpr Verbs checking = of(Verb::verify) | of(Verb::check);
 constexpr Verbs models = checking | emitting | of(Verb::conform);
 constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
 constexpr Verbs searching = models | of(Verb::cspm);
-constexpr Verbs limited =
-    searching | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::format) | of(Verb::simulate);
+constexpr Verbs limited = searching | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) |
+                          of(Verb::format) | of(Verb::simulate);
 constexpr Verbs all_verbs =
     limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::init) | of(Verb::help) | of(Verb::version);
 
@@ -116,7 +120,7 @@ std::uint64_t number(const std::string& word) {
 }
 
 void take_format(Options& o, const std::string& word) {
-    o.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json,junit"));
+    o.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json,junit,csv"));
 }
 
 void take_quiet(Options& o, const std::string&) {
@@ -128,7 +132,7 @@ void take_choices(Options& o, const std::string&) {
 }
 
 void take_assertion(Options& o, const std::string& word) {
-    o.assertion = word;
+    o.claims.push_back(word);
 }
 
 void take_threads(Options& o, const std::string& word) {
@@ -144,10 +148,10 @@ constexpr Argument format_of(const char* choices) {
 // clang-format off
 const std::vector<OptionRow>& option_table() {
     static const std::vector<OptionRow> rows{
-        {"--assertion", Group::checking, checking, {.kind = Kind::name, .name = "NAME"},
+        {"--assertion", Group::checking, checking, {.kind = Kind::name, .name = "NAME", .repeated = true},
          "only the assertion of this name", take_assertion},
         {"--assertion", Group::checking, of(Verb::cspm),
-         {.kind = Kind::whole, .name = "N", .least = 1, .most = 1'000'000'000},
+         {.kind = Kind::whole, .name = "N", .repeated = true, .least = 1, .most = 1'000'000'000},
          "only this assertion of each script, counted from 1", take_assertion},
         {"--timed", Group::checking, checking | of(Verb::emit_csp), {}, "only the timed semantics",
          [](Options& o, const std::string&) { o.times = Times::timed; }, "--untimed"},
@@ -164,23 +168,41 @@ const std::vector<OptionRow>& option_table() {
         {"--types", Group::checking, of(Verb::cspm), {}, "print the type of every name and stop",
          [](Options& o, const std::string&) { o.types = true; }},
 
-        {"--const", Group::model, models | of(Verb::step) | of(Verb::simulate),
+        {"--property", Group::checking, of(Verb::prism), {.kind = Kind::name, .name = "TEXT", .repeated = true},
+         "a property beside those of the files, for example 'P=? [ F \"done\" ]'",
+         [](Options& o, const std::string& word) { o.properties.push_back(word); }},
+        {"--exact", Group::checking, of(Verb::prism), {},
+         "compute with fractions: exact values, for small models",
+         [](Options& o, const std::string&) { o.exact = true; }},
+        {"--epsilon", Group::checking, of(Verb::prism),
+         {.kind = Kind::fraction, .name = "WIDTH", .usual = "0.000001"},
+         "how wide the interval around a value may be, relative to the value",
+         [](Options& o, const std::string& word) { o.epsilon = std::strtod(word.c_str(), nullptr); }, "--exact"},
+
+        {"--const", Group::model, of(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
+         "value of a constant left open, or values to try: LOW:HIGH, LOW:STEP:HIGH; several with commas",
+         [](Options& o, const std::string& word) { o.constants.push_back(word); }},
+        {"--const", Group::model,
+         checking | instantiating | of(Verb::conform) | of(Verb::step) | of(Verb::simulate),
          {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant the model leaves open",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
         {"--range", Group::model, models | of(Verb::step), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
          "carrier of nat, int or real; lengths of Seq, times of clock, elements of given",
          [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
+        {"--prefs", Group::model, of(Verb::emit_prism), {.kind = Kind::file, .name = "FILE"},
+         "RoboTool's preferences (rc2prism.prefs): the ranges of nat, int and real, the kind of model",
+         [](Options& o, const std::string& word) { o.preferences = word; }, "--range"},
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
+        {"--allow", Group::model, models | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
         {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
-        {"--component", Group::code, coding, {.kind = Kind::name, .name = "NAME"},
+        {"--component", Group::code, coding | of(Verb::emit_prism), {.kind = Kind::name, .name = "NAME"},
          "only this module, controller or machine",
          [](Options& o, const std::string& word) { o.component = word; }},
         {"--cycle", Group::code, coding,
@@ -289,8 +311,16 @@ const std::vector<OptionRow>& option_table() {
          take_format},
         {"--format", Group::output, of(Verb::cspm), format_of("text,plain,json,framed_json,junit"),
          "how the result is printed; plain, json and framed_json as by FDR's refines", take_format},
+        {"--format", Group::output, of(Verb::prism), format_of("text,json,csv"), "how the result is printed",
+         take_format},
         {"--html", Group::output, checking | of(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "also write the report as one page with diagrams, on which counterexamples are stepped through",
+         [](Options& o, const std::string& word) { o.html = word; }},
+        {"--html", Group::output, of(Verb::step), {.kind = Kind::file, .name = "FILE"},
+         "instead of the terminal: write one page with what can be reached, on which one steps in a browser",
+         [](Options& o, const std::string& word) { o.html = word; }},
+        {"--html", Group::output, of(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
+         "also write the run as one page: the trials to play through, each robot's active states, plots over time",
          [](Options& o, const std::string& word) { o.html = word; }},
         {"--color", Group::output, limited | of(Verb::explain),
          {.kind = Kind::choice, .name = "WHEN", .usual = "auto", .choices = "auto,always,never"},
@@ -300,6 +330,7 @@ const std::vector<OptionRow>& option_table() {
          }},
         {"-q,--quiet", Group::output, searching | of(Verb::simulate), {},
          "print only what is wrong and the closing line", take_quiet},
+        {"-q,--quiet", Group::output, of(Verb::prism), {}, "print the answers, not the sizes", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::validate), {}, "print only what is wrong", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::draw), {}, "do not list the files written", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::format), {}, "do not list the files changed", take_quiet},
@@ -317,9 +348,13 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::choice, .name = "FORMAT PROCESS", .choices = "aut,dot,csp"},
          "write all states of a process, any expression of the script, and stop",
          [](Options& o, const std::string& word) { o.exported.push_back(word); }},
+        {"--export", Group::output, of(Verb::prism),
+         {.kind = Kind::choice, .name = "FORMAT", .choices = "tra,sta,lab,dot"},
+         "write the transitions, states or labels, or a graph, instead of answers",
+         [](Options& o, const std::string& word) { o.exported_space = word; }},
         {"--progress", Group::output, searching | of(Verb::simulate),
          {.kind = Kind::choice, .name = "HOW", .usual = "auto", .choices = "auto,json,never"},
-         "how far the run has come, on standard error; auto: a line on a terminal",
+         "how far the run has come, on standard error; auto: a line on a terminal, else one each half minute",
          [](Options& o, const std::string& word) {
              o.progress = static_cast<ProgressMode>(index_of(word, "auto,json,never"));
          }},
@@ -340,6 +375,10 @@ const std::vector<OptionRow>& option_table() {
          "threads of a check at most, used where its state space is wide; 0 for one for each core", take_threads},
         {"--threads", Group::limits, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "parallel trials at most; 0 for one for each core", take_threads},
+        {"--max-states", Group::limits, of(Verb::prism),
+         {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
+         "bound on states of the model",
+         [](Options& o, const std::string& word) { o.max_states = number(word); }},
         {"--max-states", Group::limits, searching,
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "bound on states of a check",
@@ -459,6 +498,13 @@ std::string wrong_choice(const Argument& wanted, const std::string& word) {
     return fmt::format("'{}' is none of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
 }
 
+/// Above 0 and below 1.
+std::string wrong_fraction(const std::string& word) {
+    double value = 0;
+    const bool good = parse_seconds(word, value) && value > 0 && value < 1;
+    return good ? "" : fmt::format("{}: a number between 0 and 1 is wanted", word);
+}
+
 /// The code of a rule that warns.
 std::string wrong_warning(std::string& code) {
     for (const diagnostics::Rule* rule : find_rules(code))
@@ -487,6 +533,8 @@ std::string wrong_word(const Argument& wanted, std::size_t at, std::string& word
         case Kind::file:
         case Kind::folder:
             return word.empty() ? "the name is empty" : "";
+        case Kind::fraction:
+            return wrong_fraction(word);
         case Kind::whole:
         case Kind::seconds:
         case Kind::size:

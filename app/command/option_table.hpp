@@ -47,10 +47,11 @@ struct Argument {
         choice,
         file,
         folder,
-        whole,    ///< a number from `least` to `most`
-        seconds,  ///< the same with decimals
-        size,     ///< of memory, as 300M or 4GiB
-        warning,  ///< the code of a warning
+        whole,     ///< a number from `least` to `most`
+        seconds,   ///< the same with decimals
+        size,      ///< of memory, as 300M or 4GiB
+        fraction,  ///< a number between 0 and 1
+        warning,   ///< the code of a warning
     };
     Kind kind = Kind::none;
     const char* name = "";     ///< as help shows it: "DIR"; two words where the option takes two

@@ -32,6 +32,7 @@ enum class Verb {
     emit_csp,
     emit_cpp,
     emit_monitor,
+    emit_prism,
     emit_tests,
     conform,
     cspm,
@@ -40,6 +41,7 @@ enum class Verb {
     format,
     init,
     lsp,
+    prism,
     simulate,
     step,
     validate,
@@ -51,7 +53,7 @@ enum class Verb {
     return verb == Verb::verify || verb == Verb::check;
 }
 /// How results are printed.
-enum class Format { text, json, sarif, plain, framed_json, junit };
+enum class Format { text, json, sarif, plain, framed_json, junit, csv };
 /// Whether progress goes to stderr, and how.
 enum class ProgressMode { automatic, json, never };
 /// Whether text is coloured.
@@ -85,24 +87,29 @@ struct Options {
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
     bool core = false;
-    bool sizes = false;                 ///< check: how large the components' processes are
-    bool check = false;                 ///< format: write nothing, tell what would change
-    bool diff = false;                  ///< format: write nothing, show what would change
-    bool assertions = false;            ///< format: standard input is an assertion file
-    std::string assertion;              ///< only this one, "" for all
-    bool typecheck = false;             ///< cspm: names and types only
-    bool types = false;                 ///< cspm: print the types of the script's names and stop
-    bool brief = false;                 ///< cspm: no counterexamples
-    bool reveal_taus = false;           ///< cspm: hidden events by their names
-    bool split = false;                 ///< cspm: what each part did, however many they are
-    std::vector<std::string> exported;  ///< cspm: format and process to write out; empty: none
-    std::string picture = "svg";        ///< draw: the format of diagrams
-    std::string theme = "auto";         ///< draw: their colours
+    bool sizes = false;                   ///< check: how large the components' processes are
+    bool check = false;                   ///< format: write nothing, tell what would change
+    bool diff = false;                    ///< format: write nothing, show what would change
+    bool assertions = false;              ///< format: standard input is an assertion file
+    std::vector<std::string> claims;      ///< only these, by name or number in a script; empty: all
+    bool typecheck = false;               ///< cspm: names and types only
+    bool types = false;                   ///< cspm: print the types of the script's names and stop
+    bool brief = false;                   ///< cspm: no counterexamples
+    bool reveal_taus = false;             ///< cspm: hidden events by their names
+    bool split = false;                   ///< cspm: what each part did, however many they are
+    std::vector<std::string> exported;    ///< cspm: format and process to write out; empty: none
+    std::string picture = "svg";          ///< draw: the format of diagrams
+    std::string theme = "auto";           ///< draw: their colours
+    std::vector<std::string> properties;  ///< prism: questions beside those of the files
+    bool exact = false;                   ///< prism: fractions
+    double epsilon = 1e-6;                ///< prism: relative width of enclosures
+    std::string exported_space;           ///< prism: format of the state space to write out; "": none
     ProgressMode progress = ProgressMode::automatic;
     std::string component;  ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
     std::string target;                  ///< emit cpp: a project of this kind; "": the classes alone
     std::string mapping;                 ///< emit cpp --target ros2: file that says which messages carry what
+    std::string preferences;             ///< emit prism: RoboTool's file with ranges; "": --range, or the usual ones
     std::string strategy = "auto";       ///< emit cpp: how the code finds what an event does
     std::string print;                   ///< phase to print, "" for none
     std::vector<std::string> constants;  ///< NAME=VALUE

@@ -259,7 +259,7 @@ void read_blocks(const Part& part, const Options& options) {
 /// becomes two where that leaves something to decide (broken_claims.hpp).
 void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
     const bool decides = decides_assertions(options.verb);
-    if (!decides || !options.print.empty() || !options.assertion.empty()) return;
+    if (!decides || !options.print.empty() || !options.claims.empty()) return;
     std::vector<Part> result;
     for (Part& part : parts) {
         read_blocks(part, options);
@@ -307,15 +307,21 @@ std::vector<Part> read_parts(const Options& options) {
     });
 }
 
+bool asked_for(const Options& options, const std::string& claim) {
+    const std::vector<std::string>& claims = options.claims;
+    return claims.empty() || std::find(claims.begin(), claims.end(), claim) != claims.end();
+}
+
 bool core_wanted(const Part& part, const Options& options) {
     const Project& project = *part.project;
     const bool checks = decides_assertions(options.verb);
     const auto& files = project.model->files;
     const bool claims =
         !project.system.properties.empty() || std::any_of(files.begin(), files.end(), [](const auto& file) {
-            return std::any_of(file->kept.begin(), file->kept.end(), [](const auto& kept) { return kept.claims; });
+            return !file->probabilistic_assertions.empty() ||
+                   std::any_of(file->kept.begin(), file->kept.end(), [](const auto& kept) { return kept.claims; });
         });
-    const bool instead = checks && !claims && options.assertion.empty() && !options.sizes;
+    const bool instead = checks && !claims && options.claims.empty() && !options.sizes;
     return !part.again && (options.core || instead);
 }
 
@@ -397,14 +403,17 @@ void check_names(const std::vector<Part>& parts, const Options& options) {
         found = found || !code_components(system, options.component).empty();
         for (const ir::ComponentRef& ref : all_components(system)) components.push_back(ref.path);
         for (const ir::Property& property : system.properties) assertions.push_back(property.name);
-        for (const auto& file : part.project->model->files)
+        for (const auto& file : part.project->model->files) {
+            for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
+                assertions.push_back(each.name);
             for (const frontend::KeptPart& kept : file->kept)
                 if (kept.claims) assertions.push_back(kept.name);
+        }
     }
     if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
-    if (!options.assertion.empty() &&
-        std::find(assertions.begin(), assertions.end(), options.assertion) == assertions.end())
-        unknown("--assertion", options.assertion, "assertion", std::move(assertions));
+    for (const std::string& name : options.claims)
+        if (std::find(assertions.begin(), assertions.end(), name) == assertions.end())
+            unknown("--assertion", name, "assertion", assertions);
 }
 
 }  // namespace

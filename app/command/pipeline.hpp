@@ -50,6 +50,9 @@ struct Part {
 /// The same as far as reading and resolving go, whatever the instantiations; errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const Options&);
 
+/// Whether the claim of this name, or number in a script, is to be decided: all are where none is named.
+[[nodiscard]] bool asked_for(const Options&, const std::string& claim);
+
 /// Whether the core properties of a part are checked: asked for, or because the model claims nothing and assertions are
 /// to be checked; not of components that a part before it has.
 [[nodiscard]] bool core_wanted(const Part&, const Options&);

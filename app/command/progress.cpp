@@ -107,6 +107,16 @@ std::string progress_json(const refine::Progress& p, const std::string& subject)
     return diagnostics::json_text(json);
 }
 
+std::optional<std::string> ProgressLog::line(const refine::Progress& progress) {
+    constexpr double interval = 30;
+    if (progress.phase != phase_ || due_ == 0) due_ = interval;
+    phase_ = progress.phase;
+    if (progress.seconds < due_) return std::nullopt;
+    due_ = progress.seconds + interval;
+    const std::string subject = subject_.empty() ? "" : diagnostics::shown(subject_) + ": ";
+    return subject + progress_text(progress, 200);
+}
+
 bool progress_line_wanted(const Options& options) {
     return options.progress != ProgressMode::never && !options.quiet && error_is_a_terminal();
 }
@@ -116,7 +126,11 @@ std::function<void(const refine::Progress&)> progress_of(const Options& options,
         return [subject](const refine::Progress& progress) {
             print_error_styled(progress_json(progress, subject) + "\n");
         };
-    if (!progress_line_wanted(options)) return {};
+    if (options.progress == ProgressMode::never || options.quiet) return {};
+    if (!error_is_a_terminal())
+        return [log = std::make_shared<ProgressLog>(subject)](const refine::Progress& progress) {
+            if (const auto line = log->line(progress)) print_error("{}\n", *line);
+        };
     return [line = std::make_shared<Line>()](const refine::Progress& progress) { line->draw(progress); };
 }
 

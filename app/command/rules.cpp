@@ -6,12 +6,17 @@
 
 #include "checker/cspm/syntax/rules.hpp"
 #include "checker/cspm/types/rules.hpp"
+#include "checker/prism/checks/rules.hpp"
+#include "checker/prism/explore/rules.hpp"
+#include "checker/prism/syntax/rules.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/ros2/rules.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "diagrams/stored/rules.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "prism_emit/rules.hpp"
 #include "semantics/rules.hpp"
 #include "simulation/scenario/rules.hpp"
 
@@ -57,12 +62,17 @@ std::vector<const diagnostics::Rule*> all_rules() {
     const auto add = [&all](const auto& table) { all.insert(all.end(), table.begin(), table.end()); };
     add(frontend::syntax::all());
     add(frontend::rules::all());
+    add(diagrams::rules::all());
     add(ir::rules::all());
     add(csp_emit::rules::all());
     add(cpp_emit::rules::all());
     add(cpp_emit::ros2::rules::all());
     add(cspm::rules::all());
     add(cspm::types::rules::all());
+    add(prism::rules::syntax());
+    add(prism::rules::checks());
+    add(prism::rules::explore());
+    add(prism_emit::rules::all());
     add(simulation::rules::all());
     add(conformance::rules::all());
     all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor});

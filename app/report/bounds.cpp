@@ -7,7 +7,7 @@
 
 #include "app/report/element_at.hpp"
 #include "csp_emit/expressions/clipping.hpp"
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 
 namespace robochart::app {
 namespace {

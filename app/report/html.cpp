@@ -5,18 +5,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <set>
-#include <tuple>
+#include <utility>
 
 #include "app/command/run.hpp"
-#include "diagnostics/cache/digest.hpp"
+#include "app/report/page.hpp"
+#include "app/report/part_diagrams.hpp"
 #include "diagnostics/escape.hpp"
-#include "diagrams/layout/arrange.hpp"
-#include "diagrams/notation/subjects.hpp"
-#include "diagrams/svg/svg.hpp"
+#include "diagnostics/json.hpp"
+#include "runs/text.hpp"
 
 namespace robochart::app {
 namespace {
@@ -26,119 +24,33 @@ using diagnostics::xml_text;
 /// Steps that are shown of one run; the first and the last of longer ones.
 constexpr std::size_t most_steps = 2000;
 
-/// The diagrams of all parts, and which element of them a place or a name of the model is.
-class Diagrams {
-public:
-    Diagrams(const std::vector<Part>& parts, diagnostics::Budget& budget) : budget_(budget) {
-        std::size_t next = 1;
-        for (const Part& part : parts) {
-            if (!part.project->model || part.again) continue;
-            elements_.push_back(std::make_unique<diagrams::Elements>(*part.project->model, next));
-            next += elements_.back()->all().size();
-            for (const diagrams::Element& each : elements_.back()->all()) {
-                note(part.project->sources, each.span, each.id);
-                note(part.project->sources, each.name_span, each.id);
-            }
-            name_elements(*part.project);
-            for (diagrams::Subject& subject : diagrams::subjects(*part.project->model, part.project->sources))
-                subjects_.push_back({elements_.back().get(), std::move(subject)});
-        }
-    }
-
-    /// Of what begins at a place; "" if nothing does.
-    [[nodiscard]] std::string at(const runs::Place& place) const {
-        const auto found = by_place_.find({place.file, place.line, place.column});
-        return found == by_place_.end() ? "" : found->second;
-    }
-    /// Of a state or transition by its name in the resolved model.
-    [[nodiscard]] std::string named(const std::string& element) const {
-        const auto found = by_name_.find(element);
-        return found == by_name_.end() ? "" : found->second;
-    }
-
-    /// The SVG of a component by its qualified name, "" if it has none.
-    [[nodiscard]] std::string of(const std::string& component, const std::string& prefix) const {
-        for (const Drawn& each : subjects_)
-            if (each.subject.component != nullptr && each.subject.name == component) return svg(each, prefix);
-        return "";
-    }
-    /// All, with their names.
-    [[nodiscard]] std::vector<std::pair<std::string, std::string>> all(const std::string& prefix) const {
-        std::vector<std::pair<std::string, std::string>> result;
-        for (std::size_t i = 0; i < subjects_.size(); ++i)
-            result.emplace_back(subjects_[i].subject.name, svg(subjects_[i], fmt::format("{}{}-", prefix, i)));
-        return result;
-    }
-
-private:
-    struct Drawn {
-        const diagrams::Elements* elements = nullptr;
-        diagrams::Subject subject;
-    };
-    using Position = std::tuple<std::string, std::uint32_t, std::uint32_t>;
-
-    [[nodiscard]] static std::optional<Position> position(const diagnostics::SourceManager& sources,
-                                                          diagnostics::Span span) {
-        if (!span.known()) return std::nullopt;
-        const diagnostics::Position begin = sources.position(span.source, span.begin);
-        return Position{sources.path(span.source), begin.line, begin.column};
-    }
-    void note(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id) {
-        if (const auto where = position(sources, span)) by_place_.try_emplace(*where, id);
-    }
-    void name_elements(const Project& project) {
-        const auto name = [&](const ir::Origin& origin) {
-            const auto where = position(project.sources, origin.span);
-            const auto found = where ? by_place_.find(*where) : by_place_.end();
-            if (found != by_place_.end()) by_name_.try_emplace(origin.element, found->second);
-        };
-        for (const ir::Machine& machine : project.system.machines) {
-            for (const ir::Node& node : machine.nodes) name(node.origin);
-            for (const ir::Transition& transition : machine.transitions) name(transition.origin);
-        }
-    }
-    [[nodiscard]] std::string svg(const Drawn& drawn, const std::string& prefix) const {
-        try {
-            const diagrams::Picture picture = diagrams::draw(drawn.subject, {*drawn.elements, nullptr, &budget_});
-            return diagrams::svg(picture, *drawn.elements, {diagrams::Theme::automatic, prefix});
-        } catch (const diagrams::layout::TooLarge& large) {
-            return fmt::format("<p>{}</p>", xml_text(std::string(large.what())));
-        }
-    }
-
-    diagnostics::Budget& budget_;
-    std::vector<std::unique_ptr<diagrams::Elements>> elements_;
-    std::vector<Drawn> subjects_;
-    std::map<Position, std::string> by_place_;
-    std::map<std::string, std::string> by_name_;
-};
-
-const char* word(Answer answer) {
-    switch (answer) {
-        case Answer::holds:
-            return "holds";
-        case Answer::fails:
-            return "FAILS";
-        case Answer::inconclusive:
-            return "inconclusive";
-        case Answer::no_check:
-            return "no check";
-        case Answer::error:
-            return "error";
-        case Answer::unchecked:
-            return "not checked";
-    }
-    return "";
-}
-
 const char* look(Answer answer) {
     return answer == Answer::holds ? "holds" : answer == Answer::fails ? "fails" : "other";
 }
 
+std::string title_of(const AssertionReport& assertion) {
+    return assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
+}
+
+/// Lines that are wider than the page scroll, by keyboard too.
+std::string preformatted(const std::string& text) {
+    return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
+}
+
+/// Elements of diagrams: the number of the machine whose diagram it is, and the element's id.
+using Marks = std::vector<std::pair<std::size_t, std::string>>;
+
+/// "0:e5 1:e9".
+std::string text_of(const Marks& marks) {
+    std::vector<std::string> texts;
+    for (const auto& [machine, element] : marks) texts.push_back(fmt::format("{}:{}", machine, element));
+    return fmt::format("{}", fmt::join(texts, " "));
+}
+
 /// One page.
-class Page {
+class ReportPage {
 public:
-    Page(const Report& report, const std::vector<Part>& parts, const Options& options)
+    ReportPage(const Report& report, const std::vector<Part>& parts, const Options& options)
         : report_(report), diagrams_(parts, options.run->budget()) {}
 
     std::string write() {
@@ -148,8 +60,7 @@ public:
             if (report_.assertions[i].run) claim(i, report_.assertions[i]);
         code();
         pictures();
-        out_ += fmt::format("</main>\n<script>{}</script>\n</body>\n</html>\n", script_);
-        return std::move(out_);
+        return page_text({report_.model, "script.js", std::move(out_)});
     }
 
 private:
@@ -157,48 +68,47 @@ private:
     void verdicts();
     void verdict(std::size_t number, const AssertionReport& assertion);
     void claim(std::size_t number, const AssertionReport& assertion);
-    void steps(std::size_t number, const runs::Run& run);
+    void standstill(std::size_t number, const ConformanceReport& report);
+    void replay(const std::string& id, const runs::Run& run);
+    void steps(const std::string& id, const runs::Run& run);
     void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
              const std::vector<runs::Machine>& after);
-    void figures(std::size_t number);
+    void figures(const std::string& id, const runs::Run& run);
+    void figure(const std::string& attributes, const std::string& caption, const std::string& svg);
     void code();
     void pictures();
-    [[nodiscard]] std::string active(const std::vector<runs::Machine>& machines) const;
-    [[nodiscard]] std::string fired(const runs::Step& step) const;
+    [[nodiscard]] std::set<std::string> unexercised() const;
+    [[nodiscard]] Marks active(const std::vector<runs::Machine>& machines) const;
+    [[nodiscard]] Marks fired(const runs::Step& step) const;
+    [[nodiscard]] std::string lane(const std::string& component) const;
+    [[nodiscard]] std::string values(const std::vector<runs::Machine>& before,
+                                     const std::vector<runs::Machine>& after) const;
 
     const Report& report_;
-    Diagrams diagrams_;
-    std::string style_ = page_part("style.css"), script_ = page_part("script.js");
-    std::vector<std::pair<std::string, std::string>> machines_;  ///< of the claim: instance, definition
+    PartDiagrams diagrams_;
+    std::vector<std::pair<std::string, std::string>> machines_;  ///< of the run shown: instance, definition
+    bool timed_ = false;                                         ///< the run shown is
     std::string out_;
 };
 
-/// The styles of the diagrams are a part of the page's: a hash for each.
-void Page::head() {
-    std::set<std::string> styles{style_};
-    for (const auto& [name, text] : diagrams_.all("d")) {
-        const std::size_t begin = text.find("<style>");
-        const std::size_t end = text.find("</style>");
-        if (begin != std::string::npos && end != std::string::npos)
-            styles.insert(text.substr(begin + 7, end - begin - 7));
-    }
-    std::vector<std::string> hashes;
-    for (const std::string& each : styles) hashes.push_back("'" + diagnostics::policy_hash(each) + "'");
-    out_ += fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; script-src '{}'; "
-        "base-uri 'none'; form-action 'none'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{} - robochart-verify</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
-        fmt::join(hashes, " "), diagnostics::policy_hash(script_), xml_text(report_.model), style_);
+void ReportPage::head() {
     out_ += fmt::format("<h1>{}</h1>\n<p>{}", xml_text(report_.model), xml_text(report_.summary));
     for (const std::string& note : report_.notes) out_ += fmt::format("<br>{}", xml_text(note));
-    out_ += fmt::format("</p>\n<p>robochart-verify {}: {} hold, {} fail{}</p>\n", program_version,
-                        report_.count(Answer::holds), report_.count(Answer::fails),
-                        report_.limit.empty() ? "" : "; ended early: " + xml_text(report_.limit));
+    std::vector<std::string> counts;
+    if (!report_.assertions.empty())
+        counts.push_back(fmt::format("{} hold, {} fail", report_.count(Answer::holds), report_.count(Answer::fails)));
+    if (const auto& code = report_.conformance; !code.empty())
+        counts.push_back(fmt::format("{} of {} components conform",
+                                     std::count_if(code.begin(), code.end(),
+                                                   [](const ConformanceReport& each) {
+                                                       return each.result.outcome == conformance::Outcome::conforms;
+                                                   }),
+                                     code.size()));
+    if (!report_.limit.empty()) counts.push_back("ended early: " + xml_text(report_.limit));
+    out_ += fmt::format("</p>\n<p>robochart-verify {}: {}</p>\n", program_version, fmt::join(counts, "; "));
 }
 
-void Page::verdicts() {
+void ReportPage::verdicts() {
     if (report_.assertions.empty()) return;
     out_ +=
         "<section id=\"verdicts\">\n<h2>Verdicts</h2>\n"
@@ -213,72 +123,61 @@ void Page::verdicts() {
     out_ += "</section>\n";
 }
 
-void Page::verdict(std::size_t number, const AssertionReport& assertion) {
-    const std::string title =
-        assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
-    std::string shown = xml_text(title);
+void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
+    std::string shown = xml_text(title_of(assertion));
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
     const bool information = assertion.core && assertion.core->information;
     out_ += fmt::format(
         "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
         assertion.answer == Answer::holds || information ? "good" : "bad", information ? "" : look(assertion.answer),
-        information ? (assertion.answer == Answer::holds ? "yes" : "no") : word(assertion.answer), shown,
+        information ? (assertion.answer == Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
         xml_text(assertion.place), assertion.statistics.states);
 }
 
-/// "0:e5 1:e9": the active states of each machine of the claim.
-std::string Page::active(const std::vector<runs::Machine>& machines) const {
-    std::vector<std::string> marks;
+/// The active states of each machine of the run shown.
+Marks ReportPage::active(const std::vector<runs::Machine>& machines) const {
+    Marks marks;
     for (const runs::Machine& machine : machines)
         for (std::size_t i = 0; i < machines_.size(); ++i)
             for (const std::string& state : machine.active)
                 if (const std::string id = diagrams_.named(state);
                     machines_[i].first == machine.component && !id.empty())
-                    marks.push_back(fmt::format("{}:{}", i, id));
-    return fmt::format("{}", fmt::join(marks, " "));
+                    marks.emplace_back(i, id);
+    return marks;
 }
 
 /// What the step does, in the machines that do it.
-std::string Page::fired(const runs::Step& step) const {
-    std::vector<std::string> marks;
+Marks ReportPage::fired(const runs::Step& step) const {
+    Marks marks;
     const auto add = [&](const runs::Event& event) {
-        std::string id = diagrams_.named(event.element);
-        if (id.empty() && event.place) id = diagrams_.at(*event.place);
+        const std::string id = diagrams_.of(event);
         for (std::size_t i = 0; i < machines_.size(); ++i)
-            if (!id.empty() && machines_[i].first == event.component) marks.push_back(fmt::format("{}:{}", i, id));
+            if (!id.empty() && machines_[i].first == event.component) marks.emplace_back(i, id);
     };
     add(step.event);
     for (const runs::Event& each : step.with) add(each);
-    return fmt::format("{}", fmt::join(marks, " "));
-}
-
-/// Where a machine is, with its variables.
-std::string machine_text(const runs::Machine& machine) {
-    std::vector<std::string> values;
-    for (const runs::Variable& each : machine.variables)
-        if (each.kind != runs::VariableKind::constant && each.value)
-            values.push_back(fmt::format("{} = {}", each.name, *each.value));
-    return fmt::format("{}{}{}", machine.text, values.empty() ? "" : ", ", fmt::join(values, ", "));
-}
-
-std::string event_text(const runs::Event& event) {
-    return event.via.empty() ? event.text : fmt::format("{} ({})", event.text, event.via);
+    return marks;
 }
 
 std::string step_text(const runs::Step& step) {
-    std::string text = event_text(step.event);
-    for (const runs::Event& other : step.with) text += fmt::format("; {}: {}", other.component, other.text);
+    std::string text = runs::text(step.event, step.with);
     for (const runs::Change& change : step.changes) text += fmt::format("; {} = {}", change.name, change.after);
     return text;
+}
+
+/// The file's name; its whole path where the pointer rests.
+std::string place_text(const runs::Place& place) {
+    return fmt::format("<span class=\"place\" title=\"{}\">{}:{}</span>", xml_text(place.file),
+                       xml_text(place.file.substr(place.file.rfind('/') + 1)), place.line);
 }
 
 /// What a component does in a step, and what it changes.
 std::string does(const runs::Step& step, const std::string& component) {
     std::vector<std::string> parts;
-    if (step.event.component == component) parts.push_back(event_text(step.event));
+    if (step.event.component == component) parts.push_back(runs::text(step.event));
     for (const runs::Event& each : step.with)
-        if (each.component == component) parts.push_back(event_text(each));
+        if (each.component == component) parts.push_back(runs::text(each));
     for (const runs::Change& change : step.changes)
         if (change.component == component) parts.push_back(fmt::format("{} = {}", change.name, change.after));
     return fmt::format("{}", fmt::join(parts, "; "));
@@ -290,23 +189,59 @@ const runs::Machine* find(const std::vector<runs::Machine>& machines, const std:
     return found == machines.end() ? nullptr : &*found;
 }
 
+/// The last part of its name where that tells it from the others, else all but the first.
+std::string ReportPage::lane(const std::string& component) const {
+    const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
+    const auto alike = std::count_if(machines_.begin(), machines_.end(),
+                                     [&](const auto& each) { return last(each.first) == last(component); });
+    const std::size_t whole = component.find("::");
+    return alike == 1 ? last(component) : component.substr(whole == std::string::npos ? 0 : whole + 2);
+}
+
+/// The variables of the machines whose variables are not as before, by the machine's number: name, value, whether it
+/// has changed.
+std::string ReportPage::values(const std::vector<runs::Machine>& before,
+                               const std::vector<runs::Machine>& after) const {
+    diagnostics::Json all = diagnostics::Json::object();
+    for (std::size_t i = 0; i < machines_.size(); ++i) {
+        const runs::Machine* const was = find(before, machines_[i].first);
+        const runs::Machine* const is = find(after, machines_[i].first);
+        if (is == nullptr || (was != nullptr && runs::values_text(*was) == runs::values_text(*is))) continue;
+        diagnostics::Json list = diagnostics::Json::array();
+        for (const runs::Variable& each : is->variables) {
+            if (each.kind == runs::VariableKind::constant || !each.value) continue;
+            const bool same =
+                was != nullptr &&
+                std::any_of(was->variables.begin(), was->variables.end(), [&](const runs::Variable& other) {
+                    return other.name == each.name && other.value == each.value;
+                });
+            list.push_back({each.name, *each.value, was != nullptr && !same});
+        }
+        all[fmt::format("{}", i)] = std::move(list);
+    }
+    return diagnostics::json_text(all);
+}
+
 /// A lane for each machine: what it does, and below it where it is then, if that is new. `step`: null for the
 /// beginning.
-void Page::row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
-               const std::vector<runs::Machine>& after) {
+void ReportPage::row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+                     const std::vector<runs::Machine>& after) {
     const std::string what = step == nullptr ? "the beginning" : step_text(*step);
-    out_ +=
-        fmt::format("<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-text=\"{}\"><td class=\"number\">{}</td>",
-                    active(after), step == nullptr ? "" : fired(*step), xml_text(what), number);
-    out_ += fmt::format("<td class=\"number\">{}</td>",
-                        step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
+    out_ += fmt::format(
+        "<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-values=\"{}\" data-text=\"{}\"><td "
+        "class=\"number\">{}</td>",
+        text_of(active(after)), step == nullptr ? "" : text_of(fired(*step)), xml_text(values(before, after)),
+        xml_text(what), number);
+    if (timed_)
+        out_ += fmt::format("<td class=\"number\">{}</td>",
+                            step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
     bool said = false;
     for (const auto& [component, definition] : machines_) {
         const std::string done = step == nullptr ? "" : does(*step, component);
         const runs::Machine* const was = find(before, component);
         const runs::Machine* const is = find(after, component);
-        const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : machine_text(*is);
-        const bool news = step == nullptr || was == nullptr || is == nullptr || machine_text(*was) != then;
+        const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : is->text;
+        const bool news = step == nullptr || was == nullptr || is == nullptr || was->text != then;
         said = said || !done.empty();
         out_ += fmt::format("<td>{}{}</td>", xml_text(done),
                             news && !then.empty() ? fmt::format("<div class=\"then\">{}</div>", xml_text(then)) : "");
@@ -316,31 +251,27 @@ void Page::row(std::size_t number, const runs::Step* step, const std::vector<run
     if (step != nullptr)
         for (const runs::Event& each : step->offered) offered.push_back(xml_text(each.text));
     const bool placed = step != nullptr && step->event.place;
-    out_ += fmt::format("<td>{}</td><td>{}</td></tr>\n",
-                        placed ? fmt::format("{}:{}", xml_text(step->event.place->file), step->event.place->line) : "",
+    out_ += fmt::format("<td>{}</td><td>{}</td></tr>\n", placed ? place_text(*step->event.place) : "",
                         offered.empty() ? ""
                                         : fmt::format("<details><summary>{}</summary>{}</details>", offered.size(),
                                                       fmt::join(offered, "<br>")));
 }
 
-void Page::steps(std::size_t number, const runs::Run& run) {
+void ReportPage::steps(const std::string& id, const runs::Run& run) {
     out_ += fmt::format(
-        "<div class=\"steps\">\n<p class=\"controls\"><button type=\"button\" data-to=\"first\">first</button>"
-        "<button type=\"button\" data-to=\"back\">back</button><button type=\"button\" data-to=\"next\">next</button>"
-        "<button type=\"button\" data-to=\"last\">last</button> <span class=\"status\" "
-        "aria-live=\"polite\"></span></p>\n"
-        "<table aria-label=\"steps of a{}\"><thead><tr><th scope=\"col\">step</th><th scope=\"col\">{}</th>",
-        number, run.timed ? "time" : "");
+        "<div class=\"steps\" tabindex=\"0\" role=\"region\" aria-label=\"steps of {}\">\n<table><thead><tr>"
+        "<th scope=\"col\">step</th>{}",
+        id, timed_ ? "<th scope=\"col\">time</th>" : "");
     for (const auto& [component, definition] : machines_)
-        out_ += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component),
-                            xml_text(component.substr(component.rfind(':') + 1)));
+        out_ += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component), xml_text(lane(component)));
     out_ +=
         "<th scope=\"col\">elsewhere</th><th scope=\"col\">place</th><th scope=\"col\">also "
         "possible</th></tr></thead>\n"
         "<tbody>\n";
-    const std::size_t columns = machines_.size() + 5;
+    const std::size_t columns = machines_.size() + (timed_ ? 5 : 4);
     row(0, nullptr, {}, run.initial);
     const std::size_t count = run.steps.size();
+    const std::vector<runs::Machine>* shown = &run.initial;
     for (std::size_t i = 0; i < count; ++i) {
         if (i == most_steps / 2 && count > most_steps) {
             i = count - most_steps / 2;
@@ -348,26 +279,43 @@ void Page::steps(std::size_t number, const runs::Run& run) {
                 fmt::format("<tr><td colspan=\"{}\">{} steps are left out</td></tr>\n", columns, count - most_steps);
         }
         if (run.loop_start == i) out_ += fmt::format("<tr><td colspan=\"{}\">then for ever:</td></tr>\n", columns);
-        const runs::Step& step = run.steps[i];
-        row(i + 1, &step, i == 0 ? run.initial : run.steps[i - 1].machines, step.machines);
+        row(i + 1, &run.steps[i], *shown, run.steps[i].machines);
+        shown = &run.steps[i].machines;
     }
     out_ += "</tbody></table>\n</div>\n";
 }
 
-void Page::figures(std::size_t number) {
+/// Each machine's diagram as it is after the last step: so it is read without script.
+void ReportPage::figures(const std::string& id, const runs::Run& run) {
+    const std::vector<runs::Machine>& last = run.steps.empty() ? run.initial : run.steps.back().machines;
+    std::vector<PartDiagrams::Classes> classes(machines_.size());
+    for (const auto& [machine, element] : active(last)) classes[machine][element] = "on";
+    if (!run.steps.empty())
+        for (const auto& [machine, element] : fired(run.steps.back())) classes[machine][element] += " fired";
     out_ += "<div class=\"drawn\">\n";
     for (std::size_t i = 0; i < machines_.size(); ++i) {
-        const std::string svg = diagrams_.of(machines_[i].second, fmt::format("a{}-{}-", number, i));
-        if (svg.empty()) continue;
-        out_ += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", i,
-                            xml_text(machines_[i].first), svg);
+        const std::string svg = diagrams_.svg(machines_[i].second, fmt::format("{}-{}-", id, i), classes[i]);
+        const runs::Machine* const machine = find(last, machines_[i].first);
+        const std::string values = machine == nullptr ? "" : runs::values_text(*machine);
+        if (!svg.empty())
+            figure(fmt::format(" data-machine=\"{}\"", i), machines_[i].first,
+                   fmt::format("<p class=\"values\">{}</p>\n{}", xml_text(values), svg));
     }
     out_ += "</div>\n";
 }
 
-void Page::claim(std::size_t number, const AssertionReport& assertion) {
-    const runs::Run& run = *assertion.run;
+/// One that is wider than its place scrolls, by keyboard too.
+void ReportPage::figure(const std::string& attributes, const std::string& caption, const std::string& svg) {
+    out_ += fmt::format(
+        "<figure{} tabindex=\"0\" aria-label=\"diagram of "
+        "{}\"><figcaption>{}</figcaption>\n{}</figure>\n",
+        attributes, xml_text(caption), xml_text(caption), svg);
+}
+
+/// The steps of a run beside the diagrams of its machines.
+void ReportPage::replay(const std::string& id, const runs::Run& run) {
     machines_.clear();
+    timed_ = run.timed;
     const auto add = [&](const std::vector<runs::Machine>& machines) {
         for (const runs::Machine& each : machines) {
             const auto known = std::any_of(machines_.begin(), machines_.end(),
@@ -377,40 +325,84 @@ void Page::claim(std::size_t number, const AssertionReport& assertion) {
     };
     add(run.initial);
     for (const runs::Step& step : run.steps) add(step.machines);
-    const std::string title =
-        assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
-    out_ += fmt::format(
-        "<section class=\"claim\" id=\"a{}\">\n<h2><span class=\"{}\">{}</span> {}</h2>\n<p>{}</p>\n<p>{}</p>\n",
-        number, look(assertion.answer), word(assertion.answer), xml_text(title), xml_text(assertion.place),
-        xml_text(run.end.why));
-    out_ += "<div class=\"replay\">\n";
-    steps(number, run);
-    figures(number);
-    out_ += fmt::format("</div>\n<details><summary>events of the script</summary><pre>{}</pre></details>\n</section>\n",
-                        xml_text(fmt::format("{}", fmt::join(run.raw, "\n"))));
+    out_ +=
+        "<p class=\"controls\"><button type=\"button\" data-to=\"first\">first</button>"
+        "<button type=\"button\" data-to=\"back\">back</button><button type=\"button\" data-to=\"next\">next</button>"
+        "<button type=\"button\" data-to=\"last\">last</button>"
+        "<button type=\"button\" class=\"size\" aria-pressed=\"false\">diagrams in full size</button> "
+        "<span class=\"status\" aria-live=\"polite\"></span></p>\n<div class=\"replay\">\n";
+    steps(id, run);
+    figures(id, run);
+    out_ += fmt::format("</div>\n<details><summary>events of the script</summary>{}</details>\n",
+                        preformatted(fmt::format("{}", fmt::join(run.raw, "\n"))));
 }
 
-void Page::code() {
-    if (report_.conformance.empty()) return;
-    out_ += "<section id=\"conformance\">\n<h2>Conformance of the generated C++</h2>\n";
-    for (const ConformanceReport& each : report_.conformance)
-        out_ += fmt::format("<pre>{}</pre>\n", xml_text(conformance_text(each)));
+void ReportPage::claim(std::size_t number, const AssertionReport& assertion) {
+    const std::string id = fmt::format("a{}", number);
+    out_ += fmt::format(
+        "<section class=\"claim\" id=\"{}\">\n<h2><span class=\"{}\">{}</span> {}</h2>\n<p>{}</p>\n<p>{}</p>\n", id,
+        look(assertion.answer), answer_word(assertion.answer), xml_text(title_of(assertion)), xml_text(assertion.place),
+        xml_text(assertion.run->end.why));
+    replay(id, *assertion.run);
     out_ += "</section>\n";
 }
 
-void Page::pictures() {
-    const auto all = diagrams_.all("d");
-    if (all.empty()) return;
+/// What shows that a model cannot be run in cycles.
+void ReportPage::standstill(std::size_t number, const ConformanceReport& report) {
+    const conformance::Explanation& explanation = report.result.explanation;
+    const std::string id = fmt::format("c{}", number);
+    const std::string code = explanation.rule == nullptr ? "" : fmt::format(" [{}]", explanation.rule->code);
+    out_ +=
+        fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{} is not schedulable{}</h3>\n<p>{}</p>\n<p>{}</p>\n", id,
+                    xml_text(report.component), code, xml_text(explanation.run->end.why), xml_text(explanation.remedy));
+    replay(id, *explanation.run);
+    out_ += "</section>\n";
+}
+
+void ReportPage::code() {
+    if (report_.conformance.empty()) return;
+    out_ += "<section id=\"conformance\">\n<h2>Conformance of the generated C++</h2>\n";
+    for (std::size_t i = 0; i < report_.conformance.size(); ++i) {
+        const ConformanceReport& each = report_.conformance[i];
+        out_ += preformatted(conformance_text(each)) + "\n";
+        if (each.result.explanation.run) standstill(i, each);
+    }
+    out_ += "</section>\n";
+}
+
+/// The elements that some claim asks about and no run exercises.
+std::set<std::string> ReportPage::unexercised() const {
+    std::set<std::string> result, exercised;
+    for (const AssertionReport& each : report_.assertions) {
+        if (!each.core || (each.answer != Answer::holds && each.answer != Answer::fails)) continue;
+        const std::vector<std::string>& never = each.core->unexercised;
+        result.insert(never.begin(), never.end());
+        for (const std::string& element : each.core->elements)
+            if (std::find(never.begin(), never.end(), element) == never.end()) exercised.insert(element);
+    }
+    for (const std::string& each : exercised) result.erase(each);
+    return result;
+}
+
+void ReportPage::pictures() {
+    const std::vector<PartSubject>& subjects = diagrams_.subjects();
+    if (subjects.empty()) return;
     out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
-    for (const auto& [name, svg] : all)
-        out_ += fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xml_text(name), svg);
+    PartDiagrams::Classes classes;
+    for (const std::string& each : unexercised())
+        if (const std::string id = diagrams_.named(each); !id.empty()) classes[id] = "unexercised";
+    if (!classes.empty())
+        out_ += fmt::format("<p>{} {} dashed: no run exercises {}.</p>\n", classes.size(),
+                            classes.size() == 1 ? "element is" : "elements are", classes.size() == 1 ? "it" : "them");
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        figure("", subjects[i].subject.name, diagrams_.svg(subjects[i], fmt::format("d{}-", i), classes));
     out_ += "</section>\n";
 }
 
 }  // namespace
 
 std::string render_html(const Report& report, const std::vector<Part>& parts, const Options& options) {
-    return Page(report, parts, options).write();
+    return ReportPage(report, parts, options).write();
 }
 
 }  // namespace robochart::app

@@ -17,12 +17,6 @@
 namespace robochart::app {
 namespace {
 
-std::string_view answer_word(Answer answer) {
-    constexpr std::array<std::string_view, 6> words{"holds",    "FAILS", "inconclusive",
-                                                    "no check", "error", "not checked"};
-    return words[static_cast<std::size_t>(answer)];
-}
-
 std::string_view outcome_word(conformance::Outcome outcome) {
     constexpr std::array<std::string_view, 5> words{"conforms", "DIFFERS", "NOT SCHEDULABLE", "not generated",
                                                     "inconclusive"};
@@ -52,11 +46,16 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
+bool has_statistics(const AssertionReport& a) {
+    return a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0;
+}
+
 /// Behind the verdict. Under the heading of its component a core property needs no title.
 std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options) {
-    std::string out = fmt::format("{:<{}}", a.core && width > 0 ? a.core->property : a.title, width);
-    if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
+    const std::size_t padded = has_statistics(a) ? width : 0;
+    std::string out = fmt::format("{:<{}}", a.core && width > 0 ? a.core->property : a.title, padded);
+    if (has_statistics(a))
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
                            a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
@@ -92,8 +91,9 @@ void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
 void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const conformance::Cycle& cycle = cycles[i];
-        out += fmt::format("                 cycle {:<3} in {{{}}}  out <{}>  {}\n", i + 1,
-                           fmt::join(cycle.inputs, ", "), fmt::join(cycle.outputs, ", "), cycle.state);
+        out +=
+            fmt::format("                 cycle {:<3} in {{{}}}  out <{}>{}{}\n", i + 1, fmt::join(cycle.inputs, ", "),
+                        fmt::join(cycle.outputs, ", "), cycle.state.empty() ? "" : "  ", cycle.state);
     }
 }
 
@@ -258,6 +258,12 @@ std::string closing(const Report& report) {
 
 }  // namespace
 
+std::string_view answer_word(Answer answer) {
+    constexpr std::array<std::string_view, 6> words{"holds",    "FAILS", "inconclusive",
+                                                    "no check", "error", "not checked"};
+    return words[static_cast<std::size_t>(answer)];
+}
+
 const std::string_view indent_of_runs = "                 ";
 
 std::size_t Report::count(Answer answer) const {
@@ -359,10 +365,21 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
+/// What stands in the place of the seconds, where it does.
+std::string legend(const Report& report, const Options& options) {
+    const auto shown = [&](const AssertionReport& a) {
+        return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds);
+    };
+    const bool known = std::any_of(report.assertions.begin(), report.assertions.end(),
+                                   [&](const auto& a) { return shown(a) && has_statistics(a) && !a.searched; });
+    return known ? "\nknown: an earlier run has decided it; --no-cache decides it again\n" : "";
+}
+
 std::string files_text(const Report& report) {
     std::string out;
     write_files(out, "CSP semantics", report.csp_files);
     write_files(out, "C++", report.cpp_files);
+    write_files(out, "PRISM", report.prism_files);
     write_files(out, "monitors", report.monitor_files);
     write_files(out, "tests", report.test_files);
     for (const std::string& remark : report.remarks) out += fmt::format("  {}\n", remark);
@@ -375,7 +392,7 @@ std::string render_text(const Report& report, const Options& options) {
     using diagnostics::shown_lines;
     const bool color = color_wanted(options.color, STDOUT_FILENO);
     std::string out = options.quiet ? "" : shown_lines(heading_text(report));
-    out += assertions_text(report, options, color) + core_text(report, options, color);
+    out += assertions_text(report, options, color) + core_text(report, options, color) + legend(report, options);
     std::string found;
     write_bounds(found, report.bounds);
     write_sizes(found, report.sizes);

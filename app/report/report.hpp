@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/command/options.hpp"
@@ -22,6 +23,9 @@ enum class Answer {
     unchecked,  ///< a claim of a kind that is not decided here: nothing is known of it
 };
 
+/// For people: "holds", "FAILS".
+[[nodiscard]] std::string_view answer_word(Answer);
+
 /// Why something that was to be decided is inconclusive while nothing is known of it.
 inline constexpr const char* not_decided = "it was not decided before the limit";
 
@@ -30,6 +34,9 @@ struct CoreReport {
     std::string component;     ///< "state machine P::S"
     std::string property;      ///< "deadlock-free"
     bool information = false;  ///< nothing is wrong where it does not hold, and nothing missing where it is not known
+    /// The transitions or states of the resolved model that are asked about, where it is asked which are exercised.
+    std::vector<std::string> elements = {};
+    std::vector<std::string> unexercised = {};  ///< those of them that no run exercises
 };
 
 /// One assertion with its answer.
@@ -98,7 +105,7 @@ struct Report {
     std::vector<BoundReport> bounds;
     std::vector<SizeReport> sizes;
     std::vector<ConformanceReport> conformance;
-    std::vector<FileReport> csp_files, cpp_files, monitor_files, test_files;
+    std::vector<FileReport> csp_files, cpp_files, prism_files, monitor_files, test_files;
     std::vector<std::string> remarks;  ///< on the files written
     std::vector<RefusedReport> refused;
     std::string unclaimed;         ///< said where no assertion was checked, though some were to be; "": some were

@@ -90,6 +90,7 @@ Json conformance_json(const ConformanceReport& c) {
     if (const conformance::Explanation& e = r.explanation; e.rule != nullptr) {
         json["code"] = e.rule->code;
         json["explanation"] = {{"where", e.where}, {"remedy", e.remedy}};
+        if (e.run) json["explanation"]["run"] = runs::json(*e.run);
     }
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)
@@ -142,6 +143,7 @@ std::string render_json(const Report& report) {
     for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
     json["cspFiles"] = files(report.csp_files);
     json["cppFiles"] = files(report.cpp_files);
+    if (!report.prism_files.empty()) json["prismFiles"] = files(report.prism_files);
     if (!report.monitor_files.empty()) json["monitorFiles"] = files(report.monitor_files);
     if (!report.test_files.empty()) json["testFiles"] = files(report.test_files);
     if (!report.remarks.empty()) json["remarks"] = report.remarks;

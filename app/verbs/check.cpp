@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <new>
 #include <optional>
+#include <set>
 
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
@@ -13,6 +15,7 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "diagnostics/escape.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "runs/exercised.hpp"
 #include "runs/interpreter.hpp"
@@ -28,6 +31,12 @@ struct Context {
     const csp_emit::Emission& emission;
     cspm::Session& session;
 };
+
+/// What counterexamples and steps are read with.
+runs::Context reading(const Context& context) {
+    return {context.emission.provenance, context.project.system, context.project.instantiation, context.project.sources,
+            context.session};
+}
 
 void add(refine::Statistics& sum, const refine::Statistics& one) {
     sum.states += one.states;
@@ -46,9 +55,7 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
         report.reason = verdict.reason;
     } else if (verdict.outcome == refine::Outcome::fails) {
         report.answer = Answer::fails;
-        const runs::Context reading{context.emission.provenance, context.project.system, context.project.instantiation,
-                                    context.project.sources, context.session};
-        if (verdict.counterexample) report.run = runs::interpret(reading, obligation, *verdict.counterexample);
+        if (verdict.counterexample) report.run = runs::interpret(reading(context), obligation, *verdict.counterexample);
     }
 }
 
@@ -65,7 +72,8 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
                 AssertionReport& report) {
     report.answer = Answer::holds;
     try {
-        take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
+        take(context, obligation, context.session.check(assertion, limits(context.options, obligation.title)).verdict,
+             report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
         report.reason = said(context.project, error);
@@ -78,24 +86,66 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
 /// A state of a term takes long beside one of a compiled machine.
 constexpr std::uint64_t most_states_for_firing = 20'000;
 
+using Transitions = std::vector<csp_emit::TransitionInside>;
+
+/// Those that are not among the elements.
+Transitions missing(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
+    Transitions result;
+    for (const csp_emit::TransitionInside& each : question.transitions)
+        if (!elements.contains(runs::element_in(each.component, each.origin.element))) result.push_back(each);
+    return result;
+}
+
+/// "t1: S1 -> S2 (model.rct:12), ..."
+std::string listed(const Project& project, const Transitions& transitions) {
+    std::vector<std::string> texts;
+    for (const csp_emit::TransitionInside& each : transitions)
+        texts.push_back(fmt::format("{} ({})", each.text, project.sources.place(each.origin.span)));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// The elements that fire in no instance of their machine.
+std::vector<std::string> unexercised(const csp_emit::FiringQuestion& question, const Transitions& never) {
+    std::map<std::string, std::size_t> instances;
+    for (const csp_emit::TransitionInside& each : question.transitions) ++instances[each.origin.element];
+    for (const csp_emit::TransitionInside& each : never) --instances[each.origin.element];
+    std::vector<std::string> result;
+    for (const auto& [element, firing] : instances)
+        if (firing == 0) result.push_back(element);
+    return result;
+}
+
+/// A step does not tell apart transitions of one state that have its trigger and lead to the same place: that one of
+/// them fires does not say that each does.
+void answer_firing(const Project& project, const csp_emit::FiringQuestion& question, const runs::Exercised& found,
+                   AssertionReport& report) {
+    const Transitions never = missing(question, found.possible);
+    const Transitions open = missing(question, found.certain);
+    report.answer = Answer::inconclusive;
+    if (!never.empty() && found.all) {
+        report.answer = Answer::fails;
+        report.reason = "never taken: " + listed(project, never);
+        report.core->unexercised = unexercised(question, never);
+    } else if (!never.empty()) {
+        report.reason =
+            fmt::format("{} has not been taken in the first {} states", listed(project, {never.front()}), found.states);
+    } else if (!open.empty()) {
+        report.reason = "the steps do not tell which of these are taken: " + listed(project, open);
+    } else {
+        report.answer = Answer::holds;
+    }
+}
+
 /// Which transitions fire, by a visit of all states.
 void decide_firing(const Context& context, const csp_emit::FiringQuestion& question, AssertionReport& report) {
-    const runs::Context reading{context.emission.provenance, context.project.system, context.project.instantiation,
-                                context.project.sources, context.session};
-    runs::StepReader reader(reading);
+    const runs::Context read_with = reading(context);
+    runs::StepReader reader(read_with);
     try {
         const auto found = runs::exercised(reader, context.session.process(question.process), most_states_for_firing,
                                            [&] { context.options.run->budget().poll(); });
         report.statistics.states = found.states;
         report.searched = true;
-        std::vector<std::string> never;
-        for (const csp_emit::TransitionInside& each : question.transitions)
-            if (!found.elements.contains(runs::exercised_element(each.component, each.origin.element)))
-                never.push_back(fmt::format("{} ({})", each.text, context.project.sources.place(each.origin.span)));
-        report.answer = never.empty() ? Answer::holds : found.all ? Answer::fails : Answer::inconclusive;
-        if (!never.empty()) report.reason = fmt::format("never taken: {}", fmt::join(never, ", "));
-        if (report.answer == Answer::inconclusive)
-            report.reason = fmt::format("{} has not been taken in the first {} states", never.front(), found.states);
+        answer_firing(context.project, question, found, report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
         report.reason = said(context.project, error);
@@ -126,9 +176,9 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 }
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
-    if (context.options.assertion.empty()) return true;
-    return obligation.property != ir::no_id &&
-           context.project.system.properties[obligation.property].name == context.options.assertion;
+    const bool core = obligation.property == ir::no_id;
+    return core ? context.options.claims.empty()
+                : asked_for(context.options, context.project.system.properties[obligation.property].name);
 }
 
 void set_place(const Project& project, diagnostics::Span span, AssertionReport& report) {
@@ -137,6 +187,17 @@ void set_place(const Project& project, diagnostics::Span span, AssertionReport& 
     const diagnostics::Position begin = project.sources.position(span.source, span.begin);
     const diagnostics::Position end = project.sources.position(span.source, span.end);
     report.region = runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
+}
+
+/// Of the question whether they are exercised.
+std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
+    std::vector<std::string> result;
+    if (obligation.firing)
+        for (const csp_emit::TransitionInside& each : obligation.firing->transitions)
+            result.push_back(each.origin.element);
+    else if (obligation.kind == ir::PropertyKind::reachable)
+        result.push_back(obligation.origin.element);
+    return result;
 }
 
 /// The report lists everything to be decided from the beginning, as not decided.
@@ -150,9 +211,9 @@ void announce(const Context& context, Report& report) {
             set_place(context.project, context.project.system.properties[obligation.property].origin.span, one);
         if (!obligation.component.empty()) {
             one.core = CoreReport{context.project.label + obligation.component, obligation.property_text,
-                                  obligation.information};
-            if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
+                                  obligation.information, elements_of(obligation)};
         }
+        if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
         const bool decidable = obligation.firing || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
         one.reason = decidable ? not_decided : obligation.reason;
@@ -178,18 +239,6 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
     }
 }
 
-/// Assertions that csp blocks have as text are the script's, and not decided here: that is said.
-void note_assertions_of_blocks(const Context& context, Time time, Report& report) {
-    std::size_t ours = 0;
-    for (const csp_emit::Obligation& each : context.emission.obligations) ours += each.assertions.size();
-    const std::size_t all = context.session.assertions().size();
-    if (all <= ours) return;
-    const auto edit = context.options.run->edit();
-    report.notes.push_back(fmt::format(
-        "{}not decided here: {} assert line{} in csp blocks [{}]; `emit csp` writes them, and `cspm` decides them",
-        context.project.label, all - ours, all - ours == 1 ? "" : "s", time == Time::timed ? "timed" : "untimed"));
-}
-
 void check_time(Project& project, const Options& options, Time time, Report& report) {
     const csp_emit::Emission& emission = emit_csp(project, options, time);
     if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
@@ -199,7 +248,6 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     BoundWatch bounds(project, emission, time, bounds_met);
     session->observe(bounds.observer());
     const Context context{project, options, emission, *session};
-    note_assertions_of_blocks(context, time, report);
     std::size_t at = report.assertions.size();
     announce(context, report);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
@@ -212,6 +260,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         } else if (!obligation.assertions.empty()) {
             one.reason.clear();
             decide(context, obligation, one);
+            if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
         }
         const auto edit = options.run->edit();
         report.assertions[at++] = std::move(one);
@@ -220,21 +269,25 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     if (options.sizes) measure_sizes(project, *session, emission, time, options, report);
 }
 
-/// Claims of kinds that nothing here decides: each is said, and none of them is a success.
+/// Claims of kinds that nothing here decides: each is said with its wording, and none of them is a success.
 void report_unchecked(const Project& project, const Options& options, Report& report) {
-    for (const auto& file : project.model->files)
-        for (const frontend::KeptPart& part : file->kept) {
-            if (!part.claims || (!options.assertion.empty() && part.name != options.assertion)) continue;
-            AssertionReport one;
-            one.title = project.label + part.name;
-            set_place(project, part.span, one);
-            one.answer = Answer::unchecked;
-            one.reason =
-                fmt::format("{}: not checked: {}", diagnostics::shown(one.place),
-                            part.probabilistic ? "probabilistic" : fmt::format("`{}` is of another tool", part.form));
-            const auto edit = options.run->edit();
-            report.assertions.push_back(std::move(one));
-        }
+    const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& wording,
+                               const std::string& why) {
+        if (!asked_for(options, name)) return;
+        AssertionReport one;
+        one.title = project.label + name + wording;
+        set_place(project, span, one);
+        one.answer = Answer::unchecked;
+        one.reason = fmt::format("{}: not checked: {}", diagnostics::shown(one.place), why);
+        const auto edit = options.run->edit();
+        report.assertions.push_back(std::move(one));
+    };
+    for (const auto& file : project.model->files) {
+        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
+            unchecked(each.name, each.span, " " + diagnostics::shown(frontend::claim(each)), "probabilistic");
+        for (const frontend::KeptPart& part : file->kept)
+            if (part.claims) unchecked(part.name, part.span, "", fmt::format("`{}` is of another tool", part.form));
+    }
 }
 
 }  // namespace

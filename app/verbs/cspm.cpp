@@ -52,9 +52,7 @@ std::string without_keyword(const std::string& assertion) {
 }
 
 std::string text_of(const cspm::Decl& assertion) {
-    std::string text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text;
+    return without_keyword(cspm::print(assertion));
 }
 
 AssertionReport undecided(const cspm::Decl& assertion) {
@@ -191,17 +189,14 @@ void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     }
 }
 
-bool wanted(const Options& options, std::size_t number) {
-    return options.assertion.empty() || options.assertion == fmt::format("{}", number);
-}
-
 /// Prints what has been decided at once, in the formats that allow it.
 void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script,
                 Report& report) {
     const auto assertions = session.assertions();
-    if (!options.assertion.empty() && std::stoull(options.assertion) > assertions.size())
-        throw UsageError(
-            fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
+    for (const std::string& number : options.claims)
+        if (std::stoull(number) > assertions.size())
+            throw UsageError(
+                fmt::format("there is no assertion {}: {} has {}", number, script.path, assertions.size()));
     if (assertions.empty() && script.prints.empty())
         script.errors.push_back(
             fmt::format("{}: nothing to check: there are no assertions", diagnostics::shown(script.path)));
@@ -210,10 +205,10 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         const auto edit = options.run->edit();
         report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
         for (std::size_t i = 0; i < assertions.size(); ++i)
-            if (wanted(options, i + 1)) report.assertions.push_back(undecided(*assertions[i]));
+            if (asked_for(options, std::to_string(i + 1))) report.assertions.push_back(undecided(*assertions[i]));
     }
     for (std::size_t i = 0; i < assertions.size(); ++i) {
-        if (!wanted(options, i + 1)) continue;
+        if (!asked_for(options, std::to_string(i + 1))) continue;
         ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
         {
             AssertionReport one = in_report(decided, session.event_table(), options);

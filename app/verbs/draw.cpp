@@ -6,31 +6,23 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <set>
 
 #include "app/command/numbers.hpp"
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/report/part_diagrams.hpp"
 #include "app/verbs/verbs.hpp"
 #include "cpp_emit/load/shared_library.hpp"
 #include "diagnostics/files.hpp"
 #include "diagrams/exports/dot.hpp"
 #include "diagrams/exports/mermaid.hpp"
 #include "diagrams/layout/arrange.hpp"
-#include "diagrams/notation/subjects.hpp"
 #include "diagrams/svg/svg.hpp"
 
 namespace robochart::app {
 namespace {
-
-/// What is drawn, with the part of the input that it is of.
-struct Drawn {
-    Project* project = nullptr;
-    const diagrams::Elements* elements = nullptr;
-    diagrams::Subject subject;
-};
 
 /// The last names of it fit: "S", "C::S" for "P::C::S"; or it is how its file is called.
 bool is_called(const diagrams::Subject& subject, const std::string& name) {
@@ -48,8 +40,9 @@ public:
 
     Exit run() {
         parts_ = read_parts(options_);
-        find();
+        diagrams_.emplace(parts_, options_.run->budget());
         choose();
+        if (has_places() && !parts_.empty()) parts_.front().project->diagnostics.add(diagrams_->stored_findings());
         std::optional<diagnostics::Budget::Phase> phase(std::in_place, options_.run->budget(), "drawing");
         written_ = wanted_.size() == 1 ? draw_one() : draw_all();
         phase.reset();
@@ -59,41 +52,22 @@ public:
             show_findings(*part.project, options_);
             good = good && acceptable(*part.project, options_);
         }
-        if (found_.empty() && good) print_error("robochart-verify: there is nothing to draw\n");
-        return good && !found_.empty() ? Exit::success : Exit::bad_input;
+        if (chosen_.empty() && good) print_error("robochart-verify: there is nothing to draw\n");
+        return good && !chosen_.empty() ? Exit::success : Exit::bad_input;
     }
 
 private:
-    void find() {
-        std::size_t next = 1;
-        for (const Part& part : parts_) {
-            elements_.push_back(std::make_unique<diagrams::Elements>(*part.project->model, next));
-            next += elements_.back()->all().size();
-            for (diagrams::Subject& subject : diagrams::subjects(*part.project->model, part.project->sources)) {
-                name_apart(subject.file);
-                found_.push_back({part.project.get(), elements_.back().get(), std::move(subject)});
-            }
-        }
-    }
-
-    /// Parts may have components of one name.
-    void name_apart(std::string& file) {
-        const std::string name = file;
-        for (int i = 2; !files_.insert(file).second; ++i) file = fmt::format("{}_{}", name, i);
-    }
-
-    /// Those of the names on the command line. Throws UsageError.
+    /// Those of the names on the command line; without names all. Throws UsageError.
     void choose() {
-        if (wanted_.empty()) return;
-        std::vector<Drawn> chosen;
-        for (const std::string& name : wanted_) chosen.push_back(named(name));
-        found_ = std::move(chosen);
+        for (const std::string& name : wanted_) chosen_.push_back(&named(name));
+        if (!wanted_.empty()) return;
+        for (const PartSubject& each : diagrams_->subjects()) chosen_.push_back(&each);
     }
 
-    [[nodiscard]] Drawn named(const std::string& name) const {
-        std::vector<const Drawn*> called;
+    [[nodiscard]] const PartSubject& named(const std::string& name) const {
+        std::vector<const PartSubject*> called;
         std::vector<std::string> known;
-        for (const Drawn& each : found_) {
+        for (const PartSubject& each : diagrams_->subjects()) {
             if (each.subject.name == name && each.subject.component != nullptr) return each;
             if (is_called(each.subject, name)) called.push_back(&each);
             known.push_back(each.subject.name);
@@ -103,18 +77,18 @@ private:
             throw UsageError(fmt::format("the model has no component '{}'{}", name, did_you_mean(name, known)));
         if (called.size() == 1) return *called.front();
         std::vector<std::string> names;
-        for (const Drawn* each : called) names.push_back(each->subject.file + " (" + each->subject.name + ")");
+        for (const PartSubject* each : called) names.push_back(each->subject.file + " (" + each->subject.name + ")");
         throw UsageError(fmt::format("'{}' may be {}", name, fmt::join(names, ", ")));
     }
 
     /// The diagram in the format asked for; nothing, with a diagnostic, where it cannot be made.
-    std::optional<std::string> text_of(const Drawn& drawn) {
+    std::optional<std::string> text_of(const PartSubject& drawn) {
         diagrams::SvgOptions style;
         if (options_.theme == "light" || options_.picture != "svg") style.theme = diagrams::Theme::light;
         if (options_.theme == "dark") style.theme = diagrams::Theme::dark;
         try {
             const diagrams::Picture picture =
-                diagrams::draw(drawn.subject, {*drawn.elements, nullptr, &options_.run->budget()});
+                diagrams::draw(drawn.subject, {*drawn.elements, nullptr, &options_.run->budget(), layout_of(drawn)});
             if (options_.picture == "mermaid") return diagrams::mermaid(picture);
             if (options_.picture == "dot") return diagrams::dot(picture);
             const std::string text = diagrams::svg(picture, *drawn.elements, style);
@@ -124,13 +98,23 @@ private:
         }
     }
 
-    static std::nullopt_t fail(const Drawn& drawn, const std::string& why) {
+    /// Formats for other programs have none.
+    [[nodiscard]] bool has_places() const { return options_.picture != "mermaid" && options_.picture != "dot"; }
+
+    /// What a person drew.
+    [[nodiscard]] const diagrams::StoredLayout* layout_of(const PartSubject& drawn) const {
+        if (!has_places()) return nullptr;
+        diagrams_->explain_layout(drawn);
+        return drawn.layout;
+    }
+
+    static std::nullopt_t fail(const PartSubject& drawn, const std::string& why) {
         drawn.project->diagnostics.report(rules::unwritable, {}, {why});
         return std::nullopt;
     }
 
     /// By rsvg-convert, in a folder of its own.
-    std::optional<std::string> converted(const Drawn& drawn, const std::string& text) {
+    std::optional<std::string> converted(const PartSubject& drawn, const std::string& text) {
         std::string error;
         diagnostics::Budget* budget = &options_.run->budget();
         const diagnostics::TemporaryFolder folder("", error, budget);
@@ -158,7 +142,7 @@ private:
 
     /// To the file of `--out`, or to standard output.
     bool draw_one() {
-        const Drawn& drawn = found_.front();
+        const PartSubject& drawn = *chosen_.front();
         const auto text = text_of(drawn);
         if (!text) return false;
         if (options_.out_given && options_.out != "-") {
@@ -176,7 +160,8 @@ private:
     bool draw_all() {
         const std::string extension = options_.picture == "mermaid" ? "mmd" : options_.picture;
         bool good = true;
-        for (const Drawn& drawn : found_) {
+        for (const PartSubject* each : chosen_) {
+            const PartSubject& drawn = *each;
             const std::string file = drawn.subject.file + "." + extension;
             const auto text = text_of(drawn);
             if (!text || !write_output(*drawn.project, options_, file, *text)) {
@@ -191,9 +176,8 @@ private:
     Options options_;
     std::vector<std::string> wanted_;
     std::vector<Part> parts_;
-    std::vector<std::unique_ptr<diagrams::Elements>> elements_;
-    std::vector<Drawn> found_;
-    std::set<std::string> files_;
+    std::optional<PartDiagrams> diagrams_;
+    std::vector<const PartSubject*> chosen_;  ///< of diagrams_
     bool written_ = false;
 };
 

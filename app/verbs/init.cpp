@@ -12,6 +12,7 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/files.hpp"
+#include "diagnostics/text.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::app {
@@ -39,22 +40,15 @@ std::string unfit(const std::string& name) {
     return frontend::is_reserved(name) ? "it is a reserved word of RoboChart" : "";
 }
 
-/// The template with every `@KEY@` replaced.
-std::string filled(std::string text, std::string_view key, std::string_view value) {
-    const std::string mark = fmt::format("@{}@", key);
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
-        text.replace(at, mark.size(), value);
-    return text;
-}
-
 std::vector<NewFile> files_of(const std::string& name, const Options& options) {
     std::string commands;
     if (options.simulation)
-        commands += "robochart-verify simulate @NAME@.scenario  # the controller in a simulated arena\n";
+        commands += fmt::format("robochart-verify simulate {}.scenario  # the controller in a simulated arena\n", name);
     if (options.ros2)
-        commands += "robochart-verify emit cpp . --target ros2 --mapping @NAME@.ros2  # a package for ROS 2\n";
+        commands +=
+            fmt::format("robochart-verify emit cpp . --target ros2 --mapping {}.ros2  # a package for ROS 2\n", name);
     const auto text = [&](std::string_view path) {
-        return filled(filled(template_text(path), "COMMANDS", commands), "NAME", name);
+        return diagnostics::filled(template_text(path), {{"COMMANDS", commands}, {"NAME", name}});
     };
     std::vector<NewFile> files{{name + ".rct", text("model.rct")}, {name + ".assertions", text("model.assertions")}};
     if (options.simulation) files.push_back({name + ".scenario", text("model.scenario")});

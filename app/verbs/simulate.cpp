@@ -12,9 +12,11 @@
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/report/simulation_html.hpp"
 #include "app/verbs/monitor.hpp"
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/json.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "simulation/report/report.hpp"
@@ -195,6 +197,17 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
 
 namespace {
 
+/// `--html`; where it cannot be written, that is among the project's diagnostics.
+void write_page(Simulation& simulation, const simulation::RunResult& result, const std::string& simulator,
+                const std::string& monitors, const std::string& notes, const std::vector<std::string>& files,
+                const Options& options) {
+    const std::string page = render_simulation_html(
+        {*simulation.project, simulation.scenario, simulation.emission, result, simulator, monitors, notes, files},
+        options);
+    const std::string error = diagnostics::replace_file(options.html, page, &options.run->budget());
+    if (!error.empty()) simulation.project->diagnostics.report(rules::unwritable, {}, {error});
+}
+
 Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     Project& project = *simulation->project;
@@ -204,7 +217,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     simulation::RunOptions wanted;
     wanted.threads = stage.parallel ? options.threads : 1;
     wanted.stage = stage.make;
-    wanted.record = options.pictures;
+    wanted.record = options.pictures || !options.html.empty();
     LogFailure failure;
     if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
     const auto monitors = options.monitor ? make_monitors(*simulation, options) : nullptr;
@@ -220,6 +233,8 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     std::vector<std::string> files;
     if (options.pictures && !result.interrupted)
         files = write_simulation_files(*simulation, result, controller->drive(), options, notes);
+    if (!options.html.empty() && !result.interrupted)
+        write_page(*simulation, result, stage.name, monitors == nullptr ? "" : monitors->note(), notes, files, options);
     options.run->finish();
     // Errors by now are trials that stopped and files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.stopped();

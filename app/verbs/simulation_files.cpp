@@ -15,6 +15,8 @@
 #include "cpp_emit/load/shared_library.hpp"
 #include "diagnostics/files.hpp"
 #include "simulation/report/pictures.hpp"
+#include "simulation/report/plot.hpp"
+#include "simulation/report/raster.hpp"
 
 namespace robochart::app {
 namespace fs = std::filesystem;
@@ -44,9 +46,8 @@ public:
           project_(*simulation.project),
           result_(result),
           out_(options.out),
-          below_("simulation/" + simulation.scenario.name.text + "/") {
-        for (std::uint32_t s = 0; s < drive.states; ++s) states_.emplace_back(drive.state[s]);
-    }
+          below_("simulation/" + simulation.scenario.name.text + "/"),
+          machines_(simulation::machines_of(drive)) {}
 
     std::vector<std::string> write(std::string& notes) {
         if (!tables()) return std::move(written_);
@@ -55,10 +56,12 @@ public:
             notes += "  no tables and pictures: too many positions to keep (`record` less often)\n";
             return std::move(written_);
         }
-        if (add("snapshots.svg", simulation::snapshots_svg(scenario_, frames)) &&
+        if (add("snapshots.svg", simulation::snapshots_svg(scenario_, frames, machines_)) &&
             add("trajectories.svg", simulation::trajectories_svg(scenario_, frames)) &&
             add("animation.svg",
-                simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)))) {
+                simulation::animation_svg(scenario_, frames, machines_, animation_speed(frames.back().time))) &&
+            add("plots.svg",
+                simulation::plots_svg(scenario_, simulation::charts_of(scenario_, result_.trials, machines_)))) {
             std::string error;
             work_ = std::make_unique<diagnostics::TemporaryFolder>("", error, project_.diagnostics.budget());
             if (!error.empty())
@@ -82,7 +85,7 @@ private:
     bool tables() {
         for (std::size_t trial = 0; trial < result_.trials.size() && !result_.trials[trial].frames.empty(); ++trial)
             if (!add(fmt::format("trial-{:02}.csv", trial + 1),
-                     simulation::positions_csv(result_.trials[trial].frames, states_)))
+                     simulation::positions_csv(result_.trials[trial].frames, machines_)))
                 return false;
         return true;
     }
@@ -116,7 +119,7 @@ private:
             notes += "  no PNG: rsvg-convert is not on PATH (Debian: librsvg2-bin)\n";
             return;
         }
-        for (const std::string name : {"snapshots", "trajectories"}) {
+        for (const std::string name : {"snapshots", "trajectories", "plots"}) {
             const std::string drawing = fmt::format("{}/{}{}.svg", out_, below_, name);
             const std::string made = fmt::format("{}/{}.png", work_->path(), name);
             make(name + ".png", {"rsvg-convert", "--background-color=white", drawing, "--output", made}, notes);
@@ -135,7 +138,7 @@ private:
         const std::size_t every = (frames.size() + most - 1) / most;
         std::size_t count = 0;
         for (std::size_t f = 0; f < frames.size(); f += every, ++count) {
-            raster = simulation::rasterise(scenario_, frames[f], 480);
+            raster = simulation::rasterise(scenario_, frames[f], machines_.front().states.size(), 480);
             dots.append(raster.dots.begin(), raster.dots.end());
         }
         if (const std::string error = diagnostics::write_below(work_->path(), "frames.raw", dots); !error.empty()) {
@@ -171,7 +174,7 @@ private:
     const simulation::RunResult& result_;
     std::string out_, below_;
     std::unique_ptr<diagnostics::TemporaryFolder> work_;
-    std::vector<std::string> states_;
+    simulation::Machines machines_;
     std::vector<std::string> written_;
 };
 

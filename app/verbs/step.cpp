@@ -18,9 +18,12 @@
 #include "app/command/script.hpp"
 #include "app/report/structure_text.hpp"
 #include "app/verbs/step_files.hpp"
+#include "app/verbs/step_page.hpp"
+#include "app/verbs/stepped_component.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/splitmix64.hpp"
 #include "runs/stepper.hpp"
 #include "runs/text.hpp"
@@ -39,45 +42,8 @@ std::string place_of(const std::optional<runs::Place>& place) {
 }
 
 std::string text_of(const runs::Offer& offer) {
-    std::string text = offer.happening.event.text;
-    if (offer.happening.event.kind == runs::Kind::input && offer.happening.event.via.find(" -> ") != std::string::npos)
-        text += fmt::format(" ({})", offer.happening.event.via);
-    for (const runs::Event& other : offer.happening.with) text += fmt::format("; {}: {}", other.component, other.text);
-    return text;
+    return runs::text(offer.happening.event, offer.happening.with);
 }
-
-std::string text_of(const runs::Machine& machine) {
-    std::vector<std::string> values;
-    for (const runs::Variable& each : machine.variables)
-        if (each.kind != runs::VariableKind::constant && each.value)
-            values.push_back(fmt::format("{} = {}", each.name, *each.value));
-    return fmt::format("{}{}{}", machine.text, values.empty() ? "" : ", ", fmt::join(values, ", "));
-}
-
-/// A command of the terminal.
-struct Command {
-    const char* name;
-    const char* argument;
-    const char* help;
-};
-
-constexpr Command commands[] = {
-    {"N", "", "take the offer of this number"},
-    {"undo", "[N]", "go back one choice, or to step N of the way"},
-    {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first"},
-    {"random", "[N]", "take N offers by chance, one without N"},
-    {"until", "TEXT", "take offers by chance until a state, a value or an event with this text"},
-    {"why", "[TEXT]", "why transitions that leave active states are not on offer"},
-    {"find", "TEXT", "the offers with this text"},
-    {"way", "", "how it has come here"},
-    {"watch", "[NAME]", "show this variable alone; all without NAME"},
-    {"tree", "", "the structure of the process, its operators and components"},
-    {"internal", "", "stop at hidden steps too, or do not any more"},
-    {"save", "FILE", "write the way: FILE.trace a log, FILE.assertions an assertion that it stays possible"},
-    {"load", "FILE", "go the way of a log from the beginning"},
-    {"help", "", "this list"},
-    {"quit", "", "leave"},
-};
 
 class Console {
 public:
@@ -88,7 +54,17 @@ public:
     Exit run();
 
 private:
-    bool obey(const std::string& line);
+    /// A command of the terminal.
+    struct Command {
+        const char* name;
+        const char* argument;
+        const char* help;
+        void (Console::*obey)(const std::string& argument);  ///< null for numbers
+    };
+    /// Any beginning of a name is understood as the first here that has it.
+    static const std::vector<Command>& commands();
+
+    void obey(const std::string& line);
     bool take(const std::string& word);
     void undo(const std::string& word);
     void tock(const std::string& word);
@@ -96,7 +72,12 @@ private:
     void until(const std::string& text);
     void why(const std::string& text);
     void find(const std::string& text);
-    void way();
+    void watch(const std::string& name);
+    void way(const std::string&);
+    void tree(const std::string&);
+    void internal(const std::string&);
+    void help(const std::string&);
+    void quit(const std::string&) { quits_ = true; }
     void save(const std::string& path);
     void load(const std::string& path);
     void settle();
@@ -114,7 +95,7 @@ private:
     std::string watched_;
     std::uint64_t chance_ = 1;  ///< state of the generator: the same choices in every run
     bool internal_ = false;
-    bool failed_ = false;
+    bool failed_ = false, quits_ = false;
     bool person_ = isatty(STDIN_FILENO) == 1;
 };
 
@@ -140,12 +121,9 @@ void Console::show() {
     std::string heading = stepped_.name;
     if (stepped_.time == csp_emit::Time::timed) heading += fmt::format(", t={}", stepper_.time());
     print("\n{}, step {}\n", heading, stepper_.way().size());
-    std::vector<runs::Machine> machines = stepper_.machines();
-    if (machines.empty())  // at the beginning they are behind the definitions of the compositions
-        for (const runs::Standing& each : stepper_.components())
-            if (!each.machine.text.empty()) machines.push_back(each.machine);
+    const std::vector<runs::Machine> machines = stepper_.machines();
     for (const runs::Machine& machine : machines) {
-        if (watched_.empty()) print("  {}: {}\n", machine.component, text_of(machine));
+        if (watched_.empty()) print("  {}: {}\n", machine.component, runs::text(machine));
         for (const runs::Variable& each : machine.variables)
             if (each.name == watched_ || each.name == fmt::format("since({})", watched_))
                 print("  {}: {} = {}\n", machine.component, each.name, each.value.value_or("-"));
@@ -228,7 +206,7 @@ bool Console::has(const std::string& text, std::size_t steps) {
     for (std::size_t i = steps; i < way.size(); ++i)
         if (text_of(way[i].offer).find(text) != std::string::npos) return true;
     for (const runs::Machine& machine : stepper_.machines())
-        if (text_of(machine).find(text) != std::string::npos) return true;
+        if (runs::text(machine).find(text) != std::string::npos) return true;
     return false;
 }
 
@@ -263,7 +241,7 @@ void Console::find(const std::string& text) {
         if (text_of(offers[i]).find(text) != std::string::npos) print("{:>4}  {}\n", i + 1, text_of(offers[i]));
 }
 
-void Console::way() {
+void Console::way(const std::string&) {
     if (!stepped_.project) {
         std::vector<std::string> names;
         for (const runs::Taken& each : stepper_.way())
@@ -287,50 +265,61 @@ void Console::load(const std::string& path) {
     show();
 }
 
-bool Console::obey(const std::string& line) {
+void Console::watch(const std::string& name) {
+    watched_ = name;
+    show();
+}
+
+void Console::tree(const std::string&) {
+    print("{}", structure_text(stepper_.structure(), stepper_.reader().context().session.event_table()));
+}
+
+void Console::internal(const std::string&) {
+    internal_ = !internal_;
+    settle();
+    show();
+}
+
+void Console::help(const std::string&) {
+    for (const Command& each : commands())
+        print("  {:<16} {}\n", fmt::format("{} {}", each.name, each.argument), each.help);
+}
+
+const std::vector<Console::Command>& Console::commands() {
+    static const std::vector<Command> all = {
+        {"N", "", "take the offer of this number", nullptr},
+        {"undo", "[N]", "go back one choice, or to step N of the way", &Console::undo},
+        {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first", &Console::tock},
+        {"random", "[N]", "take N offers by chance, one without N", &Console::random},
+        {"until", "TEXT", "take offers by chance until a state, a value or an event with this text", &Console::until},
+        {"why", "[TEXT]", "why transitions that leave active states are not on offer", &Console::why},
+        {"find", "TEXT", "the offers with this text", &Console::find},
+        {"watch", "[NAME]", "show this variable alone; all without NAME", &Console::watch},
+        {"way", "", "how it has come here", &Console::way},
+        {"tree", "", "the structure of the process, its operators and components", &Console::tree},
+        {"internal", "", "stop at hidden steps too, or do not any more", &Console::internal},
+        {"save", "FILE", "write the way: FILE.trace a log, FILE.assertions an assertion that it stays possible",
+         &Console::save},
+        {"load", "FILE", "go the way of a log from the beginning", &Console::load},
+        {"help", "", "this list", &Console::help},
+        {"quit", "", "leave", &Console::quit},
+    };
+    return all;
+}
+
+void Console::obey(const std::string& line) {
     std::istringstream words(line);
     std::string name, rest;
     words >> name;
     std::getline(words >> std::ws, rest);
     while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.back())) != 0) rest.pop_back();
-    if (name.empty() || take(name)) return true;
-    const auto is = [&](std::string_view whole) {  // any beginning of it
-        return name == whole || (name.size() < whole.size() && whole.starts_with(name));
-    };
-    if (is("quit")) return false;
-    if (is("undo") || is("back"))
-        undo(rest);
-    else if (is("tock"))
-        tock(rest);
-    else if (is("random"))
-        random(rest);
-    else if (name.size() > 2 && is("until"))
-        until(rest);
-    else if (is("why"))
-        why(rest);
-    else if (is("find"))
-        find(rest);
-    else if (name.size() > 2 && is("way"))
-        way();
-    else if (is("watch"))
-        watched_ = rest, show();
-    else if (is("tree"))
-        print("{}", structure_text(stepper_.structure(), stepper_.reader().context().session.event_table()));
-    else if (is("internal"))
-        internal_ = !internal_, settle(), show();
-    else if (is("save"))
-        save(rest);
-    else if (is("load"))
-        load(rest);
-    else if (is("help") || name == "?")
-        for (const Command& each : commands)
-            print("  {:<16} {}\n", fmt::format("{} {}", each.name, each.argument), each.help);
-    else {
-        std::vector<std::string> known;
-        for (const Command& each : commands) known.emplace_back(each.name);
-        wrong(fmt::format("there is no command '{}'{}; `help` lists them", name, did_you_mean(name, known)));
+    if (name.empty() || take(name)) return;
+    std::vector<std::string> known;
+    for (const Command& each : commands()) {
+        if (each.obey != nullptr && std::string_view(each.name).starts_with(name)) return (this->*each.obey)(rest);
+        known.emplace_back(each.name);
     }
-    return true;
+    wrong(fmt::format("there is no command '{}'{}; `help` lists them", name, did_you_mean(name, known)));
 }
 
 Exit Console::run() {
@@ -341,9 +330,38 @@ Exit Console::run() {
         finish_output();
         if (!std::getline(std::cin, line)) break;
         options_.run->budget().poll();
-        if (!obey(line)) break;
+        obey(line);
+        if (quits_) break;
     }
     return failed_ && !person_ ? Exit::failed : Exit::success;
+}
+
+/// `--html`. A limit of the run that is reached while the states are explored leaves a page with those before.
+Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& stepped,
+                const std::vector<Part>& parts) {
+    diagnostics::Budget& budget = options.run->budget();
+    const runs::Exploration space = runs::explore(stepper.reader(), stepper.here(), {}, budget);
+    const std::string reached = budget.reached();
+    options.run->finish();
+    const std::string error = diagnostics::replace_file(options.html, step_page(space, stepped, parts), &budget);
+    if (!error.empty()) {
+        print_error("robochart-verify: {}\n", error);
+        return Exit::bad_input;
+    }
+    print("{}: {}\n", options.html, counts_text(space));
+    const auto wrong =
+        std::find_if(space.states.begin(), space.states.end(), [](const auto& each) { return !each.error.empty(); });
+    if (wrong != space.states.end()) {
+        print_error("robochart-verify: {}\n", wrong->error);
+        return Exit::bad_input;
+    }
+    return reached.empty() ? Exit::success : Exit::inconclusive;
+}
+
+/// Steps in the terminal, or writes the page.
+Exit animate(runs::Stepper& stepper, const Options& options, const Stepped& stepped, const std::vector<Part>& parts) {
+    return options.html.empty() ? Console(stepper, options, stepped).run()
+                                : write_page(stepper, options, stepped, parts);
 }
 
 /// The components that can be animated, each with its part.
@@ -381,21 +399,14 @@ Exit step_component(const Options& options) {
         if (!show_diagnostics(*part.project, options)) return refusal(*part.project);
     const auto [project, component] = meant(parts, options.inputs.size() > 1 ? options.inputs[1] : "");
     const csp_emit::Time time = options.times == Times::untimed ? csp_emit::Time::untimed : csp_emit::Time::timed;
-    const csp_emit::Emission& emission = emit_csp(*project, options, time);
+    (void)emit_csp(*project, options, time);
     if (!project->diagnostics.ok()) {
         show_findings(*project, options);
         return refusal(*project);
     }
     const std::string name = ir::qualified(component);
-    const auto process = std::find_if(emission.components.begin(), emission.components.end(),
-                                      [&](const csp_emit::ComponentProcesses& each) { return each.path == name; });
-    if (process == emission.components.end()) throw UsageError(fmt::format("{} has no process of its own", name));
-    cspm::Session session(emission.script, &options.run->budget());
-    const runs::Context context{emission.provenance, project->system, project->instantiation, project->sources,
-                                session};
-    runs::StepReader reader(context);
-    runs::Stepper stepper(reader, session.process(process->process));
-    return Console(stepper, options, {name, options.inputs.front(), project, time}).run();
+    SteppedComponent stepped(*project, name, time, options);
+    return animate(stepped.stepper(), options, {name, options.inputs.front(), project, time}, parts);
 }
 
 Exit step_script(const Options& options) {
@@ -416,8 +427,7 @@ Exit step_script(const Options& options) {
     const runs::Context context{nothing, no_system, no_instantiation, loaded.sources, session};
     runs::StepReader reader(context);
     runs::Stepper stepper(reader, session.process(asked->assertion.specification));
-    return Console(stepper, options, {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed})
-        .run();
+    return animate(stepper, options, {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed}, {});
 }
 
 }  // namespace

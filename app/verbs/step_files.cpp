@@ -30,35 +30,11 @@ struct Unsayable {
     std::string why;
 };
 
-bool is_input(Kind kind) {
-    return kind == Kind::input || kind == Kind::external_write;
-}
-
-bool is_output(Kind kind) {
-    return kind == Kind::output || kind == Kind::call || kind == Kind::assignment;
-}
-
-/// The event as a log has it: "e?3", "move!1!2". Throws Unsayable for values with parts.
+/// Throws Unsayable for values with parts.
 std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
     const runs::Event& event = offer.happening.event;
-    std::string name = offer.name.substr(0, offer.name.find('.'));
-    if (const std::string prefix = stepped.name + "::"; name.starts_with(prefix)) name = name.substr(prefix.size());
-    for (const std::string_view before : {"set_EXT_", "set_"})
-        if (name.starts_with(before) && (event.kind == Kind::assignment || event.kind == Kind::external_write)) {
-            name = name.substr(before.size());
-            break;
-        }
-    if (event.kind == Kind::call && name.ends_with("Call")) name.resize(name.size() - 4);
-    std::string word = name + (is_input(event.kind) ? "?" : "!");
-    for (std::size_t i = 0; i < event.values.size(); ++i) {
-        const std::string& text = event.values[i].text;
-        const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
-            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
-        });
-        if (!plain) throw Unsayable{fmt::format("{} has a value with parts, which is not written to logs", event.text)};
-        word += (i > 0 ? "!" : "") + text;
-    }
-    return word;
+    if (auto word = log_word(event, offer.name, stepped)) return std::move(*word);
+    throw Unsayable{fmt::format("{} has a value with parts, which is not written to logs", event.text)};
 }
 
 /// A control cycle of one time unit.
@@ -72,18 +48,18 @@ std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& steppe
     std::vector<Cycle> cycles(1);
     for (const runs::Taken& each : stepper.way()) {
         if (each.offer.hidden) continue;
-        const Kind kind = each.offer.happening.event.kind;
+        const LogRole role = log_role(each.offer.happening.event);
         Cycle& cycle = cycles.back();
-        if (kind == Kind::tock) {
+        if (role == LogRole::tock) {
             for (const runs::Offer& other : stepper.offers_at(each.before))
-                if (!other.hidden && is_output(other.happening.event.kind))
+                if (!other.hidden && log_role(other.happening.event) == LogRole::output)
                     throw Unsayable{fmt::format("time passes where {} is on offer; in cycles it is done at once",
                                                 other.happening.event.text)};
             cycle.ends = true;
             cycles.emplace_back();
-        } else if (kind == Kind::terminate) {
+        } else if (role == LogRole::termination) {
             cycle.terminates = true;
-        } else if (is_input(kind)) {
+        } else if (role == LogRole::input) {
             const std::string word = word_of(each.offer, stepped);
             const std::string name = word.substr(0, word.find('?'));
             for (const std::string& before : cycle.inputs)
@@ -91,7 +67,7 @@ std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& steppe
                     throw Unsayable{fmt::format("{} happens twice within one time unit; a cycle reads each input once",
                                                 each.offer.happening.event.text)};
             cycle.inputs.push_back(word);
-        } else if (is_output(kind)) {
+        } else if (role == LogRole::output) {
             cycle.outputs.push_back(word_of(each.offer, stepped));
         }
     }
@@ -99,7 +75,7 @@ std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& steppe
 }
 
 std::string log_text(const runs::Stepper& stepper, const Stepped& stepped) {
-    std::string text = fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\nrun by hand\n", stepped.name);
+    std::string text = log_head(stepped);
     for (const Cycle& cycle : cycles_of(stepper, stepped)) {
         std::vector<std::string> words = cycle.inputs;
         words.insert(words.end(), cycle.outputs.begin(), cycle.outputs.end());
@@ -168,16 +144,16 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
     Node result = node;
     result.term = offer.step.target;
     if (offer.hidden) return result;
-    const Kind kind = offer.happening.event.kind;
-    if (kind == Kind::tock) {
+    const LogRole role = log_role(offer.happening.event);
+    if (role == LogRole::tock) {
         if (node.tocks == wanted.tocks || node.outputs < wanted.outputs.size()) return std::nullopt;
         ++result.tocks;
         return result;
     }
-    if (kind == Kind::terminate) return wanted.terminates ? std::optional(result) : std::nullopt;
+    if (role == LogRole::termination) return wanted.terminates ? std::optional(result) : std::nullopt;
     const std::string word = word_of(offer, stepped);
-    if (is_input(kind)) return result.left.erase(word) > 0 ? std::optional(result) : std::nullopt;
-    if (!is_output(kind)) return result;
+    if (role == LogRole::input) return result.left.erase(word) > 0 ? std::optional(result) : std::nullopt;
+    if (role != LogRole::output) return result;
     if (node.outputs == wanted.outputs.size() || wanted.outputs[node.outputs] != word) return std::nullopt;
     ++result.outputs;
     return result;
@@ -185,23 +161,21 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
 
 /// Takes the steps of one cycle; false if there is no such way.
 bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
-    const std::size_t before = stepper.way().size();
     std::vector<Node> nodes{{stepper.here(), wanted.inputs, 0, 0, 0, 0}};
     using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
     std::set<Key> seen;
-    const auto way_to = [&](std::size_t at) {
+    const auto take_way_to = [&](std::size_t at) {
         std::vector<std::size_t> offers;
         for (; at != 0; at = nodes[at].parent) offers.push_back(nodes[at].offer);
-        std::reverse(offers.begin(), offers.end());
-        return offers;
+        for (auto each = offers.rbegin(); each != offers.rend(); ++each) stepper.take(*each);
     };
     for (std::size_t at = 0; at < nodes.size() && at < most_searched; ++at) {
         run.budget().poll();
-        const bool done = nodes[at].outputs == wanted.outputs.size() && nodes[at].tocks == wanted.tocks;
-        stepper.back_to(before);
-        for (const std::size_t offer : way_to(at)) stepper.take(offer);
-        if (done) return true;
-        const std::vector<runs::Offer> offers = stepper.offers();
+        if (nodes[at].outputs == wanted.outputs.size() && nodes[at].tocks == wanted.tocks) {
+            take_way_to(at);
+            return true;
+        }
+        const std::vector<runs::Offer> offers = stepper.offers_at(nodes[at].term);
         for (std::size_t i = 0; i < offers.size(); ++i) {
             auto found = next(nodes[at], offers[i], wanted, stepped);
             if (!found || !seen.insert({found->term, found->left, found->outputs, found->tocks}).second) continue;
@@ -210,7 +184,6 @@ bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped
             nodes.push_back(std::move(*found));
         }
     }
-    stepper.back_to(before);
     return false;
 }
 
@@ -264,6 +237,55 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
 }
 
 }  // namespace
+
+LogRole log_role(const runs::Event& event) {
+    switch (event.kind) {
+        case Kind::input:
+        case Kind::external_write:
+            return LogRole::input;
+        case Kind::output:
+        case Kind::call:
+        case Kind::assignment:
+            return LogRole::output;
+        case Kind::tock:
+            return LogRole::tock;
+        case Kind::terminate:
+            return LogRole::termination;
+        case Kind::transition:
+        case Kind::entered:
+        case Kind::exited:
+        case Kind::refusal:
+        case Kind::internal:
+        case Kind::event:
+            return LogRole::none;
+    }
+    return LogRole::none;
+}
+
+std::optional<std::string> log_word(const runs::Event& event, std::string name, const Stepped& stepped) {
+    name = name.substr(0, name.find('.'));
+    if (const std::string prefix = stepped.name + "::"; name.starts_with(prefix)) name = name.substr(prefix.size());
+    for (const std::string_view before : {"set_EXT_", "set_"})
+        if (name.starts_with(before) && (event.kind == Kind::assignment || event.kind == Kind::external_write)) {
+            name = name.substr(before.size());
+            break;
+        }
+    if (event.kind == Kind::call && name.ends_with("Call")) name.resize(name.size() - 4);
+    std::string word = name + (log_role(event) == LogRole::input ? "?" : "!");
+    for (std::size_t i = 0; i < event.values.size(); ++i) {
+        const std::string& text = event.values[i].text;
+        const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+        });
+        if (!plain) return std::nullopt;
+        word += (i > 0 ? "!" : "") + text;
+    }
+    return word;
+}
+
+std::string log_head(const Stepped& stepped) {
+    return fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\nrun by hand\n", stepped.name);
+}
 
 std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {
     const std::string extension = std::filesystem::path(path).extension().string();

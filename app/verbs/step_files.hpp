@@ -2,6 +2,7 @@
 // possible.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/command/pipeline.hpp"
@@ -17,6 +18,15 @@ struct Stepped {
     const Project* project = nullptr;  ///< null: a process of a script
     csp_emit::Time time = csp_emit::Time::timed;
 };
+
+/// What an event is in a log.
+enum class LogRole { none, input, output, tock, termination };
+[[nodiscard]] LogRole log_role(const runs::Event&);
+/// An input or output as a log has it: "e?3", "move!1!2". `name`: as in runs::Offer. None for values with parts, which
+/// logs written by hand do not have.
+[[nodiscard]] std::optional<std::string> log_word(const runs::Event&, std::string name, const Stepped&);
+/// The first lines of a log.
+[[nodiscard]] std::string log_head(const Stepped&);
 
 /// Writes the way: to NAME.trace as a log, to NAME.assertions as an assertion. Returns why it cannot, "" if it could.
 [[nodiscard]] std::string save_way(const runs::Stepper&, const Stepped&, const std::string& path, Run&);

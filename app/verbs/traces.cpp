@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "app/command/limits.hpp"
@@ -14,6 +15,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/verbs/trace_page.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/model/rules.hpp"
@@ -40,6 +42,7 @@ struct Totals {
     std::size_t logs = 0;
     std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
     std::vector<ReportedRun> reported;  ///< the first of those that are not accepted
+    std::vector<ComparedLog> compared;  ///< for a page
     std::string limit;                  ///< why not everything was looked at
     double seconds = 0;
 };
@@ -74,9 +77,17 @@ public:
     Checkers(const std::vector<Part>& parts, const Options& options)
         : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
 
-    conformance::TraceChecker* of(const conformance::TraceHeader& header) {
+    /// A component with what compares logs with it.
+    struct Found {
+        Project* project = nullptr;
+        std::string component;  ///< qualified
+        conformance::TraceChecker* checker = nullptr;
+    };
+
+    /// Nothing, with a finding, where there is none.
+    std::optional<Found> of(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
-        std::vector<Found> all = found(wanted);
+        std::vector<Candidate> all = found(wanted);
         if (all.empty()) all = found("");
         if (all.empty()) return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted});
         const auto& [part, component] = all.front();
@@ -88,11 +99,11 @@ public:
         Entry& entry = entries_[{part, ir::qualified(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
         if (!entry.error.empty()) return refuse(*part, rules::no_monitor, {ir::qualified(component), entry.error});
-        return entry.checker.get();
+        return Found{part->project.get(), ir::qualified(component), entry.checker.get()};
     }
 
 private:
-    using Found = std::pair<const Part*, ir::ComponentRef>;
+    using Candidate = std::pair<const Part*, ir::ComponentRef>;
     struct Entry {
         std::unique_ptr<conformance::CyclicModel> model;
         std::unique_ptr<conformance::TraceChecker> checker;
@@ -100,18 +111,17 @@ private:
     };
 
     /// The first component of this name in each part.
-    [[nodiscard]] std::vector<Found> found(const std::string& wanted) const {
-        std::vector<Found> result;
+    [[nodiscard]] std::vector<Candidate> found(const std::string& wanted) const {
+        std::vector<Candidate> result;
         for (const Part& part : parts_)
             if (const auto components = code_components(part.project->system, wanted);
                 !part.again && !components.empty())
                 result.emplace_back(&part, components.front());
         return result;
     }
-    static conformance::TraceChecker* refuse(const Part& part, const diagnostics::Rule& rule,
-                                             std::vector<std::string> arguments) {
+    static std::nullopt_t refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments) {
         part.project->diagnostics.report(rule, {}, std::move(arguments));
-        return nullptr;
+        return std::nullopt;
     }
     void load(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
         entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_,
@@ -166,12 +176,15 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
                                    {path, error ? error.message() : "it is not a regular file that may be read"});
         return;
     }
-    conformance::TraceChecker* const checker = checkers.of(peek(path));
-    if (checker == nullptr) return;
+    const auto found = checkers.of(peek(path));
+    if (!found) return;
     ++totals.logs;
-    const auto report = checker->check(in, [&](const conformance::RunReport& run) {
+    ComparedLog compared{path, found->project, found->component, {}, std::nullopt};
+    const auto report = found->checker->check(in, [&](const conformance::RunReport& run) {
         if (totals.reported.size() < max_reported) totals.reported.push_back({path, run});
+        if (!compared.wrong) compared.wrong = run;
     });
+    compared.counts = report;
     totals.runs += report.runs;
     totals.accepted += report.accepted;
     totals.rejected += report.rejected;
@@ -179,6 +192,7 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
     totals.cycles += report.cycles;
     totals.replaced += report.replaced;
     if (report.fault) report_fault(project, path, *report.fault);
+    totals.compared.push_back(std::move(compared));
 }
 
 void print_run(const ReportedRun& reported, bool quiet) {
@@ -273,9 +287,11 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
         return Exit::inconclusive;
     });
     const std::vector<std::string> paths = logs(options, project.diagnostics);
+    std::optional<std::string> page;
     try {
         Checkers checkers(parts, options);
         for (const std::string& path : paths) check_log(path, project, checkers, totals);
+        if (!options.html.empty()) page = trace_page(totals.compared, parts, options);
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
@@ -297,7 +313,13 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
             wrong == nullptr)
             wrong = part.project.get();
     if (options.format == Format::json && wrong != nullptr) return refusal(*wrong);
-    const Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
+    Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
+    if (page && wrong == nullptr)
+        if (const std::string error = diagnostics::replace_file(options.html, *page, &options.run->budget());
+            !error.empty()) {
+            print_error("robochart-verify: {}\n", error);
+            exit = Exit::bad_input;
+        }
     if (options.format == Format::json)
         print_json(totals, exit);
     else

@@ -7,9 +7,10 @@
 
 namespace robochart::app {
 
-Exit run_model(const Options&);  ///< verify, check, emit csp, emit cpp, conform
+Exit run_model(const Options&);  ///< verify, check, emit, conform
 Exit run_cspm(const Options&);
 Exit export_process(const Options&);  ///< cspm --export
+Exit run_prism(const Options&);
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
 Exit run_draw(const Options&);
@@ -25,6 +26,8 @@ void check_assertions(Project&, const Options&, Report&);
 [[nodiscard]] bool write_csp(Project&, const Options&, Report&);
 /// Writes cpp/COMPONENT/… below the output folder.
 [[nodiscard]] bool write_cpp(Project&, const Options&, Report&);
+/// Writes prism/MODULE.prism below the output folder.
+[[nodiscard]] bool write_prism(Project&, const Options&, Report&);
 void check_conformance(Project&, const Options&, Report&);
 /// Writes monitor/COMPONENT/… below the output folder.
 [[nodiscard]] bool write_monitors(Project&, const Options&, Report&);

@@ -12,6 +12,7 @@
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/report/html.hpp"
+#include "app/verbs/block_values.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -24,6 +25,9 @@
 #include "diagnostics/spelling.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "prism_emit/emit.hpp"
+#include "prism_emit/preferences.hpp"
+#include "prism_emit/rules.hpp"
 #include "semantics/ir/dump.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/lower.hpp"
@@ -169,7 +173,7 @@ void begin(const std::vector<Part>& parts, const Options& options, Report& repor
     const auto edit = options.run->edit();
     report.summary = summary(parts);
     report.load_seconds = parts.front().project->seconds;
-    report.notes = notes(parts);
+    if (options.preferences.empty()) report.notes = notes(parts);  // else the ranges are those of the file
 }
 
 /// The report so far.
@@ -193,6 +197,7 @@ bool run_phases(Project& project, const Options& options, bool code, Report& rep
     if (!code) return project.diagnostics.ok();
     if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
     if (all || options.verb == Verb::conform) check_conformance(project, options, report);
+    if (options.verb == Verb::emit_prism && !write_prism(project, options, report)) return false;
     if (options.verb == Verb::emit_monitor && !write_monitors(project, options, report)) return false;
     if (options.verb == Verb::emit_tests && !write_tests(project, options, report)) return false;
     return project.diagnostics.ok();
@@ -278,6 +283,49 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     return true;
 }
 
+namespace {
+
+/// The ranges asked for; nothing, with a finding, where they cannot be read.
+std::optional<prism_emit::Preferences> read_preferences(Project& project, const Options& options) {
+    prism_emit::Preferences result = prism_emit::preferences(project.instantiation);
+    if (options.preferences.empty()) return result;
+    std::string error;
+    const auto source = project.sources.load(options.preferences, error);
+    if (source) error = prism_emit::read_preferences(project.sources.text(*source), result);
+    if (error.empty()) return result;
+    project.diagnostics.report(prism_emit::rules::bad_preferences, {}, {options.preferences, error});
+    return std::nullopt;
+}
+
+/// The module that a component is.
+const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& component) {
+    return component.kind == ir::ComponentKind::module ? &system.modules[component.definition] : nullptr;
+}
+
+}  // namespace
+
+bool write_prism(Project& project, const Options& options, Report& report) {
+    const auto wanted = read_preferences(project, options);
+    if (!wanted) return false;
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) project.diagnostics.report(prism_emit::rules::no_module, {}, {project.name});
+    for (const ir::ComponentRef& component : components) {
+        const ir::Module* const module = module_of(project.system, component);
+        if (module == nullptr) {
+            project.diagnostics.report(prism_emit::rules::no_module, {}, {component.path});
+            return false;
+        }
+        const auto emission = prism_emit::emit(project.system, *module, *wanted, project.diagnostics);
+        if (!emission) return false;
+        struct File {
+            std::string path, text;
+        };
+        const std::vector<File> files{{file_name(project, component) + ".prism", prism_emit::text(*emission)}};
+        if (!write_all("prism/" + project.folder, files, report.prism_files, options, project)) return false;
+    }
+    return project.diagnostics.ok();
+}
+
 void check_conformance(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty())
@@ -293,6 +341,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         }
     }
     std::optional<conformance::TimedModel> model;  // made for the first, for all
+    std::string unlike_blocks;
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ir::ComponentRef& component = components[i];
         const diagnostics::Budget::Phase phase(options.run->budget(),
@@ -300,7 +349,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         const auto start = std::chrono::steady_clock::now();
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
-        wanted.limits = limits(options);
+        wanted.limits = limits(options, "code of " + ir::qualified(component));
         wanted.generator.choices = options.choices;
         if (options.relation == "tick-tock") wanted.relation = conformance::Relation::tick_tock;
         wanted.walks.cycles = options.walks;
@@ -308,10 +357,15 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified(component);
-        if (!model)
+        if (!model) {
             model =
                 conformance::timed_model(project.system, project.instantiation, project.sources, project.diagnostics);
+            unlike_blocks = values_unlike_blocks(project, model->script.definitions);
+        }
         one.result = conformance::conform(*model, component, wanted, project.diagnostics);
+        if (!unlike_blocks.empty())
+            one.result.warnings.push_back(fmt::format(
+                "the csp block Instantiations is not read here: {}; --const sets constants", unlike_blocks));
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported =
             options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
@@ -337,7 +391,8 @@ void note_nothing(const Options& options, Report& report) {
 /// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
 bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
-                      options.verb == Verb::emit_tests || options.verb == Verb::conform;
+                      options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
+                      options.verb == Verb::conform;
     const bool some = !code_components(part.project->system, options.component).empty();
     return some || (options.component.empty() && (!code || parts.size() == 1));
 }
@@ -475,8 +530,14 @@ Exit compare_traces(const std::vector<Part>& parts, const Options& options, Repo
     return conform_traces(parts, options);
 }
 
+/// The encoding in PRISM has buffers between machines: that they are left out is not to be said.
+Options with_buffers(Options options) {
+    options.allowed.emplace_back("Cn11");
+    return options;
+}
+
 Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
-    parts = load_parts(options);
+    parts = load_parts(options.verb == Verb::emit_prism ? with_buffers(options) : options);
     if (!options.print.empty()) return print_phases(parts, options);
     if (!options.mapping.empty() && options.target != "ros2")
         throw UsageError("--mapping is about messages of ROS 2: it needs --target ros2");

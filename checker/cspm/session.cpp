@@ -10,6 +10,7 @@
 #include "checker/cspm/eval/evaluator.hpp"
 #include "checker/cspm/resolve/resolver.hpp"
 #include "checker/cspm/resolve/unread_parameters.hpp"
+#include "checker/cspm/syntax/lookup.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/deep_stack.hpp"
 #include "checker/machine/compiler.hpp"
@@ -55,14 +56,6 @@ std::string brief(std::string text) {
     std::size_t end = longest;
     while (diagnostics::is_continuation(text[end])) --end;
     return text.substr(0, end) + "…";
-}
-
-void collect_assertions(const std::vector<DeclPtr>& decls, std::vector<DeclPtr>& out) {
-    for (const DeclPtr& decl : decls) {
-        if (decl->kind == DeclKind::assertion) out.push_back(decl);
-        collect_assertions(decl->decls, out);
-        collect_assertions(decl->exports, out);
-    }
 }
 
 std::string written(const Decl& assertion) {
@@ -268,9 +261,7 @@ const Script& Session::script() const {
 }
 
 std::vector<DeclPtr> Session::assertions() const {
-    std::vector<DeclPtr> result;
-    collect_assertions(impl_->script.decls, result);
-    return result;
+    return assertions_in(impl_->script.decls);
 }
 
 void Session::observe(CallObserver observer) {

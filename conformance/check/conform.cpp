@@ -177,16 +177,26 @@ void say_inputs(Result& result, const Interface& interface) {
     if (!parts.empty()) result.reason += "; --range makes carriers smaller";
 }
 
-/// Where the model is, behind ", at ", by its elements instead of the definitions of the script.
-void say_place(std::optional<Aside>& aside, const csp_emit::Provenance& provenance,
-               const diagnostics::SourceManager& sources) {
+/// Where the model is, behind ", at " and at the end of cycles, by its elements instead of the definitions of the
+/// script; what is no element of the model is left out.
+void say_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
+                const diagnostics::SourceManager& sources) {
+    const auto in_words = [&](const std::string& state) {
+        return fmt::format("{}", fmt::join(elements_of_state(state, provenance, sources), "; "));
+    };
     constexpr std::string_view mark = ", at ";
-    const std::size_t at = aside ? aside->reason.find(mark) : std::string::npos;
-    if (at == std::string::npos) return;
-    const std::vector<std::string> elements =
-        elements_of_state(aside->reason.substr(at + mark.size()), provenance, sources);
-    if (!elements.empty())
-        aside->reason = fmt::format("{}, {}", aside->reason.substr(0, at), fmt::join(elements, "; "));
+    if (const std::size_t at = reason.find(mark); at != std::string::npos) {
+        const std::string place = in_words(reason.substr(at + mark.size()));
+        reason = reason.substr(0, at) + (place.empty() ? "" : ", " + place);
+    }
+    for (Cycle& cycle : cycles) cycle.state = in_words(cycle.state);
+}
+
+/// Of what is the model's, not the code's.
+void say_places(Result& result, const csp_emit::Provenance& provenance, const diagnostics::SourceManager& sources) {
+    for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
+        if (*aside) say_places((*aside)->reason, (*aside)->cycles, provenance, sources);
+    if (result.outcome == Outcome::not_schedulable) say_places(result.reason, result.cycles, provenance, sources);
 }
 
 /// `sources`: where the model was read from; null: outcomes that are the model's are not explained in its words.
@@ -202,8 +212,7 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
         Result result = checked(session, process, interface, code, options, places);
         const Alphabet alphabet(interface, session.event_table());
         if (sources != nullptr) {
-            say_place(result.register_cycles, script.provenance, *sources);
-            say_place(result.deadlines, script.provenance, *sources);
+            say_places(result, script.provenance, *sources);
             explain_standstill(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
                                options);
         }

@@ -10,6 +10,7 @@
 #include "cpp_emit/plan/options.hpp"
 #include "diagnostics/cache/cache.hpp"
 #include "diagnostics/diagnostic.hpp"
+#include "runs/run.hpp"
 
 namespace robochart::conformance {
 
@@ -35,6 +36,7 @@ struct Explanation {
     const diagnostics::Rule* rule = nullptr;  ///< docs/rules has its page
     std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: not known
     std::string remedy;                       ///< what would make the model schedulable; "" : not known
+    std::optional<runs::Run> run;             ///< the run of the model that shows it; nothing: not found in time
 };
 
 /// A property of the model beside conformance: whether it has it, and if not, a shortest run that shows it.

@@ -330,7 +330,8 @@ void explain_standstill(Result& result, cspm::Session& session, const cspm::Expr
         asked.kind = run.kind == refine::ViolationKind::divergence ? ir::PropertyKind::divergence_free
                                                                    : ir::PropertyKind::timelock_free;
         const runs::Context context{words.provenance, words.system, words.instantiation, words.sources, session};
-        Words(result.explanation, runs::interpret(context, asked, run), options.cycle_length).write();
+        result.explanation.run = runs::interpret(context, asked, run);
+        Words(result.explanation, *result.explanation.run, options.cycle_length).write();
     } catch (const process::Interrupted&) {
     } catch (const process::SemanticsError&) {
     }

@@ -25,13 +25,13 @@ std::string parameters(const Generation& generation, const Core& core, const ir:
 void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const ApiOperation& operation) {
     out.gap();
     const diagnostics::ForeignText place = generation.place(operation.signature->origin);
-    const std::string list = parameters(generation, core, *operation.signature, true);
+    const std::string list = parameters(generation, core, *operation.signature, operation.modelled);
     if (operation.modelled) {
         out.doc(place + ", as the model defines it. Override it and return true to do it differently.");
         out.line(fmt::format("virtual bool {}({}) {{ return false; }}", operation.method, list));
     } else {
-        out.doc(place + ", done by the platform.");
-        out.line(fmt::format("virtual void {}({}) {{}}", operation.method, list));
+        out.doc(place + ", done by the platform: override it.");
+        out.line(fmt::format("virtual void {}({}) = 0;", operation.method, list));
     }
 }
 
@@ -86,16 +86,14 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
-/// Some action may take time while the event is awaited (docs/conformance.md, "Events that can be missed").
+/// Some action may take time while the event is awaited.
 bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
     std::size_t place = 0;  // among the events received
     for (const EventPort& port : generation.component.events) {
         if (&port == event.port) break;
         if (port.received) ++place;
     }
-    const std::vector<EventPlace> places = event_places(generation, core);
-    return std::any_of(places.begin(), places.end(),
-                       [&](const EventPlace& each) { return each.busy && each.events[place]; });
+    return lost_in_actions(generation, core)[place];
 }
 
 void write_members(const Generation& generation, const Core& core, CodeWriter& out, const ApiClass& api) {
@@ -380,9 +378,15 @@ std::string machine_header(const Generation& generation, const Core& core, const
     write_functions(generation, core, api, out);
     if (generation.component.probabilistic) {
         out.gap();
-        out.doc("Which way a probabilistic junction takes, by the chances of its ways; override it to draw one.");
+        out.doc(
+            "What the ways of probabilistic junctions are drawn from: the same seed, the same ways. Give each robot "
+            "its own.");
+        out.line("void SetSeed(std::uint64_t seed) noexcept { draws_ = robochart::Draws(seed); }");
+        out.doc(
+            "Which way a probabilistic junction takes, drawn by the chances of its ways; override it for another "
+            "source.");
         out.line("virtual std::size_t choose(const double* chances, std::size_t count) noexcept {");
-        out.line("    return robochart::first_way(chances, count);");
+        out.line("    return draws_.way(chances, count);");
         out.line("}");
     }
     if (generation.options.choices) {
@@ -396,6 +400,7 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.gap();
     out.line(fmt::format("{}::State<robochart::Deployment> core_{{}};", core.relative));
     out.line("bool terminated_ = false;");
+    if (generation.component.probabilistic) out.line("robochart::Draws draws_;");
     out.line("#if ROBOCHART_TRACE");
     out.line("robochart::Tracer* tracer_ = nullptr;");
     out.line("#endif");

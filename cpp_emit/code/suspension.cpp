@@ -39,22 +39,20 @@ bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt
     });
 }
 
-}  // namespace
-
-bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
-    if (!stmt) return false;
-    if (may_be_stuck(generation, unit, *stmt)) return true;
-    switch (stmt->kind) {
+/// Whatever the statements inside it do.
+bool suspends_itself(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
+    if (may_be_stuck(generation, unit, stmt)) return true;
+    switch (stmt.kind) {
         case StmtKind::wait:
         case StmtKind::wait_interval:
             return true;
         case StmtKind::communicate:
-            return stmt->communication.kind == CommKind::input ||
-                   generation.component.event(unit, stmt->communication.event).waits_to_send();
+            return stmt.communication.kind == CommKind::input ||
+                   generation.component.event(unit, stmt.communication.event).waits_to_send();
         case StmtKind::assign:
-            return may_be_held_up(generation, unit, stmt->variable);
+            return may_be_held_up(generation, unit, stmt.variable);
         case StmtKind::call:
-            return unit.definitions[stmt->operation.index].valid();
+            return unit.definitions[stmt.operation.index].valid();
         case StmtKind::skip:
         case StmtKind::sequence:
         case StmtKind::if_then_else:
@@ -62,8 +60,50 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
         case StmtKind::deadline:
             break;
     }
-    return std::any_of(stmt->body.begin(), stmt->body.end(),
+    return false;
+}
+
+}  // namespace
+
+bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
+    if (!stmt) return false;
+    return suspends_itself(generation, unit, *stmt) ||
+           std::any_of(stmt->body.begin(), stmt->body.end(),
                        [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
+}
+
+namespace {
+
+/// Whatever the statements inside it do.
+bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
+    const auto zero = [](const ir::ExprPtr& expr) { return expr->kind == ir::ExprKind::integer && expr->number == 0; };
+    if (stmt.kind == StmtKind::wait && zero(stmt.value)) return false;
+    if (stmt.kind == StmtKind::wait_interval && zero(stmt.upper)) return false;
+    if (stmt.kind == StmtKind::call && unit.definitions[stmt.operation.index].valid())
+        return may_be_stuck(generation, unit, stmt) ||
+               actions_take_time(generation, generation.component.unit(unit.callees[stmt.operation.index]));
+    return suspends_itself(generation, unit, stmt);
+}
+
+/// Whether an operation may rest in a state, for no transition of the state is always enabled.
+bool may_rest(const ir::Machine& operation) {
+    const auto leaves = [&](const ir::TransitionId id) {
+        const ir::Transition& transition = operation.transitions[id.index];
+        return !transition.trigger && !transition.guard;
+    };
+    return std::any_of(operation.nodes.begin(), operation.nodes.end(), [&](const ir::Node& node) {
+        return node.kind == ir::NodeKind::state && std::none_of(node.outgoing.begin(), node.outgoing.end(), leaves);
+    });
+}
+
+}  // namespace
+
+bool actions_take_time(const Generation& generation, const Unit& unit) {
+    bool found = !unit.root && may_rest(*unit.machine);
+    ir::visit_statements(*unit.machine, [&](const ir::Stmt& stmt) {
+        if (!found) found = takes_time(generation, unit, stmt);
+    });
+    return found;
 }
 
 namespace {

@@ -12,6 +12,10 @@ namespace robochart::cpp_emit {
 /// outside their preconditions, and writes that may be held up.
 [[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
 
+/// Whether some action of the machine may last beyond a cycle: it suspends, and not only for a wait of 0 or a call of
+/// an operation that ends at once.
+[[nodiscard]] bool actions_take_time(const Generation&, const Unit&);
+
 /// Whether a transition of the machine has a deadline that counts only while its guard holds (semantics 3.10).
 [[nodiscard]] bool guards_deadlines(const ir::Machine&);
 

@@ -1,12 +1,19 @@
 // Where an event that the platform raises may be lost (docs/conformance.md, "Events that can be missed").
 #include <algorithm>
+#include <set>
 
 #include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/code/suspension.hpp"
 #include "cpp_emit/files/files.hpp"
 
 namespace robochart::cpp_emit {
 
 namespace {
+
+/// What shows where the part's machine is.
+std::string member_of(const Part& part) {
+    return part.tag.empty() ? "state" : part.tag + ".state";
+}
 
 class PlaceFinder {
 public:
@@ -22,7 +29,7 @@ private:
     void machine(const Part& part, std::size_t root) {
         const ir::Machine& machine = *generation_.component.units[root].machine;
         if (!machine.initial.valid()) return;
-        const std::string member = part.tag.empty() ? "state" : part.tag + ".state";
+        const std::string member = member_of(part);
         const std::vector<Enumerator>& values = core_.machines[root].enumerations.front().values;
         std::string program;  // whose places are being gone through
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -108,6 +115,17 @@ private:
 
 std::vector<EventPlace> event_places(const Generation& generation, const Core& core) {
     return PlaceFinder(generation, core).find();
+}
+
+std::vector<bool> lost_in_actions(const Generation& generation, const Core& core) {
+    std::set<std::string> slow;  // the members that show where these machines are
+    for (const Part& part : generation.component.parts)
+        if (actions_take_time(generation, generation.component.units[part.root])) slow.insert(member_of(part));
+    std::vector<bool> result(input_events(generation.component).size());
+    for (const EventPlace& place : event_places(generation, core))
+        for (std::size_t i = 0; i < result.size(); ++i)
+            if (place.busy && place.events[i] && slow.contains(place.member)) result[i] = true;
+    return result;
 }
 
 }  // namespace robochart::cpp_emit

@@ -32,6 +32,9 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// Where machines are busy on behalf of a state that awaits events, or rest while every transition on an event has a
 /// condition.
 [[nodiscard]] std::vector<EventPlace> event_places(const Generation&, const Core&);
+/// Of the events that the platform raises, in the order of Inputs, which are awaited where a machine is busy, in
+/// machines some action of which may take time.
+[[nodiscard]] std::vector<bool> lost_in_actions(const Generation&, const Core&);
 
 /// What a traced controller needs: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
 [[nodiscard]] std::string trace_header(const Generation&, const Core&);

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_DRIVE_ABI_VERSION 2
+#define ROBOCHART_DRIVE_ABI_VERSION 4
 #define ROBOCHART_DRIVE_MAX_ARGUMENTS 8
 #define ROBOCHART_DRIVE_MAX_ACTIONS 1024
 
@@ -49,6 +49,13 @@ typedef enum rc_drive_result {
     RC_DRIVE_DEADLINE = 4      /* a deadline was missed */
 } rc_drive_result;
 
+/* A state machine of the component. */
+typedef struct rc_machine {
+    const char* name; /* where it is in the component: "ctrl0::stm0"; "" if it is the only one */
+    uint32_t states;
+    const char* const* state; /* "Forward", "Forward::Fast" */
+} rc_machine;
+
 typedef struct rc_drive {
     uint32_t abi_version;
     const char* component;
@@ -58,12 +65,13 @@ typedef struct rc_drive {
     const char* const* input; /* "seeRobot.in", "set_EXT_reached" */
     uint32_t outputs;
     const char* const* output; /* "out.out", "MoveCall", "set_linearSpeed" */
-    uint32_t states;
-    const char* const* state; /* of the machine: "Forward", "Forward::Fast" */
-    void (*initial)(void* controller);
+    uint32_t machines;
+    const rc_machine* machine;
+    void (*initial)(void* controller, uint64_t seed); /* seed: of what it draws at probabilistic junctions */
     rc_drive_result (*step)(void* controller, const rc_signal* signals, rc_actions* actions);
-    uint32_t (*state_of)(const void* controller);    /* index into state; `states` in between */
-    const char* (*place_of)(const void* controller); /* the element it is in, with file and line */
+    /* The innermost active state of a machine: index into its states; their number in between. */
+    uint32_t (*state_of)(const void* controller, uint32_t machine);
+    const char* (*place_of)(const void* controller); /* the element the first machine is in, with file and line */
 } rc_drive;
 
 /* The only exported symbol, also of objects compiled with -fvisibility=hidden. */

@@ -163,6 +163,53 @@ constexpr std::size_t first_way(const double* chances, std::size_t count) noexce
     return 0;
 }
 
+/// Draws ways of probabilistic junctions: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
+/// generators, OOPSLA 2014). The same seed draws the same ways on every platform; a copy goes on alike.
+class Draws {
+public:
+    constexpr explicit Draws(std::uint64_t seed = 1) noexcept : state_(seed) {}
+
+    /// One of the ways, each as often as its share of all chances; one without a chance never, the first where none has.
+    constexpr std::size_t way(const double* chances, std::size_t count) noexcept {
+        double all = 0.0;
+        for (std::size_t way = 0; way < count; ++way)
+            if (chances[way] > 0.0) all += chances[way];
+        double left = uniform() * all;
+        std::size_t last = 0;
+        for (std::size_t way = 0; way < count; ++way) {
+            if (!(chances[way] > 0.0)) continue;
+            if (left < chances[way]) return way;
+            left -= chances[way];
+            last = way;
+        }
+        return last;
+    }
+
+private:
+    /// In [0, 1), a multiple of 2^-53.
+    constexpr double uniform() noexcept {
+        state_ += 0x9e3779b97f4a7c15U;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+        return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
+    }
+
+    std::uint64_t state_;
+};
+
+template <class Controller, class = void>
+struct Seeded : std::false_type {};
+template <class Controller>
+struct Seeded<Controller, std::void_t<decltype(std::declval<Controller&>().SetSeed(std::uint64_t{}))>>
+    : std::true_type {};
+
+/// Gives a controller the seed of what it draws, if it draws anything.
+template <class Controller>
+void set_seed([[maybe_unused]] Controller& controller, [[maybe_unused]] std::uint64_t seed) noexcept {
+    if constexpr (Seeded<Controller>::value) controller.SetSeed(seed);
+}
+
 template <class Platform, class = void>
 struct Chooses : std::false_type {};
 template <class Platform>

@@ -96,15 +96,16 @@ struct FiringQuestion {
     std::vector<TransitionInside> transitions;
 };
 
-/// One check to be made: an assertion of the model in one time, as one or more CSPM assertions.
+/// One check to be made: an assertion of the model in one time as one or more CSPM assertions, an assert line of a CSP
+/// block, or a core property.
 struct Obligation {
     ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
     bool negated = false;
-    std::uint32_t property = ir::no_id;  ///< index into System::properties; none for core properties
-    std::string component = {};          ///< core properties: "state machine P::S"; "" for the model's assertions
+    std::uint32_t property = ir::no_id;  ///< index into System::properties; none for others
+    std::string component = {};          ///< core properties: "state machine P::S"; "" for others
     std::string property_text = {};      ///< core properties: "deadlock-free"
     bool information = false;            ///< core properties: nothing is wrong where it does not hold
-    ir::Origin origin = {};              ///< core properties: the state or clock that it is about
+    ir::Origin origin = {};              ///< core properties: the state or clock; of a block's assert line: its place
     std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
     Time time = Time::untimed;
     std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too

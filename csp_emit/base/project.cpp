@@ -6,7 +6,7 @@
 
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 
 namespace robochart::csp_emit {
 

@@ -130,7 +130,9 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
                                                 owner, constant.id);
         const bool provided = source.constant != &owner.constants.at(constant.id.index);
         constant.source = source.name;
-        constant.value = provided ? source.name : default_constant(project(), constant.value, source.name);
+        // A csp block may give the part's constant a value; else it is the machine's own by its definition.
+        const bool of_part = provided || project().mentions(source.name);
+        constant.value = of_part ? source.name : default_constant(project(), constant.value, source.name);
     }
     emitted_.components[path] = result;
     return result;

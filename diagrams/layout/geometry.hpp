@@ -27,6 +27,9 @@ struct Rectangle {
     friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
+/// A side of a rectangle.
+enum class Side { left, right, top, bottom };
+
 /// Do they share more than a border? `apart`: how far they may reach into each other.
 [[nodiscard]] inline bool overlap(const Rectangle& a, const Rectangle& b, double apart = 0) {
     return a.x + apart < b.right() && b.x + apart < a.right() && a.y + apart < b.bottom() && b.y + apart < a.bottom();

@@ -61,8 +61,9 @@ inline constexpr double port_size = 18;
 
 /// Where a port is.
 struct PlacedPort {
-    bool left = false;  ///< on the left border; else on the right one
+    bool left = false;  ///< on the left border; else on the right one, where no drawing says otherwise
     Point centre;
+    std::optional<Rectangle> label = {};  ///< where it is not in the box beside the port
 };
 
 /// Where a box is.

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "diagnostics/escape.hpp"
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 #include "frontend/syntax/print.hpp"
 
 namespace robochart::diagrams {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "diagrams/layout/drawn.hpp"
 #include "diagrams/notation/labels.hpp"
 
 namespace robochart::diagrams {
@@ -49,8 +50,17 @@ bool holds(const State& node, const State* target) {
 
 }  // namespace
 
-NodeLevel::NodeLevel(const NodeContainer& container, std::string path, const Drawing& drawing)
-    : path_(std::move(path)), drawing_(drawing) {
+NodeLevel::NodeLevel(const Machine& machine, std::string path, const Drawing& drawing)
+    : owner_(&machine), path_(std::move(path)), drawing_(drawing) {
+    fill(machine);
+}
+
+NodeLevel::NodeLevel(const State& state, std::string path, const Drawing& drawing)
+    : owner_(&state), path_(std::move(path)), drawing_(drawing) {
+    fill(state);
+}
+
+void NodeLevel::fill(const NodeContainer& container) {
     for (const auto& node : container.nodes) add_node(*node);
     for (const auto& transition : container.transitions) add_arrow(*transition);
     lay_out();
@@ -72,8 +82,9 @@ void NodeLevel::add_node(const State& state) {
         add_actions(shape);
         if (!state.nodes.empty() || !state.transitions.empty()) {
             shape.inner = std::make_unique<NodeLevel>(state, path_ + "::" + state.name, drawing_);
-            shape.size.width = std::max(shape.size.width, shape.inner->size().width + 2 * inset);
-            shape.size.height += shape.inner->size().height + 2 * inset;
+            const double around = 2 * shape.inner->margin(inset);
+            shape.size.width = std::max(shape.size.width, shape.inner->size().width + around);
+            shape.size.height += shape.inner->size().height + around;
         }
     }
     box.size = shape.size;
@@ -81,13 +92,23 @@ void NodeLevel::add_node(const State& state) {
     nodes_.push_back(std::move(shape));
 }
 
+/// How many characters there is space for in a line where a person drew the state wide.
+std::size_t NodeLevel::columns_of(const State& state) const {
+    constexpr double widest = 2000;
+    const auto drawn = drawing_.stored->box(&state);
+    const double space = std::min(drawn ? drawn->width.value_or(0) : 0, widest) - 2 * measure::padding;
+    return space <= 0 ? 0 : static_cast<std::size_t>(space / layout::text_width("n", measure::row_font));
+}
+
 /// The title, and a paragraph for each action.
 void NodeLevel::add_actions(Shape& shape) {
     double width = std::max(shape.title.width(), 60.0);
+    layout::LineLimits limits = action_limits;
+    if (drawing_.stored != nullptr) limits.columns = std::max(limits.columns, columns_of(*shape.state));
     for (const Action& action : shape.state->actions) {
         const std::string text =
             std::string(word_of(action.kind)) + " " + (action.statement ? text_of(*action.statement) : "");
-        shape.actions.push_back(layout::broken({text}, action_limits));
+        shape.actions.push_back(layout::broken({text}, limits));
         if (shape.actions.back().elided) shape.whole += text + "\n";
         const Size size = size_of(shape.actions.back());
         width = std::max(width, size.width + 2 * measure::padding);
@@ -129,6 +150,11 @@ std::size_t NodeLevel::end_of(const State* target, const QualifiedName& name) {
 }
 
 void NodeLevel::lay_out() {
+    if (const auto drawn = drawn_level()) {
+        as_drawn_ = true;
+        placement_ = layout::arrange_as_drawn(level_, *drawn, drawing_.budget);
+        return;
+    }
     LevelNames names;
     names.path = path_;
     for (const Shape& shape : nodes_) names.boxes.push_back(shape.name);
@@ -137,6 +163,26 @@ void NodeLevel::lay_out() {
         names.edges.push_back(arrows_[a].transition->name + " " + nodes_[edge.from].name + " " + nodes_[edge.to].name);
     }
     placement_ = arrange_again(level_, std::move(names), drawing_.memory, drawing_.budget);
+}
+
+/// Nothing where no node of the level is in the drawing.
+std::optional<layout::DrawnLevel> NodeLevel::drawn_level() const {
+    if (drawing_.stored == nullptr) return std::nullopt;
+    layout::DrawnLevel drawn;
+    drawn.size = drawing_.stored->area(owner_).size;
+    drawn.ports.resize(nodes_.size());
+    bool any = false;
+    for (const Shape& shape : nodes_) {
+        drawn.boxes.push_back(drawing_.stored->box(shape.state));
+        any = any || drawn.boxes.back();
+    }
+    for (const Arrow& arrow : arrows_) drawn.edges.push_back(drawing_.stored->line(arrow.transition));
+    return any ? std::optional(std::move(drawn)) : std::nullopt;
+}
+
+Point NodeLevel::corner_in(const Rectangle& space) const {
+    if (as_drawn_) return {space.x, space.y};
+    return {space.x + (space.width - placement_.size.width) / 2, space.y + (space.height - placement_.size.height) / 2};
 }
 
 void NodeLevel::paint(Picture& picture, const Point& corner, std::size_t parent) const {
@@ -148,11 +194,9 @@ void NodeLevel::paint(Picture& picture, const Point& corner, std::size_t parent)
         if (nodes_[n].inner == nullptr) continue;
         const Rectangle place = picture.boxes[first_box + n].place;
         const double above = measure::state_title + nodes_[n].actions_height;
-        const Size& inner = nodes_[n].inner->size();
-        nodes_[n].inner->paint(
-            picture,
-            {place.x + (place.width - inner.width) / 2, place.y + above + (place.height - above - inner.height) / 2},
-            first_box + n);
+        const NodeLevel& inner = *nodes_[n].inner;
+        inner.paint(picture, inner.corner_in({place.x, place.y + above, place.width, place.height - above}),
+                    first_box + n);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace robochart::diagrams {
 /// One level with those inside of it.
 class NodeLevel {
 public:
-    NodeLevel(const frontend::NodeContainer& container, std::string path, const Drawing& drawing);
+    NodeLevel(const frontend::Machine& machine, std::string path, const Drawing& drawing);
+    NodeLevel(const frontend::State& state, std::string path, const Drawing& drawing);
 
     [[nodiscard]] const layout::Size& size() const { return placement_.size; }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
+    /// Between the level and the border of what it is in: `own`, or none where the level is as a person drew it.
+    [[nodiscard]] double margin(double own) const { return as_drawn_ ? 0 : own; }
+    /// Where its corner is in the space for it: in the middle, or as a person drew it.
+    [[nodiscard]] layout::Point corner_in(const layout::Rectangle& space) const;
     /// Adds its boxes and lines to a picture.
     void paint(Picture& picture, const layout::Point& corner, std::size_t parent) const;
 
@@ -39,20 +45,25 @@ private:
         std::string whole;
     };
 
+    void fill(const frontend::NodeContainer& container);
     void add_node(const frontend::State& state);
     void add_actions(Shape& shape);
+    [[nodiscard]] std::size_t columns_of(const frontend::State& state) const;
     void add_arrow(const frontend::Transition& transition);
     [[nodiscard]] std::size_t end_of(const frontend::State* target, const frontend::QualifiedName& name);
     void lay_out();
+    [[nodiscard]] std::optional<layout::DrawnLevel> drawn_level() const;
     void paint_node(Picture& picture, std::size_t node, const layout::Point& corner, std::size_t parent) const;
     void paint_arrow(Picture& picture, std::size_t arrow, const layout::Point& corner, std::size_t first_box) const;
 
+    const frontend::Declaration* owner_;  ///< the machine or state
     std::string path_;
     const Drawing& drawing_;
     std::vector<Shape> nodes_;
     std::vector<Arrow> arrows_;
     layout::Level level_;
     layout::Placement placement_;
+    bool as_drawn_ = false;
 };
 
 }  // namespace robochart::diagrams

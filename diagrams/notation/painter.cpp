@@ -158,6 +158,22 @@ PictureBox draw_square(const EventSquare& square, const Point& centre, std::size
     return box;
 }
 
+layout::Size label_size(const EventSquare& square) {
+    return {text_width(square.label, measure::row_font), square.label.empty() ? 0 : measure::line};
+}
+
+PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port, const Point& corner,
+                       std::size_t owner, bool label_left) {
+    const Point centre{port.centre.x + corner.x, port.centre.y + corner.y};
+    PictureBox box = draw_square(square, centre, owner, label_left);
+    if (port.label) {
+        Text& label = box.texts.back();
+        label.at = {port.label->x + corner.x, port.label->y + corner.y + 11};
+        label.anchor = Anchor::start;
+    }
+    return box;
+}
+
 void crop(Picture& picture) {
     constexpr double margin = 14;
     const Rectangle extent = extent_of(picture);

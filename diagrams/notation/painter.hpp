@@ -10,6 +10,7 @@
 #include "diagrams/notation/memory.hpp"
 #include "diagrams/notation/picture.hpp"
 #include "diagrams/notation/rows.hpp"
+#include "diagrams/notation/stored_layout.hpp"
 
 namespace robochart::diagrams {
 
@@ -18,6 +19,7 @@ struct Drawing {
     const Elements& elements;
     Memory* memory = nullptr;
     diagnostics::Budget* budget = nullptr;
+    const StoredLayout* stored = nullptr;  ///< of the component that is drawn
 };
 
 /// A title of a box: a sign and text.
@@ -50,9 +52,14 @@ struct EventSquare {
 [[nodiscard]] std::vector<const frontend::Event*> events_of(const frontend::Context& context);
 [[nodiscard]] EventSquare square_of(const frontend::Event& event, const Elements& elements);
 [[nodiscard]] double label_width(const EventSquare& square);
+/// Of its label alone.
+[[nodiscard]] layout::Size label_size(const EventSquare& square);
 /// The square with its label to the left or to the right of it.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::Point& centre, std::size_t owner,
                                      bool label_left);
+/// The square at a port, with its label where that has it, else as above.
+[[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port,
+                                     const layout::Point& corner, std::size_t owner, bool label_left);
 
 /// Moves a picture so that everything is within its size, with a margin.
 void crop(Picture& picture);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "diagrams/layout/drawn.hpp"
 #include "diagrams/notation/labels.hpp"
 
 namespace robochart::diagrams {
@@ -39,7 +40,8 @@ layout::Lines label_of(const Connection& connection) {
 
 }  // namespace
 
-PartLevel::PartLevel(const Component& component, const Drawing& drawing) : component_(component), drawing_(drawing) {
+PartLevel::PartLevel(const Component& component, const Size& header, const Drawing& drawing)
+    : component_(component), header_(header), drawing_(drawing) {
     for (const Declaration* part : component.order) add_part(*part);
     for (const Event* event : events_of(component)) {
         Part part;
@@ -70,7 +72,7 @@ void PartLevel::add_part(const Declaration& declaration) {
     pins_.push_back(kind == DeclKind::platform ? Pin::first : Pin::none);
 }
 
-/// What is declared in place; its own machines are in its own diagram.
+/// What is declared in place; what is in it is in its own diagram, unless a person drew it here.
 void PartLevel::describe(Part& part) const {
     part.title.text = part.name;
     if (const auto* operation = dynamic_cast<const Machine*>(part.declaration);
@@ -81,6 +83,15 @@ void PartLevel::describe(Part& part) const {
     part.rows = rows_of(*context, drawing_.elements, false);
     part.events = events_of(*context);
     for (const Event* event : part.events) part.squares.push_back(square_of(*event, drawing_.elements));
+    open(part);
+}
+
+void PartLevel::open(Part& part) const {
+    const auto* machine = dynamic_cast<const Machine*>(part.declaration);
+    if (drawing_.stored == nullptr || machine == nullptr) return;
+    const bool drawn = std::any_of(machine->nodes.begin(), machine->nodes.end(),
+                                   [&](const auto& node) { return drawing_.stored->box(node.get()).has_value(); });
+    if (drawn) part.inner = std::make_unique<NodeLevel>(*machine, component_.name + "::" + machine->name, drawing_);
 }
 
 void PartLevel::describe_reference(Part& part, const Reference& reference) const {
@@ -196,9 +207,7 @@ void PartLevel::lay_out() {
             box.on_border = true;
             box.ports.resize(1);
         } else {
-            const Size rows = part.rows.size();
-            part.header = measure::title + rows.height;
-            part.size = {std::max({part.title.width(), rows.width, 80.0}), std::max(part.header, 40.0)};
+            set_size(part);
             box.size = part.size;
             box.port_start = part.header;
             for (const EventSquare& square : part.squares) box.ports.push_back({label_width(square)});
@@ -208,10 +217,54 @@ void PartLevel::lay_out() {
     for (std::size_t c = 0; c < connections_.size(); ++c)
         names.edges.push_back(names.boxes[ends_[c].first.part] + " " + names.boxes[ends_[c].second.part]);
     level_.direction = layout::Direction::right;
+    if (const auto drawn = drawn_level()) {
+        as_drawn_ = true;
+        placement_ = layout::arrange_as_drawn(level_, *drawn, drawing_.budget);
+        return;
+    }
     placement_ = arrange_again(level_, std::move(names), drawing_.memory, drawing_.budget);
 }
 
-PartLevel::Borders PartLevel::borders(const Size& header) const {
+void PartLevel::set_size(Part& part) const {
+    const Size rows = part.rows.size();
+    part.header = measure::title + rows.height;
+    part.size = {std::max({part.title.width(), rows.width, 80.0}), std::max(part.header, 40.0)};
+    if (part.inner == nullptr) return;
+    part.size.width = std::max(part.size.width, part.inner->size().width);
+    part.size.height = part.header + part.inner->size().height;
+}
+
+/// Nothing where no part is in the drawing.
+std::optional<layout::DrawnLevel> PartLevel::drawn_level() const {
+    if (drawing_.stored == nullptr) return std::nullopt;
+    layout::DrawnLevel drawn;
+    drawn.header = header_.height;
+    drawn.size = drawing_.stored->area(&component_).size;
+    drawn.size.width = std::max(drawn.size.width, header_.width);
+    bool any = false;
+    for (const Part& part : parts_) {
+        drawn.boxes.push_back(drawing_.stored->box(part.declaration));
+        any = any || drawn.boxes.back();
+        drawn.ports.push_back(drawn_ports(part));
+    }
+    for (const Connection* connection : connections_) drawn.edges.push_back(drawing_.stored->line(connection));
+    return any ? std::optional(std::move(drawn)) : std::nullopt;
+}
+
+layout::DrawnPorts PartLevel::drawn_ports(const Part& part) const {
+    const Declaration* owner = part.on_border ? &component_ : part.declaration;
+    layout::DrawnPorts drawn;
+    drawn.owner = drawing_.stored->size(owner);
+    drawn.header = drawing_.stored->area(owner).above.value_or(part.on_border ? header_.height : part.header);
+    drawn.full = part.inner != nullptr;
+    for (std::size_t s = 0; s < part.squares.size(); ++s) {
+        drawn.ports.push_back(drawing_.stored->square(owner, part.events[s]));
+        drawn.labels.push_back(label_size(part.squares[s]));
+    }
+    return drawn;
+}
+
+PartLevel::Borders PartLevel::borders() const {
     Borders result{std::numeric_limits<double>::infinity(), 0, false, false, 0};
     double rightmost = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -229,19 +282,23 @@ PartLevel::Borders PartLevel::borders(const Size& header) const {
     if (!result.events_left) result.left = -component_inset;
     if (!result.events_right) result.right = placement_.size.width + component_inset;
     // What no connection joins may reach further than the events on the right border, which have to be outside of it.
-    result.missing = std::max({0.0, header.width - (result.right - result.left), rightmost - result.right});
+    result.missing = std::max({0.0, header_.width - (result.right - result.left), rightmost - result.right});
     return result;
 }
 
 /// Where the frame has to be wider than the parts need, these are in its middle, unless events are on its right border:
 /// then that is moved with them.
-void PartLevel::paint(Picture& picture, const Size& header) {
-    const Borders at = borders(header);
-    const Point corner{at.events_right ? 0 : at.missing / 2, header.height + component_inset};
+void PartLevel::paint(Picture& picture) {
+    if (as_drawn_) {
+        paint_as_drawn(picture);
+        return;
+    }
+    const Borders at = borders();
+    const Point corner{at.events_right ? 0 : at.missing / 2, header_.height + component_inset};
     const double moved = at.events_right ? at.missing : 0;
     PictureBox& frame = picture.boxes.front();
     frame.place = {at.events_left ? at.left + corner.x : at.left, 0, at.right - at.left + at.missing,
-                   header.height + placement_.size.height + 2 * component_inset};
+                   header_.height + placement_.size.height + 2 * component_inset};
     frame.whole += left_out_;
     squares_.assign(parts_.size(), {});
     for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -252,6 +309,16 @@ void PartLevel::paint(Picture& picture, const Size& header) {
         if (is_last(ends_[c].first.part)) line.points.front().x += moved;
         if (is_last(ends_[c].second.part)) line.points.back().x += moved;
     }
+}
+
+void PartLevel::paint_as_drawn(Picture& picture) {
+    const Point corner{0, header_.height};
+    PictureBox& frame = picture.boxes.front();
+    frame.place = {0, 0, placement_.size.width, header_.height + placement_.size.height};
+    frame.whole += left_out_;
+    squares_.assign(parts_.size(), {});
+    for (std::size_t p = 0; p < parts_.size(); ++p) paint_part(picture, p, corner);
+    for (std::size_t c = 0; c < connections_.size(); ++c) paint_connection(picture, c, corner);
 }
 
 void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner) {
@@ -270,18 +337,19 @@ void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner)
         if (!part.rows.empty()) {
             box.rules.push_back(box.place.y + measure::title);
             part.rows.write({box.place.x, box.place.y + measure::title}, box);
-            if (!part.squares.empty()) box.rules.push_back(box.place.y + part.header);
+            if (!part.squares.empty() || part.inner != nullptr) box.rules.push_back(box.place.y + part.header);
         }
         owner = picture.boxes.size();
+        const Rectangle inside{box.place.x, box.place.y + part.header, box.place.width, box.place.height - part.header};
         picture.boxes.push_back(std::move(box));
+        if (part.inner != nullptr) part.inner->paint(picture, part.inner->corner_in(inside), owner);
     }
     for (std::size_t s = 0; s < part.squares.size(); ++s) {
         const layout::PlacedPort& port = placed.ports[s];
-        const Point centre{port.centre.x + corner.x, port.centre.y + corner.y};
         // Inside of a part; an event of the component itself has its label outside of that.
         const bool label_left = part.on_border ? is_first(p) : !port.left;
         squares_[p].push_back(picture.boxes.size());
-        picture.boxes.push_back(draw_square(part.squares[s], centre, owner, label_left));
+        picture.boxes.push_back(draw_square(part.squares[s], port, corner, owner, label_left));
     }
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "diagrams/layout/drawn_ports.hpp"
 #include "diagrams/notation/labels.hpp"
 #include "diagrams/notation/node_level.hpp"
 #include "diagrams/notation/part_level.hpp"
@@ -18,6 +19,7 @@ namespace robochart::diagrams {
 
 using namespace frontend;
 using layout::Point;
+using layout::Rectangle;
 using layout::Size;
 
 namespace {
@@ -60,17 +62,8 @@ public:
 private:
     void add(const Declaration& declaration, const std::string& prefix) {
         const std::string name = (prefix.empty() ? "" : prefix + "::") + declaration.name;
-        switch (declaration.kind) {
-            case DeclKind::module:
-            case DeclKind::controller:
-            case DeclKind::state_machine:
-            case DeclKind::operation:
-            case DeclKind::platform:
-                subjects_.push_back({name, "", &declaration, {}});
-                break;
-            default:
-                return;
-        }
+        if (!has_diagram(declaration)) return;
+        subjects_.push_back({name, "", &declaration, {}});
         const auto* component = dynamic_cast<const Component*>(&declaration);
         if (component == nullptr) return;
         for (const Declaration* part : component->order)
@@ -115,7 +108,7 @@ private:
 /// The title and the rows of a component, the squares of its events at the right where `events` says so.
 class Frame {
 public:
-    Frame(const Context& context, const Drawing& drawing, bool events) : context_(context) {
+    Frame(const Context& context, const Drawing& drawing, bool events) : context_(context), stored_(drawing.stored) {
         box_.look = Look::frame;
         box_.element = drawing.elements.find(&context);
         rows_ = rows_of(context, drawing.elements, false);
@@ -124,13 +117,20 @@ public:
             add_conditions(rows_, Icon::postcondition, machine->postconditions, drawing.elements);
         }
         if (events)
-            for (const Event* event : events_of(context)) squares_.push_back(square_of(*event, drawing.elements));
+            for (const Event* event : events_of(context)) {
+                squares_.push_back(square_of(*event, drawing.elements));
+                if (stored_ == nullptr) continue;
+                drawn_.ports.push_back(stored_->square(&context, event));
+                drawn_.labels.push_back(label_size(squares_.back()));
+            }
         set_title();
     }
 
     /// What the title, the rows and the squares need.
     [[nodiscard]] Size header() const {
         const Size rows = rows_.size();
+        if (stored_ != nullptr)
+            return {std::max(title_.width(), rows.width + row_indent), measure::title + rows.height};
         double labels = 0;
         for (const EventSquare& square : squares_) labels = std::max(labels, label_width(square));
         if (labels > 0) labels += pitch;
@@ -148,7 +148,11 @@ public:
         const double header = this->header().height;
         if (header > measure::title || more_below) box.rules.push_back(box.place.y + measure::title);
         if (header > measure::title && more_below) box.rules.push_back(box.place.y + header);
-        rows_.write({box.place.x, box.place.y + measure::title}, box);
+        rows_.write({box.place.x + (stored_ == nullptr ? 0 : row_indent), box.place.y + measure::title}, box);
+        if (stored_ != nullptr) {
+            write_squares(picture, header);
+            return;
+        }
         const Point first{box.place.right(), box.place.y + measure::title + 2 + pitch / 2};
         for (std::size_t i = 0; i < squares_.size(); ++i)
             picture.boxes.push_back(
@@ -157,6 +161,18 @@ public:
 
 private:
     static constexpr double pitch = 26;
+    static constexpr double row_indent = layout::port_size / 2;  ///< where squares may be on the left border
+
+    /// Where a person put them.
+    void write_squares(Picture& picture, double header) const {
+        layout::DrawnPorts drawn = drawn_;
+        drawn.owner = stored_->size(&context_);
+        drawn.header = stored_->area(&context_).above.value_or(header);
+        const std::vector<layout::PlacedPort> ports =
+            layout::ports_as_drawn(picture.boxes.front().place, header, drawn);
+        for (std::size_t i = 0; i < squares_.size(); ++i)
+            picture.boxes.push_back(draw_square(squares_[i], ports[i], {0, 0}, 0, true));
+    }
 
     void set_title() {
         title_.text = shown_name(context_.name);
@@ -184,6 +200,8 @@ private:
     Title title_;
     Rows rows_;
     std::vector<EventSquare> squares_;
+    const StoredLayout* stored_;
+    layout::DrawnPorts drawn_;
 };
 
 Picture draw_machine(const Machine& machine, const std::string& path, const Drawing& drawing) {
@@ -193,19 +211,21 @@ Picture draw_machine(const Machine& machine, const std::string& path, const Draw
     const Size header = frame.header();
     Picture picture;
     picture.boxes.push_back(frame.box());
-    const double width = std::max({header.width, level.size().width + 2 * inset, 120.0});
-    picture.boxes[0].place = {0, 0, width, header.height + (level.empty() ? 0 : level.size().height + 2 * inset)};
+    const double around = 2 * level.margin(inset);
+    const double width = std::max({header.width, level.size().width + around, 120.0});
+    const Rectangle inside{0, header.height, width, level.empty() ? 0 : level.size().height + around};
+    picture.boxes[0].place = {0, 0, width, inside.bottom()};
     frame.write(picture, !level.empty());
-    level.paint(picture, {(width - level.size().width) / 2, header.height + inset}, 0);
+    level.paint(picture, level.corner_in(inside), 0);
     return picture;
 }
 
 Picture draw_component(const Component& component, const Drawing& drawing) {
     const Frame frame(component, drawing, false);
-    PartLevel level(component, drawing);
+    PartLevel level(component, frame.header(), drawing);
     Picture picture;
     picture.boxes.push_back(frame.box());
-    level.paint(picture, frame.header());
+    level.paint(picture);
     frame.write(picture, true);
     return picture;
 }
@@ -215,7 +235,9 @@ Picture draw_platform(const Context& platform, const Drawing& drawing) {
     const Size header = frame.header();
     Picture picture;
     picture.boxes.push_back(frame.box());
-    picture.boxes[0].place = {0, 0, std::max(header.width, 120.0), header.height};
+    const Size drawn = drawing.stored == nullptr ? Size() : drawing.stored->size(&platform);
+    picture.boxes[0].place = {0, 0, std::max({header.width, drawn.width, 120.0}),
+                              std::max(header.height, drawn.height)};
     frame.write(picture, false);
     return picture;
 }
@@ -320,6 +342,19 @@ Picture draw_any(const Subject& subject, const Drawing& drawing) {
 }
 
 }  // namespace
+
+bool has_diagram(const frontend::Declaration& declaration) {
+    switch (declaration.kind) {
+        case DeclKind::module:
+        case DeclKind::controller:
+        case DeclKind::state_machine:
+        case DeclKind::operation:
+        case DeclKind::platform:
+            return true;
+        default:
+            return false;
+    }
+}
 
 std::vector<Subject> subjects(const Model& model, const diagnostics::SourceManager& sources) {
     return Finder(sources).find(model);

@@ -16,6 +16,9 @@ struct Subject {
     std::vector<const frontend::File*> files;          ///< of the package
 };
 
+/// Whether it is a component, which has a diagram of its own.
+[[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
+
 /// In the order of the text: modules, controllers, machines, operations and platforms, also those declared inside of
 /// others, then every package with types, functions or interfaces. `paths`: where texts are from, to name packages that
 /// have no name.

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string_view>
 
 #include "diagnostics/escape.hpp"
@@ -74,15 +73,6 @@ std::string_view class_of(Look look) {
     return "";
 }
 
-/// A text of several lines as character data.
-std::string lines_of(const std::string& text) {
-    std::istringstream lines(text);
-    std::string result;
-    for (std::string line; std::getline(lines, line);)
-        result += (result.empty() ? "" : "\n") + diagnostics::xml_text(line);
-    return result;
-}
-
 /// The path of a line with round corners.
 std::string path_of(const std::vector<Point>& points) {
     constexpr double radius = 5;
@@ -130,7 +120,8 @@ public:
             "role=\"img\" "
             "font-family=\"'DejaVu Sans',Verdana,sans-serif\" font-size=\"11\">\n<title>{2}</title>\n<desc>{3}</desc>\n"
             "<style>{4}</style>\n<rect class=\"page\" width=\"{0}\" height=\"{1}\"/>\n",
-            width, height, lines_of(picture_.title), lines_of(picture_.description), style_of(options_.theme));
+            width, height, diagnostics::xml_lines(picture_.title), diagnostics::xml_lines(picture_.description),
+            style_of(options_.theme));
         for (const PictureBox& box : picture_.boxes)
             if (box.event_of == none) write_box(box);
         for (const PictureLine& line : picture_.lines) write_line(line);
@@ -140,6 +131,13 @@ public:
     }
 
 private:
+    /// The class of a group, with those that the options add.
+    [[nodiscard]] std::string classes(std::string_view own, std::size_t element) const {
+        const auto found =
+            element == none ? options_.classes.end() : options_.classes.find(elements_.all()[element].id);
+        return found == options_.classes.end() ? std::string(own) : fmt::format("{} {}", own, found->second);
+    }
+
     /// `id="…" data-element="…"`; a counter for what is no element of the model.
     std::string identity(std::size_t element) {
         if (element == none) return fmt::format("id=\"{}x{}\"", options_.id_prefix, ++others_);
@@ -157,11 +155,11 @@ private:
             text = it.kind + (it.name.empty() ? "" : " " + it.name) + "\n";
         }
         text += whole;
-        return text.empty() ? "" : "<title>" + lines_of(text) + "</title>";
+        return text.empty() ? "" : "<title>" + diagnostics::xml_lines(text) + "</title>";
     }
 
     void write_box(const PictureBox& box) {
-        out_ += fmt::format("<g class=\"{}\" {}>{}", class_of(box.look), identity(box.element),
+        out_ += fmt::format("<g class=\"{}\" {}>{}", classes(class_of(box.look), box.element), identity(box.element),
                             hint(box.element, box.whole));
         write_shape(box);
         for (const double rule : box.rules)
@@ -213,7 +211,7 @@ private:
                 out_.pop_back();
                 out_ += " " + identity(texts[t].element) + ">";
             }
-            out_ += lines_of(texts[t].text);
+            out_ += diagnostics::xml_lines(texts[t].text);
             if (!alone) out_ += "</tspan>";
             if (!more) out_ += "</text>";
         }
@@ -233,8 +231,8 @@ private:
 
     void write_line(const PictureLine& line) {
         if (line.points.size() < 2) return;
-        out_ += fmt::format("<g class=\"edge\" {}>{}<path class=\"line\" d=\"{}\"/>", identity(line.element),
-                            hint(line.element, line.whole), path_of(line.points));
+        out_ += fmt::format("<g class=\"{}\" {}>{}<path class=\"line\" d=\"{}\"/>", classes("edge", line.element),
+                            identity(line.element), hint(line.element, line.whole), path_of(line.points));
         out_ += head_of(line.points[line.points.size() - 2], line.points.back());
         if (line.both_ways) out_ += head_of(line.points[1], line.points[0]);
         if (!line.texts.empty()) {

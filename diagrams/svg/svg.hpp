@@ -1,6 +1,7 @@
 // Pictures as SVG: one file that needs no other, readable in the light and in the dark. docs/diagrams.md shows it.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "diagrams/notation/elements.hpp"
@@ -19,6 +20,8 @@ enum class Theme {
 struct SvgOptions {
     Theme theme = Theme::automatic;
     std::string id_prefix;  ///< in front of all ids, where several pictures come into one document
+    /// By ids of elements: what their groups are besides, for styles around the picture.
+    std::map<std::string, std::string> classes = {};
 };
 
 /// The picture. A group for every element has the element's id, and a second one of the same element `ID-2`;

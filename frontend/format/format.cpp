@@ -93,15 +93,15 @@ bool same(const Words& words, const std::string& other, bool is_assertions) {
     return same(words, {sources.text(source), stream});
 }
 
-/// Lengths of the parts of an assertion file that are kept as text; nothing if there are syntax errors.
-std::optional<std::vector<std::size_t>> verbatim_parts(const diagnostics::SourceManager& sources,
-                                                       diagnostics::SourceId source, bool is_assertions,
-                                                       diagnostics::Diagnostics& out) {
+/// Places of the parts of an assertion file that are kept as text; nothing if there are syntax errors.
+std::optional<std::vector<diagnostics::Span>> kept_parts(const diagnostics::SourceManager& sources,
+                                                         diagnostics::SourceId source, bool is_assertions,
+                                                         diagnostics::Diagnostics& out) {
     const auto file = parse(sources, source, is_assertions, out);
     if (file->has_syntax_errors) return std::nullopt;
-    std::vector<std::size_t> lengths;
-    for (const std::string& part : file->verbatim) lengths.push_back(part.size());
-    return lengths;
+    std::vector<diagnostics::Span> places;
+    for (const KeptPart& part : file->kept) places.push_back(part.whole);
+    return places;
 }
 
 }  // namespace
@@ -115,11 +115,11 @@ bool same_words(const std::string& a, const std::string& b, bool is_assertions) 
 
 std::optional<std::string> format(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                                   bool is_assertions, diagnostics::Diagnostics& out) {
-    auto verbatim = verbatim_parts(sources, source, is_assertions, out);
-    if (!verbatim) return std::nullopt;
+    auto kept = kept_parts(sources, source, is_assertions, out);
+    if (!kept) return std::nullopt;
     const std::string_view text = sources.text(source);
     const TokenStream stream = words_of(sources, source, is_assertions);
-    std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*verbatim)).run(line_end(text))
+    std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*kept)).run(line_end(text))
                                        : ModelLayout(text, stream).run(line_end(text));
     if (text.starts_with(byte_order_mark)) result.insert(0, byte_order_mark);
     if (!same({text, stream}, result, is_assertions))

@@ -1,5 +1,5 @@
 // The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change: words,
-// comments, CSP blocks and PRISM parts stay as they are written.
+// comments, CSP blocks and parts of other tools stay as they are written.
 #pragma once
 
 #include <optional>

@@ -1,37 +1,25 @@
-// Assertion files: an assertion a line; CSP blocks and PRISM parts as they are written.
-#include <algorithm>
-#include <array>
-
+// Assertion files: an assertion a line; CSP blocks and parts of other tools as they are written.
 #include "frontend/format/format_assertions.hpp"
 
 namespace robochart::frontend {
 
-namespace {
-
-constexpr std::array<std::string_view, 9> property_words = {"instantiate", "const", "constants", "label",   "formula",
-                                                            "rewards",     "prob",  "defs",      "pmodules"};
-
-}  // namespace
-
 Doc AssertionLayout::member(Gap gap) {
+    if (kept_at_ < kept_.size() && kept_[kept_at_].begin == peek().span.begin) return kept(gap);
     if (at("import")) return import(gap);
     if (at("package")) return phrase(gap);
     const std::size_t timed = at_word("timed") || at_word("untimed") ? 1 : 0;
     if (at_word("assertion", timed)) return assertion(gap);
     if (at_word("csp", timed)) return csp_block(gap);
-    const bool kept =
-        std::any_of(property_words.begin(), property_words.end(), [&](auto word) { return at_word(word); });
-    return kept && verbatim_at_ < verbatim_.size() ? verbatim(gap) : token(gap);
+    return at_probabilistic_part() ? probabilistic_part(gap) : token(gap);
 }
 
-/// A PRISM part: up to the word that the parser found to be its last.
-Doc AssertionLayout::verbatim(Gap gap) {
+/// A part of another tool: up to the word that the parser found to be its last.
+Doc AssertionLayout::kept(Gap gap) {
     const Doc before = this->gap(gap);
-    const std::size_t begin = peek().span.begin;
-    const std::size_t end = begin + verbatim_[verbatim_at_++];
-    while (!at_end() && peek().span.begin < end) static_cast<void>(advance());
-    skip_comments(end);
-    return doc_.cat(before, doc_.text(text().substr(begin, end - begin)));
+    const diagnostics::Span span = kept_[kept_at_++];
+    while (!at_end() && peek().span.begin < span.end) static_cast<void>(advance());
+    skip_comments(span.end);
+    return doc_.cat(before, doc_.text(text().substr(span.begin, span.end - span.begin)));
 }
 
 /// `timed csp NAME associated to X, Y csp-begin … csp-end`

@@ -1,5 +1,5 @@
-// The layout of assertion files: an assertion a line; CSP blocks and PRISM parts as they are written (private to the
-// formatter).
+// The layout of assertion files: an assertion a line; CSP blocks and parts of other tools as they are written (private
+// to the formatter).
 #pragma once
 
 #include <string_view>
@@ -10,12 +10,12 @@
 
 namespace robochart::frontend {
 
-/// Knows which PRISM parts follow.
+/// Knows which parts of other tools follow.
 class AssertionLayout final : public ExpressionLayout {
 public:
-    /// `verbatim`: lengths of the PRISM parts, in order.
-    AssertionLayout(std::string_view text, const TokenStream& stream, std::vector<std::size_t> verbatim)
-        : ExpressionLayout(text, stream, true), verbatim_(std::move(verbatim)) {}
+    /// `kept`: the places of the parts of other tools, in order.
+    AssertionLayout(std::string_view text, const TokenStream& stream, std::vector<diagnostics::Span> kept)
+        : ExpressionLayout(text, stream, true), kept_(std::move(kept)) {}
 
 private:
     Doc member(Gap gap) override;
@@ -26,10 +26,29 @@ private:
     Doc parameters();
     Doc parameter(Gap gap);
     Doc csp_block(Gap gap);
-    Doc verbatim(Gap gap);
+    Doc kept(Gap gap);
 
-    std::vector<std::size_t> verbatim_;
-    std::size_t verbatim_at_ = 0;  ///< the next PRISM part
+    // Probabilistic assertions (format_probability.cpp)
+    [[nodiscard]] bool at_probabilistic_part() const;
+    Doc probabilistic_part(Gap gap);
+    Doc probabilistic_assertion(Gap gap);
+    Doc definition(Gap gap);
+    Doc generation();
+    Doc clauses();
+    Doc written_clause();
+    Doc constants(Gap first);
+    Doc constant_values(Gap gap);
+    Doc rewards();
+    Doc functions();
+    Doc modules();
+    Doc reward_item(Gap gap);
+    Doc function(Gap gap);
+    Doc module(Gap gap);
+    Doc module_member(Gap gap);
+    Doc updates(Gap gap);
+
+    std::vector<diagnostics::Span> kept_;
+    std::size_t kept_at_ = 0;  ///< the next part of another tool
 };
 
 }  // namespace robochart::frontend

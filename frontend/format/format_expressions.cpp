@@ -11,6 +11,7 @@ Doc ExpressionLayout::expression(Gap gap) {
 
 /// Of `as` and `is` too, which have a type on their right; -1 where no operator follows.
 int ExpressionLayout::operator_level() const {
+    if (probabilistic_ && at_word("Until")) return not_level;
     if (at("as") || at("is")) return cast_level;
     const BinaryOperator* found = binary_operator(peek());
     return found == nullptr ? -1 : found->level;
@@ -33,14 +34,16 @@ Doc ExpressionLayout::chain(Doc left, int level) {
 Doc ExpressionLayout::infix(int level) {
     if (peek().escaped) return operand(Gap::blank, level + 1);
     const bool typed = at("as") || at("is");
-    const Doc op = token(Gap::line);
+    const bool until = probabilistic_ && at_word("Until");
+    Doc op = token(Gap::line);
+    if (until) op = doc_.cat(op, step_bound());
     return doc_.cat(op, typed ? type(Gap::blank) : operand(Gap::blank, level + 1));
 }
 
 Doc ExpressionLayout::prefix(int level) {
     if (at("not")) {
         const Doc word = token(Gap::done);
-        return doc_.cat(word, operand(Gap::blank, compare_level));
+        return doc_.cat(word, operand(Gap::blank, probabilistic_ ? not_level : compare_level));
     }
     if (at("if")) return conditional(Gap::done, &ExpressionLayout::expression);
     if (at("forall") || at("exists") || at("exists1") || at("lambda")) return binder(0);
@@ -93,6 +96,7 @@ Doc ExpressionLayout::postfix() {
 }
 
 Doc ExpressionLayout::atom() {
+    if (at_probabilistic_form()) return probabilistic_form();
     if (at("[|") || at("(|") || at("(") || at("[")) return list(Gap::done, &ExpressionLayout::expression);
     if (at("<{")) return sequence_with_set();
     if (at("<")) return list(Gap::done, &ExpressionLayout::sequence_element);
@@ -100,6 +104,7 @@ Doc ExpressionLayout::atom() {
     const bool function = at("since") || at("sinceEntry") || at("inverse") || at("transpose");
     if (!at_name()) return cat({token(Gap::done), function ? list(Gap::none, &ExpressionLayout::expression) : 0});
     const Doc name = names(Gap::done);
+    if (probabilistic_) return behind_name(name);
     return at("(|") ? doc_.cat(name, list(Gap::none, &ExpressionLayout::field)) : name;
 }
 
@@ -121,7 +126,9 @@ Doc ExpressionLayout::sequence_with_set() {
 Doc ExpressionLayout::set_element(Gap gap) {
     if (!at_name() || !peek(1).is(":")) {
         const Doc element = expression(gap);
-        return at("to") ? cat({element, token(Gap::blank), expression(Gap::blank)}) : element;
+        if (!at("to")) return element;
+        const Doc range = cat({element, token(Gap::blank), expression(Gap::blank)});
+        return at_word("by") ? cat({range, words(Gap::blank, 2), expression(Gap::blank)}) : range;
     }
     const Doc before = this->gap(gap);
     const Doc result = doc_.cat(before, bindings(Gap::done));

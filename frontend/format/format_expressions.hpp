@@ -30,6 +30,10 @@ protected:
     /// `a : T`
     Doc typed(Gap gap);
     Doc type(Gap gap);
+    /// `(p : @x = e)`
+    Doc update(Gap gap);
+
+    bool probabilistic_ = false;  ///< in a probabilistic assertion, whose expressions have more forms
 
 private:
     Doc prefix(int level);
@@ -47,6 +51,17 @@ private:
     Doc field(Gap gap);
     [[nodiscard]] int operator_level() const;
     [[nodiscard]] bool at_step() const;
+
+    // Forms of probabilistic assertions (format_probability.cpp)
+    [[nodiscard]] bool at_probabilistic_form() const;
+    Doc probabilistic_form();
+    Doc path_prefix();
+    Doc step_bound();
+    Doc quantitative();
+    Doc reward_path(Gap gap);
+    Doc simulation();
+    Doc assigned(Gap gap);
+    Doc behind_name(Doc name);
 
     Doc elements(Gap first, Part element);
     Doc atomic_type(Gap gap);

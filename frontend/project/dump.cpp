@@ -1,7 +1,7 @@
 // The model as indented text, one node a line, for `--print ast` and `--print model`.
 #include <fmt/format.h>
 
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/types/types.hpp"
@@ -234,7 +234,11 @@ void Dumper::file(const File& file) {
         for (const auto& declared : file.declarations) declaration(*declared);
         for (const Assertion& asserted : file.assertions) assertion(asserted);
         for (const CspBlock& block : file.csp_blocks) csp_block(block);
-        if (!file.verbatim.empty()) line("kept as text: {} parts", file.verbatim.size());
+        for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
+            line("{}", diagnostics::on_one_line(to_text(each)));
+        for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
+            line("{}", diagnostics::on_one_line(to_text(each)));
+        if (!file.kept.empty()) line("kept as text: {} parts", file.kept.size());
     });
 }
 

@@ -3,11 +3,13 @@
 #include "frontend/project/occurrences.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "frontend/names/names.hpp"
 #include "frontend/names/scopes.hpp"
 #include "frontend/syntax/file_visitor.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/types.hpp"
 
 namespace robochart::frontend {
@@ -117,6 +119,7 @@ public:
         package(file.package, true);
         Traversal traversal(*this);
         traversal.file(file);
+        probabilistic(file);
     }
 
     // Declarations
@@ -176,6 +179,10 @@ public:
     }
     void visit(const Expr& expr) {
         if (expr.name.empty()) return;
+        if (const auto kind = defined_by(expr))
+            return definition(expr.name.spans.back(), *kind, expr.name.parts.back());
+        const bool absent = place_.file->is_assertions && expr.target == nullptr;
+        if (absent && paths_.parts(place_, expr.name).back().target == nullptr) return;
         path(expr.name, expr.target, &expr == written_ ? Access::write : Access::read);
         if (expr.kind == ExprKind::record) fields(expr);
     }
@@ -214,6 +221,30 @@ public:
     }
 
 private:
+    /// The definition of an assertion file that an expression names.
+    static std::optional<ProbabilisticKind> defined_by(const Expr& expr) {
+        if (expr.kind == ExprKind::reward) return ProbabilisticKind::rewards;
+        if (expr.kind != ExprKind::marked) return std::nullopt;
+        if (expr.text == "#") return ProbabilisticKind::label;
+        return expr.text == "$" ? std::optional(ProbabilisticKind::formula) : std::nullopt;
+    }
+
+    void definition(Span span, ProbabilisticKind kind, const std::string& name, bool declares = false) {
+        add({span, NameKind::definition, nullptr, std::string(to_text(kind)) + " " + name, declares});
+    }
+
+    /// The names of probabilistic assertions and of what serves them.
+    void probabilistic(const File& file) {
+        for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
+            if (each.kind != ProbabilisticKind::constant) definition(each.name_span, each.kind, each.name, true);
+        for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
+            add({each.name_span, NameKind::assertion, nullptr, each.name, true});
+            for (const ProbabilisticClause& clause : each.clauses)
+                if (!clause.name.empty())
+                    definition(clause.name.spans.back(), clause.definition.kind, clause.name.parts.back());
+        }
+    }
+
     void add(Occurrence occurrence) {
         if (occurrence.span.known()) out_.push_back(std::move(occurrence));
     }

@@ -17,6 +17,7 @@ enum class NameKind {
     type_variable,  ///< ?X
     assertion,      ///< the name of an assertion: `text`
     process,        ///< a CSP process or block: `text`
+    definition,     ///< what serves probabilistic assertions: `text` is its word and name, `label l`
     unknown,        ///< found nowhere; a finding says so
 };
 
@@ -28,13 +29,13 @@ struct Occurrence {
     Span span;
     NameKind kind = NameKind::unknown;
     const Declaration* target = nullptr;
-    std::string text = {};  ///< package, assertion, process
+    std::string text = {};  ///< package, assertion, process, definition
     bool declares = false;
     Access access = Access::none;
 };
 
-/// All names of a resolved model outside its libraries, by place. Inside CSP blocks and PRISM parts nothing is
-/// resolved.
+/// All names of a resolved model outside its libraries, by place. Inside CSP blocks and parts of other tools
+/// nothing is resolved.
 [[nodiscard]] std::vector<Occurrence> occurrences(const Model& model);
 
 /// The member of a declaration with this name: parts and nodes inside it, literals, fields, and what its interfaces

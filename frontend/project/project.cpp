@@ -51,7 +51,8 @@ std::unique_ptr<File> read(SourceManager& sources, const fs::path& path, Diagnos
 
 bool is_empty(const File& file) {
     return !file.has_syntax_errors && file.declarations.empty() && file.assertions.empty() && file.csp_blocks.empty() &&
-           file.verbatim.empty() && file.imports.empty() && file.package.empty();
+           file.kept.empty() && file.probabilistic_definitions.empty() && file.probabilistic_assertions.empty() &&
+           file.imports.empty() && file.package.empty();
 }
 
 /// A file beside the named one, and what decides whether it is needed.

@@ -9,6 +9,7 @@
 #include "frontend/project/project.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 
@@ -43,14 +44,19 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 
 }  // namespace
 
-void check_kept(const File& file, Diagnostics& out) {
-    for (const KeptPart& part : file.kept) {
-        if (!part.probabilistic) continue;
-        if (part.claims)
-            out.report(rules::probabilistic_claim, part.span, {part.name, part.form});
-        else
-            out.report(rules::probabilistic_part, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});
+void check_probabilistic(const File& file, Diagnostics& out) {
+    for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
+        const std::string_view form = each.property ? "prob property" : "prob generate path";
+        out.report(rules::probabilistic_claim, each.name_span, {each.name, std::string(form)});
+        if (each.property && !each.broken) check_property(*each.property, out);
     }
+    const auto passed_over = [&](std::string part, const std::string& name, Span span) {
+        out.report(rules::probabilistic_part, span, {part + (name.empty() ? "" : " " + name)});
+    };
+    for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
+        passed_over(std::string(to_text(each.kind)), each.name, each.name_span);
+    for (const KeptPart& part : file.kept)
+        if (!part.claims) passed_over(part.form, part.name, part.span);
 }
 
 void check(const Model& model, const Names& names, Diagnostics& out) {
@@ -60,7 +66,7 @@ void check(const Model& model, const Names& names, Diagnostics& out) {
         std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {
         check_unique(*file, out);
-        check_kept(*file, out);
+        check_probabilistic(*file, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
 }

@@ -16,6 +16,7 @@ void Resolver::run() {
 
 void Resolver::assertions() {
     resolve_assertions(model_, finder_, typer_);
+    resolve_probabilistic(model_, finder_, typer_);
 }
 
 void Resolver::each(File& file, void (Resolver::*visit)(File&, Declaration&)) {

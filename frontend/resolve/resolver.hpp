@@ -58,5 +58,7 @@ private:
 /// Assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp). Comes after
 /// the declarations of all files.
 void resolve_assertions(Model& model, Finder& finder, Typer& typer);
+/// Probabilistic assertions and what they refer to (resolver_probability.cpp), likewise.
+void resolve_probabilistic(Model& model, Finder& finder, Typer& typer);
 
 }  // namespace robochart::frontend

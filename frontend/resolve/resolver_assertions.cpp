@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include "diagnostics/spelling.hpp"
+#include "frontend/resolve/component_paths.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/print.hpp"
@@ -16,72 +16,8 @@ namespace robochart::frontend {
 
 namespace {
 
-const Kinds component_kinds = {DeclKind::module, DeclKind::controller, DeclKind::state_machine, DeclKind::operation};
 const Kinds other_kinds = {DeclKind::interface,   DeclKind::platform, DeclKind::primitive_type,
                            DeclKind::record_type, DeclKind::function, DeclKind::enumeration};
-
-/// A path with the number of parts of the name that it took.
-struct Way {
-    ComponentPath path;
-    std::size_t used = 0;
-
-    [[nodiscard]] const Declaration* end() const { return path.steps.empty() ? nullptr : path.steps.back(); }
-};
-
-QualifiedName first_parts(const QualifiedName& name, std::size_t count) {
-    QualifiedName result;
-    const auto n = static_cast<std::ptrdiff_t>(count);
-    result.parts.assign(name.parts.begin(), name.parts.begin() + n);
-    result.spans.assign(name.spans.begin(), name.spans.begin() + n);
-    result.span = name.span;
-    return result;
-}
-
-bool is_component(const Declaration* part) {
-    const Declaration* behind = follow(part);
-    return behind != nullptr && component_kinds.has(behind->kind);
-}
-
-/// A part of a module or controller: by its own name, else by the name of what is behind a reference if that is plain.
-const Declaration* part_of(const Declaration* whole, const std::string& name) {
-    const auto* component = followed<Component>(whole);
-    if (component == nullptr) return nullptr;
-    const Declaration* by_definition = nullptr;
-    for (const Declaration* part : component->order) {
-        if (!is_component(part)) continue;
-        if (part->name == name) return part;
-        const Declaration* behind = follow(part);
-        const bool process = behind->kind == DeclKind::operation && name == "OP_" + behind->name;
-        if (behind->name != name && !process) continue;
-        if (by_definition != nullptr) return nullptr;
-        by_definition = part;
-    }
-    return by_definition;
-}
-
-bool is_platform_of(const Declaration* whole, const std::string& name) {
-    const auto* module = followed<Component>(whole);
-    return module != nullptr && std::any_of(module->order.begin(), module->order.end(), [&](const Declaration* part) {
-               const Declaration* behind = follow(part);
-               return part->name == name && behind != nullptr && behind->kind == DeclKind::platform;
-           });
-}
-
-/// The state or final state that the parts of a name from `at` on lead to; null if there is none.
-const State* state_at(const NodeContainer& top, const QualifiedName& name, std::size_t at) {
-    const NodeContainer* container = &top;
-    const State* state = nullptr;
-    for (std::size_t i = at; i < name.parts.size(); ++i) {
-        const auto& nodes = container->nodes;
-        const auto found =
-            std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node->name == name.parts[i]; });
-        if (found == nodes.end()) return nullptr;
-        state = found->get();
-        container = state;
-    }
-    const bool fits = state != nullptr && (state->kind == DeclKind::state || state->kind == DeclKind::final);
-    return fits ? state : nullptr;
-}
 
 /// Every path from a component down to a machine.
 void add_instances(const ComponentPath& above, const Machine& machine, std::vector<ComponentPath>& found) {
@@ -93,13 +29,6 @@ void add_instances(const ComponentPath& above, const Machine& machine, std::vect
         ComponentPath below = above;
         below.steps.push_back(part);
         add_instances(below, machine, found);
-    }
-}
-
-void collect_states(const NodeContainer& container, std::vector<std::string>& names) {
-    for (const auto& node : container.nodes) {
-        if (node->kind == DeclKind::state || node->kind == DeclKind::final) names.push_back(node->name);
-        collect_states(*node, names);
     }
 }
 
@@ -120,9 +49,9 @@ private:
     void report_repeated(const Assertion& assertion);
     void report_open(const Assertion& assertion, const ComponentPath& path, const QualifiedName& name);
 
-    [[nodiscard]] Way walk(Way from, const QualifiedName& name, std::size_t at) const;
-    [[nodiscard]] Way way(const QualifiedName& name) const;
-    [[nodiscard]] const Declaration* in_some_package(const std::string& name) const;
+    [[nodiscard]] Way way(const QualifiedName& name) const {
+        return component_way(model_, finder_.names(), *file_, name);
+    }
     [[nodiscard]] const CspBlock* process(const std::string& name) const;
     ComponentPath component(const QualifiedName& name, bool processes);
     ComponentPath context(const QualifiedName& name);
@@ -138,44 +67,6 @@ private:
 };
 
 // ---------------------------------------------------------------- paths
-
-Way AssertionResolver::walk(Way from, const QualifiedName& name, std::size_t at) const {
-    from.used = at;
-    while (from.used < name.parts.size()) {
-        const Declaration* part = part_of(from.end(), name.parts[from.used]);
-        if (part == nullptr) break;
-        from.path.steps.push_back(part);
-        ++from.used;
-    }
-    return from;
-}
-
-/// The declarations that the longest beginning of a name leads to, from the file's package, its imports, unnamed
-/// packages or a package that is written in front; else from any package, if there is one component of the name.
-Way AssertionResolver::way(const QualifiedName& name) const {
-    Way best;
-    const auto try_top = [&](const Declaration* top, std::size_t parts) {
-        if (top == nullptr) return;
-        Way found = walk({{{top}, nullptr}, 0}, name, parts);
-        if (found.used > best.used) best = std::move(found);
-    };
-    const std::size_t most = std::min(name.parts.size(), finder_.names().most_parts());
-    for (std::size_t parts = 1; parts <= most; ++parts)
-        try_top(finder_.names().find({file_, nullptr}, first_parts(name, parts), component_kinds), parts);
-    if (best.used == 0 && !name.empty()) try_top(in_some_package(name.parts.front()), 1);
-    return best;
-}
-
-const Declaration* AssertionResolver::in_some_package(const std::string& name) const {
-    const Declaration* found = nullptr;
-    for (const auto& file : model_.files)
-        for (const auto& declaration : file->declarations) {
-            if (declaration->name != name || !component_kinds.has(declaration->kind)) continue;
-            if (found != nullptr) return nullptr;
-            found = declaration.get();
-        }
-    return found;
-}
 
 /// The block of the file itself, else of another. Files are scopes of their own: several may have one of the name.
 const CspBlock* AssertionResolver::process(const std::string& name) const {
@@ -203,7 +94,7 @@ ComponentPath AssertionResolver::component(const QualifiedName& name, bool proce
 ComponentPath AssertionResolver::context(const QualifiedName& name) {
     Way found = way(name);
     const bool all_but_one = found.used + 1 == name.parts.size() && found.used > 0;
-    if (all_but_one && is_platform_of(found.end(), name.parts.back())) return std::move(found.path);
+    if (all_but_one && platform_of(found.end(), name.parts.back()) != nullptr) return std::move(found.path);
     return component(name, false);
 }
 
@@ -214,18 +105,6 @@ std::vector<std::string> AssertionResolver::known_names() const {
     for (const auto& file : model_.files)
         for (const CspBlock& block : file->csp_blocks) names.push_back(block.name);
     return names;
-}
-
-/// Whether a line of the block begins with the name and a parameter or `=`, so that it defines it.
-bool defines(const CspBlock& block, std::string_view name) {
-    std::istringstream lines(block.text);
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
-        if (line.compare(begin, name.size(), name) != 0) continue;
-        const std::size_t next = line.find_first_not_of(" \t", begin + name.size());
-        if (next != std::string::npos && (line[next] == '=' || line[next] == '(')) return true;
-    }
-    return false;
 }
 
 /// What there is instead, where it is not too much to read.
@@ -297,7 +176,7 @@ bool AssertionResolver::find_state(Assertion& assertion) {
         return assertion.state != nullptr;
     };
     const ComponentPath& subject = assertion.subject_path;
-    const Way relative = walk({subject, 0}, name, 0);
+    const Way relative = walk_components({subject, 0}, name, 0);
     if (take(relative.path, relative.used)) return true;
     const Way absolute = way(name);
     if (absolute.end() == nullptr) return false;

@@ -34,18 +34,26 @@ const Rule constants_open{
     "instantiation counts, or what `--const` says."};
 const Rule probabilistic_claim{"RC-Q09", warning, "`{}` is not checked: `{}` is probabilistic",
                                "Claims about probabilities and rewards are read, and no verb decides them yet. A run "
-                               "that checks lists each of them "
-                               "as not checked and does not succeed."};
+                               "that checks lists each of them as not checked and does not succeed."};
 const Rule probabilistic_part{"RC-Q10", warning, "`{}` is passed over: it serves probabilistic claims alone",
                               "Constants, labels, formulas, rewards, definitions and modules of assertion files are "
-                              "there for `prob property`, which is "
-                              "not checked yet. They change nothing in the other assertions."};
+                              "there for `prob property`, which is not checked yet. They change nothing in the other "
+                              "assertions."};
+const Rule not_a_property{
+    "RC-Q11", error, "`{}` is a number; a property is true or false, or asks with `=?`",
+    "`prob property P: e` claims that e holds, or asks for a probability or an expected reward: `Prob=? of [φ]`. "
+    "RoboTool has this as NotBooleanOrQueryInProbAssertion."};
+const Rule path_property{
+    "RC-Q12", error, "`{}` speaks of one path; a property says of which: `Prob`, `Reward`, `Forall` or `Exists`",
+    "`Finally`, `Globally`, `Next`, `Until`, `Weak Until` and `Release` are formulas about a path. A state has many: "
+    "`Prob=? of [φ]` measures them, `Forall [φ]` and `Exists [φ]` quantify. RoboTool has this as "
+    "NotPathFormulaInProbAssertion."};
 
 const std::vector<const Rule*>& of_assertions() {
-    static const std::vector<const Rule*> rules = {&unknown_component, &not_a_component, &no_state,
-                                                   &no_clock,          &no_constant,     &constant_type,
-                                                   &constant_twice,    &constants_open,  &probabilistic_claim,
-                                                   &probabilistic_part};
+    static const std::vector<const Rule*> rules = {&unknown_component,  &not_a_component, &no_state,
+                                                   &no_clock,           &no_constant,     &constant_type,
+                                                   &constant_twice,     &constants_open,  &probabilistic_claim,
+                                                   &probabilistic_part, &not_a_property,  &path_property};
     return rules;
 }
 

@@ -89,7 +89,7 @@ enum class ExprKind {
     record,   ///< R (| field = e ... |): name, bindings (name/value)
     sequence,
     set,                ///< < args >, { args }
-    set_range,          ///< { args[0] to args[1] }
+    set_range,          ///< { args[0] to args[1] }; of probabilities also: by step args[2]
     set_comprehension,  ///< { bindings | args[0] @ args[1] } ; args[1] may be null
     range,              ///< [a,b] (a,b] ...: args[0], args[1], lower_closed, upper_closed
     matrix,             ///< [| a, b ; c, d |]: args row by row, columns
@@ -98,7 +98,17 @@ enum class ExprKind {
     since,          ///< since(name): Clock
     since_entry,    ///< sinceEntry(name): State
     parenthesised,  ///< ( args[0] ) kept for the printer
-    error,          ///< left by recovery; carries no more errors
+    // In probabilistic assertions alone.
+    path,         ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, else operands
+    probability,  ///< Prob `text` args[1] of [args[0]]; without args[1] a query (`=?`); args[2] optional simulation
+    reward,       ///< Reward {name} `text` args[1] of [args[0]], likewise
+    all_paths,
+    some_path,   ///< Forall [args[0]], Exists [args[0]]
+    in_state,    ///< name is in args[0]
+    event,       ///< name.text: `in`, `out`; `in.val`, `out.val`
+    marked,      ///< a name behind the sign `text`: $formula, #label, &function, @variable of a module, $$parameter
+    simulation,  ///< sim with `text` at bindings (name/value)
+    error,       ///< left by recovery; carries no more errors
 };
 
 /// The operators between two expressions.
@@ -124,6 +134,9 @@ enum class BinaryOp {
 /// The operators in front of an expression.
 enum class UnaryOp { negate, logical_not };
 
+/// The operators of path formulas and, the last four, of rewards.
+enum class PathOp { eventually, globally, next, until, weak_until, release, reachable, linear_time, cumulative, total };
+
 /// `v:T`, `v == e`, or `f = e` inside quantifiers, let, comprehensions and record literals.
 struct Binding;
 
@@ -135,6 +148,7 @@ struct Expr {
     QualifiedName name;  ///< member: the field's name and its place
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
+    std::optional<PathOp> path;
     std::vector<ExprPtr> args;  ///< may hold nulls where the grammar has an optional part
     ExprPtr callee;             ///< call of an expression that is not a plain name
     std::vector<Binding> bindings;
@@ -492,6 +506,103 @@ struct CspBlock final {
     std::string text;                             ///< verbatim, between csp-begin and csp-end
     Span text_span;
 };
+/// Whether a line of the block begins with the name and a parameter or `=`, so that it defines it.
+[[nodiscard]] bool defines(const CspBlock&, std::string_view name);
+
+// ---------------------------------------------------------------- probabilistic assertions
+
+/// `q set to e` or `q from set {…}`.
+struct ConstantValues {
+    ExprPtr constant;
+    bool from_set = false;
+    ExprPtr value;
+};
+
+/// A reward of a state or, behind `[event]` or `[]`, of a step.
+struct RewardItem {
+    bool of_step = false;
+    ExprPtr event;  ///< null: of a state, or of a step without event
+    ExprPtr guard;
+    ExprPtr value;
+};
+
+/// `(p : @x = e)`.
+struct Update {
+    ExprPtr probability;  ///< null: 1
+    ExprPtr variable;
+    ExprPtr value;
+};
+
+/// `[event] guard -> update & update;`.
+struct Command {
+    ExprPtr event;  ///< null: none
+    ExprPtr guard;
+    std::vector<Update> updates;  ///< none: `skip`
+};
+
+/// `x : [low to high] init e;`.
+struct ModuleVariable {
+    VariablePtr variable;
+    ExprPtr low, high;  ///< null: bool
+};
+
+/// `pmodule N { … }`: a module of PRISM beside those of the model.
+struct ProbabilisticModule {
+    std::string name;
+    Span name_span;
+    std::vector<ModuleVariable> variables;
+    std::vector<Command> commands;
+};
+
+/// `pfunction f(x) = { return e }` or `poperation o(x) = { update & update }`.
+struct ProbabilisticFunction {
+    std::string name;
+    Span name_span;
+    std::vector<VariablePtr> parameters;
+    ExprPtr result;  ///< null: an operation
+    std::vector<Update> updates;
+};
+
+/// What a probabilistic definition defines.
+enum class ProbabilisticKind { constant, constants, label, formula, rewards, definitions, modules };
+
+/// What properties refer to; the kind tells which of the members count.
+struct ProbabilisticDefinition {
+    ProbabilisticKind kind = ProbabilisticKind::constant;
+    std::string name;
+    Span name_span, span;
+    VariablePtr constant;  ///< `const t : T`
+    ExprPtr value;         ///< label, formula
+    std::vector<ConstantValues> constants;
+    std::vector<RewardItem> rewards;
+    std::vector<ProbabilisticFunction> functions;
+    std::vector<ProbabilisticModule> modules;
+    bool broken = false;  ///< a mistake of syntax inside: parts may be missing
+};
+
+/// `with constants C`, or with what C would define in its place.
+struct ProbabilisticClause {
+    QualifiedName name;                  ///< empty: written here
+    ProbabilisticDefinition definition;  ///< its kind is that of the clause
+};
+
+/// `using simulation for n steps` or `for deadlock with k repeats`, `up to m steps`.
+struct PathGeneration {
+    ExprPtr steps;  ///< null: to a deadlock
+    ExprPtr repeats;
+    ExprPtr limit;
+};
+
+/// `prob property P : e …` or `prob generate path P : …`.
+struct ProbabilisticAssertion {
+    std::string name;
+    Span name_span, span;
+    ExprPtr property;  ///< null: a path is generated
+    PathGeneration path;
+    std::vector<ProbabilisticClause> clauses;
+    std::string options;  ///< `with cmdoptions "…"`, with its quotes
+    bool broken = false;  ///< a mistake of syntax inside: parts may be missing
+};
 
 // ---------------------------------------------------------------- files
 
@@ -499,9 +610,10 @@ struct CspBlock final {
 struct KeptPart {
     std::string form;  ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
     std::string name;
-    Span span;                  ///< of both
-    bool claims = false;        ///< it asks something of the model; else it defines something for those that do
-    bool probabilistic = true;  ///< else of another tool
+    Span span;            ///< of both
+    bool claims = false;  ///< it asks something of the model, by another tool; else it serves probabilistic assertions
+    std::string text;     ///< all of it
+    Span whole;
 };
 
 /// A parsed `.rct` or `.assertions` file.
@@ -518,8 +630,9 @@ struct File {
     bool is_assertions = false;
     std::vector<Assertion> assertions;
     std::vector<CspBlock> csp_blocks;
-    std::vector<std::string> verbatim;    ///< PRISM parts and others kept as text
-    std::vector<KeptPart> kept;           ///< what they are
+    std::vector<ProbabilisticDefinition> probabilistic_definitions;
+    std::vector<ProbabilisticAssertion> probabilistic_assertions;
+    std::vector<KeptPart> kept;           ///< parts of other tools
     bool is_library = false;              ///< a toolkit that comes with the tool
     bool has_syntax_errors = false;       ///< parts may be missing; rules about absent things stay silent
     std::vector<std::string> lost_names;  ///< names in parts that were not understood

@@ -25,9 +25,51 @@ public:
             }
         }
         for (auto& block : file.csp_blocks) visitor_.visit(block);
+        for (auto& definition : file.probabilistic_definitions) this->definition(definition);
+        for (auto& assertion : file.probabilistic_assertions) {
+            for (const ExprPtr* part :
+                 {&assertion.property, &assertion.path.steps, &assertion.path.repeats, &assertion.path.limit})
+                expression(*part);
+            for (auto& clause : assertion.clauses) definition(clause.definition);
+        }
     }
 
 private:
+    template <class AnyDefinition>
+    void definition(AnyDefinition& definition) {
+        if (definition.constant) variable(*definition.constant);
+        expression(definition.value);
+        for (auto& each : definition.constants) {
+            expression(each.constant);
+            expression(each.value);
+        }
+        for (auto& item : definition.rewards)
+            for (const ExprPtr* part : {&item.event, &item.guard, &item.value}) expression(*part);
+        for (auto& function : definition.functions) {
+            for (auto& parameter : function.parameters) variable(*parameter);
+            expression(function.result);
+            updates(function.updates);
+        }
+        for (auto& module : definition.modules) {
+            for (auto& each : module.variables) {
+                variable(*each.variable);
+                expression(each.low);
+                expression(each.high);
+            }
+            for (auto& command : module.commands) {
+                expression(command.event);
+                expression(command.guard);
+                updates(command.updates);
+            }
+        }
+    }
+
+    template <class Updates>
+    void updates(Updates& list) {
+        for (auto& update : list)
+            for (const ExprPtr* part : {&update.probability, &update.variable, &update.value}) expression(*part);
+    }
+
     void declaration(Declaration& any) {
         if (auto* type = dynamic_cast<TypeDeclaration*>(&any)) return type_declaration(*type);
         if (auto* function = dynamic_cast<Function*>(&any)) return this->function(*function);
@@ -132,8 +174,9 @@ private:
         type(expr->type_expr);
         for (Binding& binding : expr->bindings) {
             // The names in a record literal are those of fields, not declarations; the visitor of the literal sees
-            // them.
-            if (expr->kind != ExprKind::record) variable(*binding.variable);
+            // them. Those of a simulation are parameters of its method.
+            const bool declares = expr->kind != ExprKind::record && expr->kind != ExprKind::simulation;
+            if (declares) variable(*binding.variable);
             expression(binding.value);
         }
         for (auto& arg : expr->args) expression(arg);

@@ -67,7 +67,7 @@ constexpr std::array<std::string_view, 46> symbols = {
     "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "&&",
     "||",  "{",  "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",   ":",   ";",  ",",  ".",  "?",  "!",
     "#",   "|",  "@",  "+",  "-",  "*",  "/",  "%",  "^",  "$",   "&",   "~",  "`",  "\\"};
-/// The last of `symbols` are words of the PRISM parts of assertion files alone.
+/// The last of `symbols` are words of probabilistic assertions alone.
 constexpr std::size_t model_symbols = 41;
 
 bool is_letter(char c) {
@@ -314,14 +314,19 @@ TokenStream Lexer::run() {
 }  // namespace
 
 std::span<const std::string_view> assertion_words() {
-    static constexpr std::array<std::string_view, 45> words = {
-        "and",         "assertion",   "assigned", "associated",    "begin",      "constant",    "constants",
-        "csp",         "deadlock",    "defs",     "deterministic", "divergence", "divergences", "does",
-        "endrewards",  "equal",       "equals",   "failures",      "formula",    "free",        "generate",
-        "initialised", "instantiate", "label",    "model",         "of",         "parameter",   "path",
-        "pmodules",    "prob",        "property", "reachable",     "refine",     "refines",     "rewards",
-        "set",         "terminate",   "tick",     "timed",         "timelock",   "tock",        "traces",
-        "untimed",     "value",       "with"};
+    static constexpr std::array<std::string_view, 84> words = {
+        "ACI",        "APMC",       "CI",          "Cumul",       "Exists",        "Finally",    "Forall",
+        "Globally",   "LTL",        "Next",        "Prob",        "Reachable",     "Release",    "Reward",
+        "SPRT",       "Total",      "Until",       "Weak",        "and",           "assertion",  "assigned",
+        "associated", "at",         "begin",       "bool",        "cmdoptions",    "constant",   "constants",
+        "csp",        "deadlock",   "definitions", "defs",        "deterministic", "divergence", "divergences",
+        "does",       "endrewards", "equal",       "equals",      "failures",      "for",        "formula",
+        "free",       "generate",   "init",        "initialised", "instantiate",   "label",      "max",
+        "min",        "model",      "modules",     "of",          "out",           "parameter",  "path",
+        "pfunction",  "pmodule",    "pmodules",    "poperation",  "prob",          "property",   "reachable",
+        "refine",     "refines",    "repeats",     "return",      "rewards",       "set",        "sim",
+        "simulation", "steps",      "terminate",   "tick",        "timed",         "timelock",   "tock",
+        "traces",     "untimed",    "up",          "using",       "val",           "value",      "with"};
     return words;
 }
 

@@ -118,7 +118,7 @@ inline constexpr std::size_t max_tokens = 16'000'000;
 [[nodiscard]] const std::vector<std::string_view>& reserved_words();
 /// Words that assertion text reserves in some place beside those (Assertions.xtext), sorted.
 [[nodiscard]] std::span<const std::string_view> assertion_words();
-/// The operators and brackets, longest first; the last few are words of the PRISM parts of assertion files alone.
+/// The operators and brackets, longest first; the last few are words of probabilistic assertions alone.
 [[nodiscard]] std::span<const std::string_view> symbol_words();
 
 /// A piece of source text made fit for a message: on one line, at most 40 characters.

@@ -260,17 +260,51 @@ private:
     void assertion_parameters(Assertion& assertion);
     AssertionParameter assertion_parameter();
     void csp_block(File& file, AssertionTime time);
-    void verbatim(File& file);
+    void keep(File& file);
     void hyphenated_word(std::string_view first, std::string_view second);
     [[nodiscard]] bool at_foreign_assertion() const;
     void foreign_assertion(File& file);
     [[nodiscard]] KeptPart kept_part() const;
     [[nodiscard]] bool at_assertion_member() const;
-    [[nodiscard]] bool at_property_word() const;
+    [[nodiscard]] bool at_kept_part() const;
+
+    // Probabilistic assertions (parser_probability.cpp)
+    [[nodiscard]] bool at_probabilistic_part() const;
+    void probabilistic_part(File& file);
+    void probabilistic_assertion(File& file);
+    void probabilistic_definition(File& file);
+    ProbabilisticDefinition named_definition();
+    void definition_body(ProbabilisticDefinition& definition);
+    void definition_name(std::string& name, Span& span);
+    PathGeneration path_generation();
+    void probabilistic_clauses(ProbabilisticAssertion& assertion);
+    ProbabilisticClause probabilistic_clause(ProbabilisticKind kind);
+    ConstantValues constant_values();
+    std::vector<ConstantValues> constant_list();
+    std::vector<RewardItem> reward_items();
+    ProbabilisticFunction probabilistic_function();
+    ProbabilisticModule probabilistic_module();
+    ModuleVariable module_variable();
+    Command command();
+    Update update();
+    std::vector<Update> updates();
+    ExprPtr action_label();
+    ExprPtr probabilistic_atom();
+    [[nodiscard]] bool at_path_prefix() const;
+    ExprPtr path_prefix();
+    ExprPtr until(ExprPtr left);
+    void step_bound(Expr& path);
+    ExprPtr quantitative(ExprKind kind);
+    ExprPtr reward_path();
+    ExprPtr simulation();
+    ExprPtr path_quantifier(ExprKind kind);
+    ExprPtr marked();
+    ExprPtr behind_name(ExprPtr name);
 
     const diagnostics::SourceManager& sources_;
     diagnostics::SourceId source_;
     bool is_assertions_;
+    bool probabilistic_ = false;  ///< inside a probabilistic assertion, whose expressions have more forms
     diagnostics::Diagnostics& out_;
     TokenList tokens_;
     std::vector<Span> comments_;

@@ -1,4 +1,4 @@
-// Assertion files (Assertions.xtext). CSP blocks and the PRISM parts are kept as text.
+// Assertion files (Assertions.xtext). CSP blocks and the parts of other tools are kept as text.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,33 +9,16 @@
 
 namespace robochart::frontend {
 
-namespace {
-
-/// The words that begin such a part, and what follows the name behind them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> property_forms = {{{"instantiate", "as"},
-                                                                                          {"const", ":"},
-                                                                                          {"constants", ":"},
-                                                                                          {"label", "="},
-                                                                                          {"formula", "="},
-                                                                                          {"rewards", "="},
-                                                                                          {"defs", ":"},
-                                                                                          {"pmodules", ":"}}};
-
-}  // namespace
-
-/// A part that is kept as text begins here: one of its words in its own form, not `with constants` or `#label`.
-bool Parser::at_property_word() const {
-    if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
-    const auto* form =
-        std::find_if(property_forms.begin(), property_forms.end(), [&](const auto& f) { return at_word(f.first); });
-    if (form == property_forms.end()) return false;
-    // Other ways of PRISM and its users: the word on a new line.
-    const bool loose = peek().first_on_line && !at_word("const") && !at_word("constants");
-    if (loose && (peek(1).kind == TokenKind::string || peek(1).kind == TokenKind::identifier)) return true;
-    if (peek(1).kind != TokenKind::identifier) return false;
-    std::size_t ahead = 2;
-    while (form->second == "as" && peek(ahead).is("::")) ahead += 2;
-    return peek(ahead).is(form->second);
+/// A part that is kept as text begins here: `instantiate T as …`, or what PRISM and its users write, on a new line.
+bool Parser::at_kept_part() const {
+    if (at_word("instantiate")) {
+        std::size_t ahead = 2;
+        while (peek(ahead).is("::")) ahead += 2;
+        if (peek(1).kind == TokenKind::identifier && at_word("as", ahead)) return true;
+    }
+    constexpr std::array<std::string_view, 5> words = {"label", "formula", "rewards", "defs", "pmodules"};
+    const bool known = std::any_of(words.begin(), words.end(), [&](std::string_view word) { return at_word(word); });
+    return known && peek().first_on_line && peek(1).kind == TokenKind::string;
 }
 
 /// `sleec assertion …`: of another tool, where it begins a line.
@@ -52,17 +35,18 @@ void Parser::foreign_assertion(File& file) {
     advance();
     advance();
     const std::string name(peek().text);
-    file.kept.push_back({word + " assertion", name, diagnostics::join(begin, peek().span), true, false});
+    KeptPart part{word + " assertion", name, diagnostics::join(begin, peek().span), true, {}, {}};
     while (!at_end() && !at_assertion_member()) advance();
-    const Span span = since(begin);
-    report(syntax::foreign_assertion, {begin.source, begin.begin, span.end}, {name, word});
+    part.whole = {begin.source, begin.begin, since(begin).end};
+    part.text = sources_.text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
+    report(syntax::foreign_assertion, part.whole, {name, word});
     quiet_until_ = 0;
-    file.verbatim.emplace_back(sources_.text(source_).substr(span.begin, span.end - span.begin));
+    file.kept.push_back(std::move(part));
 }
 
 bool Parser::at_assertion_member() const {
     if (at_foreign_assertion()) return true;
-    if (at("import") || at("package") || at_property_word()) return true;
+    if (at("import") || at("package") || at_probabilistic_part() || at_kept_part()) return true;
     if (at_word("timed") || at_word("untimed")) return at_word("assertion", 1) || at_word("csp", 1);
     return (at_word("assertion") || at_word("csp")) && peek(1).kind == TokenKind::identifier;
 }
@@ -84,7 +68,8 @@ void Parser::assertion_member(File& file) {
         if (neural_construct()) return;
         if (at_word("assertion")) return assertion(file, time);
         if (at_word("csp")) return csp_block(file, time);
-        if (at_property_word() && time == AssertionTime::both) return verbatim(file);
+        if (at_probabilistic_part() && time == AssertionTime::both) return probabilistic_part(file);
+        if (at_kept_part() && time == AssertionTime::both) return keep(file);
         expected("`assertion`, `csp` or `import`");
     });
     if (read) return;
@@ -92,37 +77,34 @@ void Parser::assertion_member(File& file) {
     while (!at_end() && !at_assertion_member()) advance();
 }
 
-/// `prob property P`, `prob generate path P`, `defs D`: how a part that is kept as text begins. Of a name in parts, as
-/// `instantiate P::T`, the whole.
+/// `instantiate P::T`, `label "…"`: how a part that is kept as text begins. Of a name in parts the whole.
 KeptPart Parser::kept_part() const {
-    KeptPart part{std::string(peek().text), {}, peek().span, at_word("prob"), true};
+    KeptPart part{std::string(peek().text), {}, peek().span, false, {}, {}};
     std::size_t at = 1;
-    const auto take = [&](std::string& to) {
-        to += peek(at).text;
+    const auto take = [&] {
+        part.name += peek(at).text;
         part.span = diagnostics::join(part.span, peek(at).span);
         ++at;
     };
-    const bool generates = at_word("generate", 1);
-    if (part.claims) take(part.form += " ");
-    if (generates && at_word("path", at)) take(part.form += " ");
-    if (peek(at).kind == TokenKind::identifier || peek(at).kind == TokenKind::string) take(part.name);
+    if (peek(at).kind == TokenKind::identifier || peek(at).kind == TokenKind::string) take();
     while (peek(at).is("::") && peek(at + 1).kind == TokenKind::identifier) {
-        take(part.name);
-        take(part.name);
+        take();
+        take();
     }
     return part;
 }
 
-/// A PRISM part: up to the next member.
-void Parser::verbatim(File& file) {
+/// A part that is kept as text: up to the next member.
+void Parser::keep(File& file) {
     const Span begin = peek().span;
     const bool rewards = at_word("rewards");
-    file.kept.push_back(kept_part());
+    KeptPart part = kept_part();
     advance();
     while (!at_end() && (rewards ? !at_word("endrewards") : !at_assertion_member())) advance();
     if (rewards) accept_word("endrewards");
-    const Span span = since(begin);
-    file.verbatim.emplace_back(sources_.text(source_).substr(span.begin, span.end - span.begin));
+    part.whole = since(begin);
+    part.text = sources_.text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
+    file.kept.push_back(std::move(part));
 }
 
 /// `csp NAME associated to X, Y csp-begin … csp-end`

@@ -7,6 +7,8 @@
 namespace robochart::frontend {
 
 ExprPtr Parser::atom() {
+    if (probabilistic_)
+        if (ExprPtr read = probabilistic_atom()) return read;
     switch (peek().kind) {
         case TokenKind::integer:
             return literal(ExprKind::integer);
@@ -47,7 +49,7 @@ ExprPtr Parser::named() {
     if (at("(|")) return record(std::move(read));
     result->span = read.span;
     result->name = std::move(read);
-    return result;
+    return probabilistic_ ? behind_name(std::move(result)) : std::move(result);
 }
 
 ExprPtr Parser::record(QualifiedName type_name) {
@@ -188,6 +190,10 @@ ExprPtr Parser::set() {
     if (accept("to")) {
         result->kind = ExprKind::set_range;
         result->args.push_back(expression());
+        if (probabilistic_ && accept_word("by")) {
+            expect_word("step");
+            result->args.push_back(expression());
+        }
     } else {
         while (accept(",")) result->args.push_back(expression());
     }

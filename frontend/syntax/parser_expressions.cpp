@@ -91,6 +91,10 @@ void Parser::such_that(Expr& expr) {
 ExprPtr Parser::operand(int level) {
     ExprPtr left = prefix(level);
     for (;;) {
+        if (probabilistic_ && at_word("Until") && level <= not_level) {
+            left = until(std::move(left));
+            continue;
+        }
         const bool casts = (at("as") || at("is")) && level <= cast_level;
         if (!casts && (repair_equality(level) || foreign_operator())) continue;
         const auto next = operator_here();
@@ -141,6 +145,7 @@ ExprPtr Parser::prefix(int level) {
     if (at("the")) return description(level);
     if (at("let")) return let(level);
     if (at("if")) return conditional(level);
+    if (probabilistic_ && at_path_prefix()) return path_prefix();
     if (at("!") && peek(1).kind != TokenKind::end) {
         report_c_operator("not ");
         tokens_.correct(at_, TokenKind::keyword, "not");
@@ -177,7 +182,7 @@ ExprPtr Parser::logical_not(int level) {
     const Span begin = expect("not");
     result->unary = UnaryOp::logical_not;
     const bool again = at("not") || at("!");
-    result->args.push_back(again ? prefix(not_level) : operand(compare_level));
+    result->args.push_back(again ? prefix(not_level) : operand(probabilistic_ ? not_level : compare_level));
     result = finish(std::move(result), begin);
     check_weak_prefix(word, *result, level, not_level);
     return result;

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::frontend {
@@ -108,8 +111,16 @@ std::string binder(const Expr& expr) {
         case ExprKind::set_comprehension:
             return comprehension(expr);
         default:
-            return "<error>";
+            return probabilistic_text(expr);
     }
+}
+
+/// A name as an expression: what would begin a path formula is escaped, which is legal everywhere.
+std::string written_value(const QualifiedName& name) {
+    constexpr std::array<std::string_view, 10> words = {"Exists", "Finally", "Forall", "Globally", "Next",
+                                                        "Prob",   "Release", "Reward", "Until",    "Weak"};
+    const bool escaped = !name.empty() && std::find(words.begin(), words.end(), name.parts.front()) != words.end();
+    return (escaped ? "^" : "") + written_name(name);
 }
 
 }  // namespace
@@ -132,7 +143,7 @@ std::string to_text(const Expr& expr) {
         case ExprKind::boolean:
             return expr.text;
         case ExprKind::name:
-            return written_name(expr.name);
+            return written_value(expr.name);
         case ExprKind::result:
             return "result";
         case ExprKind::to:
@@ -164,7 +175,8 @@ std::string to_text(const Expr& expr) {
         case ExprKind::set:
             return "{" + list(expr.args) + "}";
         case ExprKind::set_range:
-            return fmt::format("{{{} to {}}}", text(expr.args[0]), text(expr.args[1]));
+            return fmt::format("{{{} to {}{}}}", text(expr.args[0]), text(expr.args[1]),
+                               expr.args.size() > 2 ? " by step " + text(expr.args[2]) : "");
         case ExprKind::range:
             return range(expr);
         case ExprKind::matrix:

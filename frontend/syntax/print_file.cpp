@@ -297,7 +297,9 @@ void Printer::file(const File& file) {
     }
     for (const CspBlock& block : file.csp_blocks) csp_block(block);
     for (const Assertion& asserted : file.assertions) assertion(asserted);
-    for (const std::string& part : file.verbatim) line(part);
+    for (const ProbabilisticDefinition& definition : file.probabilistic_definitions) out_ += to_text(definition);
+    for (const ProbabilisticAssertion& asserted : file.probabilistic_assertions) out_ += to_text(asserted);
+    for (const KeptPart& part : file.kept) line(part.text);
 }
 
 }  // namespace

@@ -102,6 +102,10 @@ const Rule foreign_assertion{"RC-P33", warning, "assertion `{}` is not checked: 
 const Rule other_notation{"RC-P34", error, "`{}` is not RoboChart here: {}",
                           "Words of UML, SCXML, Stateflow, UPPAAL, PRISM and programming languages are recognised "
                           "where people write them, and the message says what RoboChart has instead."};
+const Rule probabilistic_clause_order{
+    "RC-P35", error, "`with {}` must come before `with {}`, and once",
+    "A probabilistic assertion names its constants, definitions, modules and options in this order: `with constants C "
+    "with definitions D with modules M with cmdoptions \"…\"`."};
 const Rule unreadable{"RC-F01", error, "cannot read `{}`: {}", "The path given cannot be opened for reading."};
 const Rule empty_input{"RC-F02", error, "`{}` declares nothing",
                        "There is no interface, machine, controller, module, type or function to look at."};
@@ -110,15 +114,45 @@ const Rule no_files{"RC-F03", error, "`{}` contains no RoboChart files",
 const Rule empty_file{"RC-F04", warning, "`{}` is empty", "The file holds nothing but blanks and comments."};
 
 const std::vector<const Rule*>& all() {
-    static const std::vector<const Rule*> rules = {
-        &unexpected,    &too_deep,          &open_comment,       &open_string,    &strange_character,
-        &huge_integer,  &long_real,         &not_text,           &legacy_trigger, &blank_in_set,
-        &reserved_name, &bare_value,        &open_csp_block,     &too_many,       &bare_quantifier,
-        &late_package,  &parameter_list,    &clause_order,       &stray_bracket,  &ragged_matrix,
-        &single_equal,  &colon_equal,       &unreadable,         &empty_input,    &no_files,
-        &empty_file,    &too_long,          &c_operator,         &plain_name,     &needs_parentheses,
-        &neural,        &clause_twice,      &trailing_semicolon, &legacy_list,    &clock_time,
-        &hyphenated,    &foreign_assertion, &other_notation};
+    static const std::vector<const Rule*> rules = {&unexpected,
+                                                   &too_deep,
+                                                   &open_comment,
+                                                   &open_string,
+                                                   &strange_character,
+                                                   &huge_integer,
+                                                   &long_real,
+                                                   &not_text,
+                                                   &legacy_trigger,
+                                                   &blank_in_set,
+                                                   &reserved_name,
+                                                   &bare_value,
+                                                   &open_csp_block,
+                                                   &too_many,
+                                                   &bare_quantifier,
+                                                   &late_package,
+                                                   &parameter_list,
+                                                   &clause_order,
+                                                   &stray_bracket,
+                                                   &ragged_matrix,
+                                                   &single_equal,
+                                                   &colon_equal,
+                                                   &unreadable,
+                                                   &empty_input,
+                                                   &no_files,
+                                                   &empty_file,
+                                                   &too_long,
+                                                   &c_operator,
+                                                   &plain_name,
+                                                   &needs_parentheses,
+                                                   &neural,
+                                                   &clause_twice,
+                                                   &trailing_semicolon,
+                                                   &legacy_list,
+                                                   &clock_time,
+                                                   &hyphenated,
+                                                   &foreign_assertion,
+                                                   &other_notation,
+                                                   &probabilistic_clause_order};
     return rules;
 }
 

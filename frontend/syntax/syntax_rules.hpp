@@ -13,7 +13,7 @@ extern const Rule unexpected, too_deep, open_comment, open_string, strange_chara
     legacy_trigger, blank_in_set, reserved_name, bare_value, open_csp_block, too_many, bare_quantifier, late_package,
     parameter_list, clause_order, stray_bracket, ragged_matrix, single_equal, colon_equal, too_long, c_operator,
     plain_name, needs_parentheses, neural, clause_twice, trailing_semicolon, legacy_list, clock_time, hyphenated,
-    foreign_assertion, other_notation;
+    foreign_assertion, other_notation, probabilistic_clause_order;
 extern const Rule unreadable, empty_input, no_files, empty_file;
 
 /// All of them, by code.

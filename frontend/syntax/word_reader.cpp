@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 
 namespace robochart::frontend {
 

@@ -82,6 +82,15 @@ TypePtr Typer::compute(Expr& expr, Surroundings& around) {
             return since_entry(expr, around);
         case ExprKind::parenthesised:
             return type(expr.args[0], around);
+        case ExprKind::path:
+        case ExprKind::probability:
+        case ExprKind::reward:
+        case ExprKind::all_paths:
+        case ExprKind::some_path:
+        case ExprKind::in_state:
+        case ExprKind::event:
+        case ExprKind::marked:
+        case ExprKind::simulation:  // of probabilistic assertions, which have no types yet
         case ExprKind::error:
             break;
     }

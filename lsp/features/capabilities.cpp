@@ -37,7 +37,8 @@ Client client_of(View params) {
     client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth();
     client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth();
     client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth();
-    client.checks_assertions = lists(params["initializationOptions"]["commands"], check_command);
+    for (const char* command : {check_command, draw_command, step_command})
+        if (lists(params["initializationOptions"]["commands"], command)) client.commands.insert(command);
     return client;
 }
 
@@ -79,7 +80,7 @@ Json server_capabilities(const Client& client) {
         {"workspace", Json::object({{"workspaceFolders", folders}})},
         {"experimental", Json::object({{"robochart", Json::object({{"diagram", true}, {"diagramChanged", true}})}})},
     });
-    if (client.checks_assertions) capabilities["codeLensProvider"] = Json::object({{"resolveProvider", false}});
+    if (!client.commands.empty()) capabilities["codeLensProvider"] = Json::object({{"resolveProvider", false}});
     if (client.pulls_diagnostics)
         capabilities["diagnosticProvider"] =
             Json::object({{"interFileDependencies", true}, {"workspaceDiagnostics", false}});

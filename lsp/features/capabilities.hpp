@@ -8,9 +8,11 @@
 
 namespace robochart::lsp {
 
-/// The command of the lenses above assertions, with the document's URI and the assertion's name. A client that has it
-/// says so: `initializationOptions.commands` lists it.
+/// The commands of lenses, with the document's URI and a name: of an assertion to be checked, of a component to be
+/// drawn or to be stepped through. A client that has one says so: `initializationOptions.commands` lists it.
 inline constexpr const char* check_command = "robochart.check";
+inline constexpr const char* draw_command = "robochart.draw";
+inline constexpr const char* step_command = "robochart.step";
 
 /// What the parameters of `initialize` mean for us.
 [[nodiscard]] Client client_of(View params);

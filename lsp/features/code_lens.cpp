@@ -1,23 +1,59 @@
-// "check" above each assertion: a command that the editor runs, since checks may take long.
+// Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
+// editor runs them, since they may take long and show what only it can show.
+
+#include "diagrams/notation/subjects.hpp"
 #include "lsp/features/capabilities.hpp"
 #include "lsp/features/features.hpp"
 
 namespace robochart::lsp {
 
-Json code_lenses(Session& session, View params) {
-    const Target target = target_of(session, params);
-    Json result = Json::array();
-    for (const frontend::Assertion& each : target.project.tree(target.document).assertions) {
-        // The parser gives a name to those that have none.
-        if (each.name_span.begin == each.name_span.end) continue;
-        const Json command = Json::object({{"title", "check"},
-                                           {"command", check_command},
-                                           {"arguments", Json::array({target.document.uri, each.name})}});
-        result.push_back(
-            Json::object({{"range", range(target.project.sources(), each.name_span, session.client.encoding)},
-                          {"command", command}}));
+namespace {
+
+/// The lenses of one document. Each is one of a command that the editor has, whose arguments are the document's URI and
+/// a name.
+class Lenses {
+public:
+    Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}
+
+    Json find() {
+        for (const frontend::Assertion& each : target_.project.tree(target_.document).assertions)
+            // The parser gives a name to those that have none.
+            if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
+        for (const diagrams::Subject& each : diagrams::subjects(target_.project.model(), target_.project.sources())) {
+            if (!is_component(each)) continue;
+            add("draw", draw_command, each.component->name_span, each.name);
+            add("step", step_command, each.component->name_span, each.name);
+        }
+        return std::move(result_);
     }
-    return result;
+
+private:
+    /// A component of the document that has a process.
+    [[nodiscard]] bool is_component(const diagrams::Subject& subject) const {
+        if (subject.component == nullptr || subject.component->span.source != target_.document.source) return false;
+        const Span name = subject.component->name_span;
+        const frontend::DeclKind kind = subject.component->kind;
+        return name.begin != name.end &&
+               (kind == frontend::DeclKind::module || kind == frontend::DeclKind::controller ||
+                kind == frontend::DeclKind::state_machine);
+    }
+    void add(const char* title, const char* command, Span place, const std::string& name) {
+        if (!session_.client.commands.contains(command)) return;
+        const Json run = Json::object(
+            {{"title", title}, {"command", command}, {"arguments", Json::array({target_.document.uri, name})}});
+        result_.push_back(Json::object(
+            {{"range", range(target_.project.sources(), place, session_.client.encoding)}, {"command", run}}));
+    }
+
+    Session& session_;
+    const Target target_;
+    Json result_ = Json::array();
+};
+
+}  // namespace
+
+Json code_lenses(Session& session, View params) {
+    return Lenses(session, params).find();
 }
 
 }  // namespace robochart::lsp

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "diagrams/layout/arrange.hpp"
+#include "diagrams/stored/stored_diagrams.hpp"
 #include "diagrams/svg/svg.hpp"
 #include "frontend/syntax/print.hpp"
 #include "lsp/features/features.hpp"
@@ -181,8 +182,11 @@ Json answer_of(const DrawnDiagram& drawn, const std::string& component, diagrams
 /// Draws a component as its text is now.
 DrawnDiagram draw_now(Session& session, const Target& target, const Subject& subject, diagrams::Memory& memory) {
     DrawnDiagram result{diagrams::Elements(target.project.model()), {}, nullptr, target.document.version};
+    const diagrams::StoredDiagrams stored(target.project.model(), target.project.sources(), session.diagrams->files,
+                                          session.budget);
     try {
-        result.picture = diagrams::draw(subject, {result.elements, &memory, session.budget});
+        result.picture =
+            diagrams::draw(subject, {result.elements, &memory, session.budget, stored.find(subject.component)});
     } catch (const diagrams::layout::TooLarge& large) {
         throw Refusal(ErrorCode::request_failed, large.what());
     }

@@ -11,6 +11,7 @@
 
 #include "diagrams/notation/memory.hpp"
 #include "diagrams/notation/subjects.hpp"
+#include "diagrams/stored/aird_files.hpp"
 #include "lsp/workspace/session.hpp"
 
 namespace robochart::lsp {
@@ -44,6 +45,7 @@ public:
     [[nodiscard]] const KeptDiagram* last(std::string_view uri, std::string_view name) const;
 
     std::set<std::string> asked;  ///< URIs
+    diagrams::AirdFiles files;    ///< of RoboTool
 
 private:
     static constexpr std::size_t most = 16;

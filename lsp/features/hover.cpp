@@ -47,6 +47,8 @@ std::string about(Project& project, const Occurrence& name, bool markdown) {
             return code_block("package " + name.text, markdown);
         case NameKind::process:
             return code_block("csp " + name.text, markdown);
+        case NameKind::definition:
+            return code_block(name.text, markdown);
         case NameKind::assertion: {
             const frontend::File* file = file_of(project, name.span.source);
             return code_block("assertion " + name.text, markdown) + "\n\n" +

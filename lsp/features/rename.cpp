@@ -44,6 +44,8 @@ const Occurrence& renamable(const Target& target) {
             refuse("type variables cannot be renamed");
         case NameKind::process:
             refuse("a CSP process is named in CSP text too, which is not changed");
+        case NameKind::definition:
+            refuse(fmt::format("`{}` may be named in files that are not read", text_of(target.project, name->span)));
         case NameKind::unknown:
             refuse(fmt::format("it is not known what `{}` stands for", text_of(target.project, name->span)));
         case NameKind::declaration:

@@ -94,6 +94,7 @@ Type type_of(const Occurrence& name) {
         case NameKind::process:
             return function;
         case NameKind::assertion:
+        case NameKind::definition:
         case NameKind::unknown:
             break;
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "frontend/syntax/print.hpp"
 #include "lsp/features/features.hpp"
 #include "lsp/workspace/describe.hpp"
 
@@ -60,10 +61,10 @@ Json symbol(const SourceManager& sources, const Declaration& declaration, Encodi
     return result;
 }
 
-Json claim(const SourceManager& sources, const std::string& name, int kind, Span span, Span name_span,
-           Encoding encoding) {
+Json claim(const SourceManager& sources, const std::string& name, std::string_view what, int kind, Span span,
+           Span name_span, Encoding encoding) {
     return Json::object({{"name", name},
-                         {"detail", kind == 17 ? "assertion" : "csp"},
+                         {"detail", std::string(what)},
                          {"kind", kind},
                          {"range", range(sources, join(span, name_span), encoding)},
                          {"selectionRange", range(sources, name_span, encoding)}});
@@ -113,12 +114,21 @@ Json document_symbols(Session& session, View params) {
     }
     constexpr int boolean_kind = 17;
     constexpr int function_kind = 12;
+    constexpr int constant_kind = 14;
     for (const Assertion& each : file.assertions)
         if (!each.name.empty())
-            result.push_back(claim(sources, each.name, boolean_kind, each.span, each.name_span, encoding));
+            result.push_back(claim(sources, each.name, "assertion", boolean_kind, each.span, each.name_span, encoding));
     for (const CspBlock& each : file.csp_blocks)
         if (!each.name.empty())
-            result.push_back(claim(sources, each.name, function_kind, each.span, each.name_span, encoding));
+            result.push_back(claim(sources, each.name, "csp", function_kind, each.span, each.name_span, encoding));
+    for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
+        if (!each.name.empty())
+            result.push_back(
+                claim(sources, each.name, to_text(each.kind), constant_kind, each.span, each.name_span, encoding));
+    for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
+        if (!each.name.empty())
+            result.push_back(claim(sources, each.name, each.property ? "prob property" : "prob generate path",
+                                   boolean_kind, each.span, each.name_span, encoding));
     return result;
 }
 

@@ -15,6 +15,7 @@ bool same(const Occurrence& a, const Occurrence& b) {
             return a.target == b.target;
         case NameKind::package:
         case NameKind::process:
+        case NameKind::definition:
             return a.text == b.text;
         case NameKind::assertion:
             return a.text == b.text && a.span.source == b.span.source;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -42,9 +43,9 @@ struct Client {
     bool markdown = false;
     bool watches_files = false;
     bool versioned_edits = false;
-    bool checks_assertions = false;      ///< has the command of the lenses above assertions
     bool pulls_diagnostics = false;      ///< asks for those of open documents, so they are not pushed
     bool refreshes_diagnostics = false;  ///< asks again when it is notified
+    std::set<std::string> commands;      ///< those of lenses that it has (lsp/features/capabilities.hpp)
 };
 
 class KeptDiagrams;

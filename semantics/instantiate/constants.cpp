@@ -117,7 +117,6 @@ ChosenConstants chosen_constants(const System& system, const std::map<std::strin
                                  Literals& literals, Diagnostics& diagnostics) {
     ChosenConstants chosen;
     const auto constants = named_constants(system);
-    const std::set<std::string> times = durations(system);
     for (const auto& [option, text] : options) {
         bool known = false;
         for (const auto& constant : constants) {
@@ -128,7 +127,8 @@ ChosenConstants chosen_constants(const System& system, const std::map<std::strin
                 diagnostics.report(rules::bad_constant_value, {}, {option, text, system.type(constant.type).name});
                 break;
             }
-            add_literals(system, *value, times.contains(constant.path.substr(constant.path.rfind(':') + 1)), literals);
+            const std::string name = constant.path.substr(constant.path.rfind(':') + 1);
+            add_literals(system, *value, literals.durations.contains(name), literals);
             chosen[constant.name] = value;
         }
         if (!known) diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion(option, constants)});

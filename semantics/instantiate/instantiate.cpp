@@ -127,11 +127,20 @@ void nest(Ranges& ranges, Diagnostics& diagnostics) {
     }
 }
 
-std::vector<std::int64_t> numbers(const Range& range, const char* name, Diagnostics& diagnostics) {
+/// Where the model has the number that makes a range large; unknown where an option does.
+diagnostics::Span cause_of(const Range& range, const Literals& literals) {
+    const bool upwards = range.high > -(range.low + 1);  // no overflow at the least number
+    const auto found = literals.places.find(upwards ? range.high : range.low);
+    return range.chosen || found == literals.places.end() ? diagnostics::Span{} : found->second;
+}
+
+std::vector<std::int64_t> numbers(const Range& range, const char* name, const Literals& literals,
+                                  Diagnostics& diagnostics) {
     const auto size = checked_subtract(range.high, range.low);
     if (!size || *size >= most_values) {
         const std::string count = size ? std::to_string(*size) : "over 2^63";
-        diagnostics.report(rules::range_too_large, {}, {name, count, std::to_string(most_values), name});
+        diagnostics.report(rules::range_too_large, cause_of(range, literals),
+                           {name, count, std::to_string(most_values), name});
         return {0};
     }
     std::vector<std::int64_t> result;
@@ -158,7 +167,7 @@ std::vector<std::int64_t> real_numbers(const Range& range, const Literals& liter
         else
             fits = false;
     };
-    for (const auto value : numbers(range, "real", diagnostics)) add(checked_multiply(value, scale));
+    for (const auto value : numbers(range, "real", literals, diagnostics)) add(checked_multiply(value, scale));
     for (const auto& literal : literals.real)
         if (literal.decimals > 0) add(scaled(literal, scale));
     if (!fits) diagnostics.report(rules::scale_too_large, {}, {std::to_string(scale)});
@@ -211,8 +220,8 @@ Instantiation instantiate(const System& system, const InstantiationOptions& opti
     instantiation.scale = scale_of(literals);
     literals.strings.insert("");
     instantiation.strings.assign(literals.strings.begin(), literals.strings.end());
-    instantiation.nat = numbers(ranges.by_type[0], "nat", diagnostics);
-    instantiation.integer = numbers(ranges.by_type[1], "int", diagnostics);
+    instantiation.nat = numbers(ranges.by_type[0], "nat", literals, diagnostics);
+    instantiation.integer = numbers(ranges.by_type[1], "int", literals, diagnostics);
     instantiation.real = real_numbers(ranges.by_type[2], literals, instantiation.scale, diagnostics);
     set_constants(system, chosen, instantiation);
     const std::int64_t clocks = clock_need(system, instantiation);

@@ -38,9 +38,8 @@ struct ConstantUses {
     }
 };
 
-/// The initial values of constants that are durations.
-std::set<const Expr*> values_of_durations(const System& system) {
-    const std::set<std::string> names = durations(system);
+/// The initial values of the constants of these names.
+std::set<const Expr*> values_of(const std::set<std::string>& names, const System& system) {
     std::set<const Expr*> result;
     const auto add = [&](const std::vector<Constant>& constants) {
         for (const Constant& each : constants)
@@ -85,7 +84,8 @@ void add_literals(const System& system, const Expr& expr, bool time, Literals& l
 
 Literals literals_of(const System& system) {
     Literals literals;
-    const std::set<const Expr*> times = values_of_durations(system);
+    literals.durations = durations(system);
+    const std::set<const Expr*> times = values_of(literals.durations, system);
     visit_expressions(system, [&](const Expr& expr, ExprRole role) {
         if (role == ExprRole::probability || (role == ExprRole::place && is_place(expr))) return;
         add_literals(system, expr, role == ExprRole::time || times.contains(&expr), literals);

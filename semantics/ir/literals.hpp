@@ -20,6 +20,7 @@ struct Literals {
     std::vector<Decimal> real_time;                    ///< durations
     std::set<diagnostics::ForeignText> strings;        ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< where a whole number first occurs
+    std::set<std::string> durations;                   ///< as durations() has them
 };
 
 [[nodiscard]] Literals literals_of(const System&);

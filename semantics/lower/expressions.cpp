@@ -212,7 +212,7 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
             return refuse(source, "inverse(..), whose entries need not be numbers of a finite type,");
         case ast::ExprKind::transpose:
             return transpose(source);
-        case ast::ExprKind::error:
+        default:  // a mistake; or of probabilistic assertions, which are not lowered
             break;
     }
     lowering_.unresolved("an expression", source.span);

@@ -22,21 +22,45 @@ bool contract_is_wrong(const frontend::Function& source) {
            std::any_of(source.postconditions.begin(), source.postconditions.end(), wrong);
 }
 
-void lower_conditions(Lowering& lowering, const frontend::Function& source, Function& function) {
-    if (contract_is_wrong(source)) {
-        lowering.diagnostics.report(rules::function_without_definition, source.name_span, {source.name});
-        return;
+/// Whether csp blocks that replace the instantiation define the function (semantics 3.13), in each time in which
+/// something is claimed, or in both where nothing is.
+bool defined_by_blocks(const Lowering& lowering, const Function& function) {
+    std::string name = function.package.empty() ? function.name : function.package + "_" + function.name;
+    while (name.find("::") != std::string::npos) name.replace(name.find("::"), 2, "_");  // as scripts have it
+    using Time = frontend::AssertionTime;
+    bool timed = false, untimed = false, timed_claims = false, untimed_claims = false;
+    for (const frontend::File* file : lowering.files) {
+        for (const frontend::CspBlock& block : file->csp_blocks) {
+            const bool replaces = block.name == "Instantiations" || block.name == "instantiations";
+            if (!replaces || !frontend::defines(block, name)) continue;
+            timed = timed || block.time != Time::untimed;
+            untimed = untimed || block.time != Time::timed;
+        }
+        for (const frontend::Assertion& claim : file->assertions) {
+            timed_claims = timed_claims || claim.time != Time::untimed;
+            untimed_claims = untimed_claims || claim.time != Time::timed;
+        }
     }
+    if (!timed_claims && !untimed_claims) return timed && untimed;
+    return (timed || !timed_claims) && (untimed || !untimed_claims);
+}
+
+/// Says what the function's values are taken to be, where nothing of the model defines them.
+void report_values(const Lowering& lowering, const frontend::Function& source, const Function& function) {
+    if (defined_by_blocks(lowering, function)) return;
+    const bool open = function.postconditions.empty();
+    lowering.diagnostics.report(open ? rules::function_without_definition : rules::function_by_contract,
+                                source.name_span, {source.name});
+}
+
+void lower_conditions(Lowering& lowering, const frontend::Function& source, Function& function) {
+    if (contract_is_wrong(source)) return;
     Names names;
     for (const auto& condition : source.preconditions)
         function.preconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));
     names.result = function.result;
     for (const auto& condition : source.postconditions)
         function.postconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));
-    if (function.postconditions.empty())
-        lowering.diagnostics.report(rules::function_without_definition, source.name_span, {source.name});
-    else
-        lowering.diagnostics.report(rules::function_by_contract, source.name_span, {source.name});
 }
 
 /// The signature; its conditions are still to be lowered, since they may call the function.
@@ -58,6 +82,7 @@ FunctionId declare(Lowering& lowering, const frontend::Function& source, std::st
 void define(Lowering& lowering, const frontend::Function& source, FunctionId id) {
     Function function = lowering.system.functions[id.index];
     lower_conditions(lowering, source, function);
+    report_values(lowering, source, function);
     lowering.system.functions[id.index] = std::move(function);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/paths.hpp"

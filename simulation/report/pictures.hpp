@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "simulation/report/world_drawing.hpp"
+#include "simulation/trial/controller.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {
@@ -12,22 +14,21 @@ namespace robochart::simulation {
 [[nodiscard]] const Frame& frame_at(const std::vector<Frame>&, double time);
 
 /// The trial at the scenario's picture times side by side, as in the founding paper's figures.
-[[nodiscard]] std::string snapshots_svg(const Scenario&, const std::vector<Frame>&);
-/// Every robot's path, pale at the start and dark at the end, and where the robots came to.
+[[nodiscard]] std::string snapshots_svg(const Scenario&, const std::vector<Frame>&, const Machines&);
+/// Every robot's path, faint at the start and strong at the end, and where the robots came to.
 [[nodiscard]] std::string trajectories_svg(const Scenario&, const std::vector<Frame>&);
-/// The trial as an animation (SMIL), `speed` times as fast as in the world; robots are coloured by the state of their
-/// controller.
-[[nodiscard]] std::string animation_svg(const Scenario&, const std::vector<Frame>&,
-                                        const std::vector<std::string>& states, double speed);
-/// `t,id,x,y,theta,state` with a head line; seconds, centimetres, radians.
-[[nodiscard]] std::string positions_csv(const std::vector<Frame>&, const std::vector<std::string>& states);
+/// The trial as an animation (SMIL), `speed` times as fast as in the world; readers who prefer less motion see its end.
+[[nodiscard]] std::string animation_svg(const Scenario&, const std::vector<Frame>&, const Machines&, double speed);
 
-/// A frame in dots: three bytes each, rows from the top.
-struct Raster {
-    std::size_t width = 0;
-    std::size_t height = 0;
-    std::vector<unsigned char> dots;
-};
-[[nodiscard]] Raster rasterise(const Scenario&, const Frame&, std::size_t width);
+/// The world of a page.
+[[nodiscard]] WorldDrawing page_world(const Scenario&, const View&, const std::string& prefix);
+/// A trial's last frame for a page whose script moves the robots: each is a `use` of the symbol of its state with the
+/// class `sim-robot` and `data-robot`. Ids begin with `prefix`; the rules of style are the page's to have.
+[[nodiscard]] std::string world_svg(const Scenario&, const View&, const Frame& last, const Machines&,
+                                    const std::string& prefix);
+
+/// `t,id,x,y,theta,state` with a head line; seconds, centimetres, radians. Where there are several machines, their
+/// names follow `state:`, each in a column.
+[[nodiscard]] std::string positions_csv(const std::vector<Frame>&, const Machines&);
 
 }  // namespace robochart::simulation

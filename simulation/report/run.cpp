@@ -73,6 +73,7 @@ private:
         const auto stage = options_.stage(scenario_, trial, found_[trial]);
         if (stage == nullptr) return;
         TrialOptions options;
+        options.seed = scenario_.seed + trial;
         options.record = options_.record && trial < recorded_trials(scenario_);
         const std::unique_ptr<Trace> trace = options_.trace ? options_.trace(trial) : nullptr;
         options.trace = trace.get();

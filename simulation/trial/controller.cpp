@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "diagnostics/splitmix64.hpp"
+
 namespace robochart::simulation {
 
 namespace {
@@ -14,12 +16,23 @@ std::string fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission
     if (drive == nullptr) return "its interface is null";
     if (drive->abi_version != ROBOCHART_DRIVE_ABI_VERSION)
         return fmt::format("interface version {} where {} is needed", drive->abi_version, ROBOCHART_DRIVE_ABI_VERSION);
-    if (drive->inputs != emission.inputs.size() || drive->outputs != emission.outputs.size())
-        return "its inputs or outputs are not those that were emitted";
+    if (drive->inputs != emission.inputs.size() || drive->outputs != emission.outputs.size() ||
+        drive->machines != emission.machines.size())
+        return "its inputs, outputs or machines are not those that were emitted";
     return "";
 }
 
 }  // namespace
+
+Machines machines_of(const rc_drive& drive) {
+    Machines result;
+    for (std::uint32_t m = 0; m < drive.machines; ++m) {
+        const rc_machine& machine = drive.machine[m];
+        result.push_back({machine.name, {}});
+        for (std::uint32_t s = 0; s < machine.states; ++s) result.back().states.emplace_back(machine.state[s]);
+    }
+    return result;
+}
 
 std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emission, const std::string& compiler,
                                               std::string& error, diagnostics::Budget* budget,
@@ -40,13 +53,13 @@ std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emi
     return controller;
 }
 
-ControllerArray::ControllerArray(const rc_drive& drive, std::size_t robots) {
+ControllerArray::ControllerArray(const rc_drive& drive, std::size_t robots, std::uint64_t seed) {
     const std::size_t alignment = std::max<std::size_t>(drive.state_alignment, 1);
     stride_ = (drive.state_size + alignment - 1) / alignment * alignment;
     block_.resize(stride_ * robots + alignment);
     const auto address = reinterpret_cast<std::uintptr_t>(block_.data());
     first_ = (alignment - address % alignment) % alignment;
-    for (std::size_t robot = 0; robot < robots; ++robot) drive.initial((*this)[robot]);
+    for (std::size_t robot = 0; robot < robots; ++robot) drive.initial((*this)[robot], diagnostics::splitmix64(seed));
 }
 
 }  // namespace robochart::simulation

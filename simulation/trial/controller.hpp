@@ -11,6 +11,18 @@
 
 namespace robochart::simulation {
 
+/// A state machine of the controllers by its name in the component ("" if it is the only one), and its states.
+struct MachineStates {
+    std::string name;
+    std::vector<std::string> states;
+
+    /// Of a state by its number; "" in between.
+    [[nodiscard]] std::string state(std::size_t number) const { return number < states.size() ? states[number] : ""; }
+};
+/// The machines of the controllers; where one is shown it is the first.
+using Machines = std::vector<MachineStates>;
+[[nodiscard]] Machines machines_of(const rc_drive&);
+
 class Controller {
 public:
     /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
@@ -29,7 +41,8 @@ private:
 /// The controllers of all robots of a trial: one aligned block, a value a robot.
 class ControllerArray {
 public:
-    ControllerArray(const rc_drive&, std::size_t robots);
+    /// `seed`: of what the controllers draw, each from a seed of its own.
+    ControllerArray(const rc_drive&, std::size_t robots, std::uint64_t seed = 1);
 
     [[nodiscard]] void* operator[](std::size_t robot) { return block_.data() + first_ + robot * stride_; }
     [[nodiscard]] const void* operator[](std::size_t robot) const { return block_.data() + first_ + robot * stride_; }

@@ -12,7 +12,7 @@ namespace {
 /// Groups of robots (union-find with halving of paths).
 class Groups {
 public:
-    explicit Groups(std::size_t count) : parent_(count), size_(count, 1) {
+    explicit Groups(std::size_t count) : parent_(count), size_(count, 1), count_(count) {
         std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
     void join(std::uint32_t a, std::uint32_t b) {
@@ -22,8 +22,9 @@ public:
         if (size_[a] < size_[b]) std::swap(a, b);
         parent_[b] = a;
         size_[a] += size_[b];
+        --count_;
     }
-    [[nodiscard]] std::uint32_t largest() const { return *std::max_element(size_.begin(), size_.end()); }
+    [[nodiscard]] Clusters result() const { return {count_, *std::max_element(size_.begin(), size_.end())}; }
 
 private:
     std::uint32_t root(std::uint32_t a) {
@@ -32,12 +33,13 @@ private:
     }
     std::vector<std::uint32_t> parent_;
     std::vector<std::uint32_t> size_;
+    std::size_t count_;
 };
 
 }  // namespace
 
-double largest_cluster(const std::vector<Pose>& poses, double link) {
-    if (poses.empty()) return 0;
+Clusters clusters(const std::vector<Pose>& poses, double link) {
+    if (poses.empty()) return {};
     // Along the x axis: only robots less than a link apart there can be linked.
     std::vector<std::uint32_t> order(poses.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -50,7 +52,21 @@ double largest_cluster(const std::vector<Pose>& poses, double link) {
             if (way.x > link) break;
             if (dot(way, way) <= link * link) groups.join(order[i], order[j]);
         }
-    return static_cast<double>(groups.largest()) / static_cast<double>(poses.size());
+    return groups.result();
+}
+
+double largest_cluster(const std::vector<Pose>& poses, double link) {
+    if (poses.empty()) return 0;
+    return static_cast<double>(clusters(poses, link).largest) / static_cast<double>(poses.size());
+}
+
+double mean_distance(const std::vector<Pose>& poses) {
+    if (poses.size() < 2) return 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        for (std::size_t j = i + 1; j < poses.size(); ++j) sum += length(poses[i].at - poses[j].at);
+    const auto count = static_cast<double>(poses.size());
+    return sum / (count * (count - 1) / 2);
 }
 
 Vector centroid(const std::vector<Pose>& poses) {

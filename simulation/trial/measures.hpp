@@ -9,8 +9,16 @@
 
 namespace robochart::simulation {
 
-/// The share of robots in the largest group of those linked, directly or by others, by at most `link` between centres.
+/// Groups of robots linked, directly or by others, by at most `link` between centres; whoever has no link is a group.
+struct Clusters {
+    std::size_t count = 0;
+    std::size_t largest = 0;  ///< robots in the largest
+};
+[[nodiscard]] Clusters clusters(const std::vector<Pose>&, double link);
+/// The share of robots in the largest group.
 [[nodiscard]] double largest_cluster(const std::vector<Pose>&, double link);
+/// The mean over all pairs of robots of the distance between their centres, cm; 0 without a pair.
+[[nodiscard]] double mean_distance(const std::vector<Pose>&);
 /// The mean distance to the centroid, cm.
 [[nodiscard]] double spread(const std::vector<Pose>&);
 /// The sum of squared distances to the centroid in units of the diameter squared.

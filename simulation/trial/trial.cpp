@@ -38,7 +38,7 @@ public:
           drive_(drive),
           stage_(stage),
           options_(options),
-          controllers_(drive, stage.size()),
+          controllers_(drive, stage.size(), options.seed),
           signals_(plan.inputs + 1),
           requests_(stage.size()),
           variables_(stage.size() * plan.variables.size()),
@@ -253,7 +253,8 @@ private:
         statistics_.look(result_.steps, frame.poses);
         if (!keep) return;
         for (std::size_t robot = 0; robot < stage_.size(); ++robot)
-            frame.states.push_back(static_cast<std::uint16_t>(drive_.state_of(controllers_[robot])));
+            for (std::uint32_t machine = 0; machine < drive_.machines; ++machine)
+                frame.states.push_back(static_cast<std::uint16_t>(drive_.state_of(controllers_[robot], machine)));
         result_.frames.push_back(std::move(frame));
     }
 

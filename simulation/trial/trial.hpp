@@ -19,7 +19,13 @@ namespace robochart::simulation {
 struct Frame {
     double time = 0;
     std::vector<Pose> poses;
-    std::vector<std::uint16_t> states;  ///< index into the controller's table of states; its size in between
+    std::vector<std::uint16_t>
+        states;  ///< robot by robot, of each machine: index into its states; their number in between
+
+    /// Of a robot's machine.
+    [[nodiscard]] std::uint16_t state(std::size_t robot, std::size_t machine = 0) const {
+        return states[robot * (states.size() / poses.size()) + machine];
+    }
 };
 
 /// Why a trial must stop.
@@ -56,6 +62,7 @@ struct TrialResult {
 
 struct TrialOptions {
     bool record = true;      ///< keep frames
+    std::uint64_t seed = 1;  ///< of what the controllers draw
     Trace* trace = nullptr;  ///< not owned
     std::atomic<std::uint64_t>* steps_done = nullptr;
     const std::atomic<bool>* interrupted = nullptr;

@@ -280,16 +280,16 @@ TEST(Project, ProbabilisticClaimsAreSaidNotChecked) {
                           "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
                           "A trigger e } }"},
                          {"m.assertions",
-                          "const C1 : nat\nlabel going = S is in S::A\n"
+                          "const C1 : core::nat\nlabel going = S is in S::A\n"
                           "prob property P_soon: Prob>0.5 of [Finally #going]\n"
                           "untimed assertion A : S is deadlock-free\n"
                           "prob generate path P_run: using simulation for 10 steps\n"
                           "pmodules M: pmodule n { v: bool; [] @v -> skip; }\n"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("not checked  P_soon"));
+    EXPECT_THAT(ran.out, HasSubstr("not checked  P_soon Prob>0.5 of [Finally #going]"));
     EXPECT_THAT(ran.out, HasSubstr("m.assertions:3: not checked: probabilistic"));
-    EXPECT_THAT(ran.out, HasSubstr("not checked  P_run"));
+    EXPECT_THAT(ran.out, HasSubstr("not checked  P_run using simulation for 10 steps"));
     EXPECT_THAT(ran.out, HasSubstr("holds        A"));
     EXPECT_THAT(ran.out, HasSubstr("1 of 3 checks hold, 2 not checked"));
     for (const char* part : {"const C1", "label going", "pmodules M"})

@@ -285,6 +285,16 @@ TEST(Refines, StandardInputIsAScriptThatMayInclude) {
     EXPECT_EQ(run({"cspm", "-"}, "include \"nobody.csp\"\n").exit, 2);
 }
 
+TEST(Refines, SeveralAssertionsAreDecidedInTheOrderOfTheScript) {
+    const TemporaryFile script("several.csp",
+                               "assert STOP :[divergence free]\nassert STOP :[deadlock free]\n"
+                               "assert SKIP :[divergence free]\n");
+    const Ran ran =
+        run({"cspm", "--brief", "--quiet", "--format", "plain", script.path(), "--assertion", "3", "--assertion", "2"});
+    EXPECT_EQ(ran.out, "STOP :[deadlock free]: Failed\nSKIP :[divergence free]: Passed\n");
+    EXPECT_EQ(run({"cspm", script.path(), "--assertion", "1", "--assertion", "4"}).exit, 4);
+}
+
 TEST(Refines, AnAssertionThatIsNotThereIsSaid) {
     const TemporaryFile script("failing.csp", failing);
     const Ran ran = run({"cspm", script.path(), "--assertion", "7"});
@@ -421,6 +431,24 @@ TEST(Progress, TheLineFitsTheTerminal) {
               "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ Q");
     EXPECT_EQ(progress_text(progress, 77),
               "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ ");
+}
+
+/// Logs have a line for each half minute of a phase, the other phase begins anew.
+TEST(Progress, LogsHaveALineNowAndThen) {
+    ProgressLog log("A [timed] S\nx");
+    refine::Progress progress;
+    std::vector<int> said;
+    for (const auto phase : {refine::Progress::Phase::compiling, refine::Progress::Phase::searching})
+        for (int second = 0; second <= 70; ++second) {
+            progress.phase = phase;
+            progress.seconds = second;
+            const auto line = log.line(progress);
+            if (!line) continue;
+            said.push_back(second);
+            EXPECT_THAT(*line, HasSubstr("A [timed] S\\nx: "));
+            EXPECT_THAT(*line, HasSubstr(phase == refine::Progress::Phase::compiling ? "compiling" : "searching"));
+        }
+    EXPECT_THAT(said, ElementsAre(30, 60, 30, 60));
 }
 
 // ---------------------------------------------------------------- exports

@@ -49,6 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         // Names.
         Row{"KnownAssertion", "check claimed --assertion Moves", 0, "2 of 2 checks hold"},
+        Row{"KnownAssertions", "check claimed --assertion MovesInTime --assertion Moves", 0, "3 of 3 checks hold"},
+        Row{"UnknownAssertionBesideAKnown", "check claimed --assertion Moves --assertion Move", 4,
+            "did you mean 'Moves'?"},
         Row{"UnknownAssertion", "check claimed --assertion Move", 4, "did you mean 'Moves'?"},
         Row{"MisspeltAssertionOfAll", "claimed --assertion Movs", 4, "did you mean 'Moves'?"},
         Row{"UnknownAssertionOfAll", "claimed --assertion nothing_like_it", 4,

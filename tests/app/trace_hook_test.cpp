@@ -153,8 +153,18 @@ const char* const robot_with_parts = R"(#include "M.hpp"
 #include "robochart/trace_file.hpp"
 namespace core = p::M_core;
 using Types = robochart::Deployment;
+struct Robot : p::M {
+    void say(robochart::String<31>) override {}
+    void go(core::Pose<Types>, robochart::Sequence<std::int64_t, Types::longest>) override {}
+    void mix(robochart::Set<core::Colour, 2>) override {}
+    void push(robochart::Vector<std::int64_t, 2>) override {}
+    void turn(robochart::Matrix<std::int64_t, 1, 2>) override {}
+    void note(core::Job<Types>) override {}
+    void label(core::Tuple_nat_boolean<Types>) override {}
+    void tell_operation(core::Tag<Types>) override {}
+};
 int main() {
-    p::M robot;
+    Robot robot;
     robochart::TraceFile log(p::M::RunHeader());
     if (!log.open("run.trace")) return 1;
     robot.SetTracer(&log);

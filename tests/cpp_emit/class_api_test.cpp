@@ -90,10 +90,40 @@ int main() {
 })");
 }
 
-TEST_F(GeneratedClasses, TimersShowAndResetTheClock) {
+/// The compiler names the operations of the platform that a class forgets; the model's own need not be there.
+TEST_F(GeneratedClasses, OperationsOfThePlatformHaveToBeOverridden) {
     run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
+#include <type_traits>
+struct Forgetful : swarm_taxis::SwarmTaxisFSM {
+    void MoveForward() override {}
+    void CheckIlluminationStatus() override {}
+    void CalcCoherenceHeading() override {}
+    void CalcAvoidanceHeading() override {}
+};
+struct Robot : Forgetful {
+    void StartTurning(double) override {}
+};
 int main() {
-    swarm_taxis::SwarmTaxisFSM robot;
+    EXPECT(std::is_abstract_v<Forgetful>);
+    EXPECT(!std::is_abstract_v<Robot>);
+    return 0;
+})");
+}
+
+/// A swarm taxi whose platform does nothing.
+constexpr const char* idle_taxi = R"(
+struct Robot : swarm_taxis::SwarmTaxisFSM {
+    void MoveForward() override {}
+    void CheckIlluminationStatus() override {}
+    void CalcCoherenceHeading() override {}
+    void CalcAvoidanceHeading() override {}
+    void StartTurning(double) override {}
+};)";
+
+TEST_F(GeneratedClasses, TimersShowAndResetTheClock) {
+    run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", std::string(idle_taxi) + R"(
+int main() {
+    Robot robot;
     robot.step();
     EXPECT(robot.T.counter == 1);
     for (int i = 0; i < 20; ++i) robot.step();
@@ -108,9 +138,9 @@ int main() {
 }
 
 TEST_F(GeneratedClasses, ValuesComeWithTheirEvents) {
-    run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
+    run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", std::string(idle_taxi) + R"(
 int main() {
-    swarm_taxis::SwarmTaxisFSM robot;
+    Robot robot;
     robot.step();
     robot.illumination = true;
     robot.illumination_value = true;
@@ -122,6 +152,29 @@ int main() {
     EXPECT(!robot.illuminated && robot.avoidanceRadius == 0.1);
     return 0;
 })");
+}
+
+/// What the comment of an event says of a machine whose entry action calls an operation with this statement.
+std::string comment_of_event(const std::string& statement) {
+    const ir::System system = testing::model(
+        "package p interface O { go() wait_or_not() } operation wait_or_not() { requires O initial i final F "
+        "transition t { from i to F action go() ; " +
+        statement +
+        " } } stm M { requires O event e initial i state A { entry wait_or_not() } state B { } "
+        "transition t0 { from i to A } transition t1 { from A to B trigger e } } "
+        "controller K { requires O event e opref o = wait_or_not sref m = M connection K on e to m on e }");
+    for (const OutputFile& file : testing::emit_ok(system, testing::component(system, "K")).files) {
+        const std::size_t at = file.text.find("event e: ");
+        if (at != std::string::npos) return file.text.substr(at, file.text.find('\n', at) - at);
+    }
+    return "";
+}
+
+TEST(GeneratedEvents, AreLostInActionsOnlyWhereOneTakesTime) {
+    EXPECT_EQ(comment_of_event("wait(2)"),
+              "event e: raise it before a cycle, which lowers it again; lost in a cycle spent in an action");
+    EXPECT_EQ(comment_of_event("wait(0)"), "event e: raise it before a cycle, which lowers it again");
+    EXPECT_EQ(comment_of_event("skip"), "event e: raise it before a cycle, which lowers it again");
 }
 
 TEST_F(GeneratedClasses, EventsAreRaisedAndHeardByMethods) {

@@ -14,6 +14,23 @@
 
 namespace robochart::cpp_emit::testing {
 
+const char* const typed_model = R"(package p
+enumeration Light { Red Green }
+interface I { go(a : real, b : nat) lamp(l : Light) var level : int }
+interface E { event see : Light event count : nat event done : nat }
+stm M { requires I uses E var l : Light var n : nat initial i
+    state A { entry go(0.5, 3) }
+    final F
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger see?l action lamp(l) ; level = 7 }
+    transition t2 { from A to F trigger count?n action done!n } }
+controller C { requires I uses E sref m = M connection C on see to m on see connection C on count to m on count
+    connection m on done to C on done }
+robotic platform R { provides I uses E }
+module Mod { rref r = R cref c = C connection r on see to c on see (_async) connection r on count to c on count (_async)
+    connection c on done to r on done (_async) }
+)";
+
 namespace {
 
 ir::System lowered(const diagnostics::SourceManager& sources, const frontend::Model& model,

@@ -66,6 +66,51 @@ int main() {
         "cmake -S user -B user/build -DCMAKE_PREFIX_PATH=$PWD/prefix && cmake --build user/build && user/build/user");
 }
 
+/// Probabilistic junctions are drawn by the chances of their ways. 100,000 draws of 0.75 lie within five standard
+/// deviations, 0.00685, of it.
+TEST_F(Project, JunctionsAreDrawnByTheirChances) {
+    emit(testing::model(R"(package p
+interface O { left() right() never() }
+stm M { requires O event go initial i probabilistic p
+    state A { } state B { entry left() } state C { entry right() } state D { entry never() }
+    transition t0 { from i to A } transition t1 { from A to p trigger go }
+    transition t2 { from p to B probability 0.75 } transition t3 { from p to D probability 0 }
+    transition t4 { from p to C probability 1/4 }
+    transition t5 { from B to A } transition t6 { from C to A } transition t7 { from D to A } }
+)"),
+         "M", Target::library);
+    write("user.cpp", R"(#include <cmath>
+#include <string>
+#include "M.hpp"
+struct Robot : p::M {
+    void left() noexcept override { ways += 'l'; }
+    void right() noexcept override { ways += 'r'; }
+    void never() noexcept override { ways += 'n'; }
+    std::string drawn(int cycles) {
+        ways.clear();
+        reset();
+        while (cycles-- > 0) { raise_go(); step(); }
+        return ways;
+    }
+    std::string ways;
+};
+int main() {
+    Robot robot, other;
+    double left = 0;
+    for (const char way : robot.drawn(200'000)) {
+        if (way == 'n') return 1;
+        left += way == 'l';
+    }
+    if (robot.ways.size() < 90'000 || std::abs(left / static_cast<double>(robot.ways.size()) - 0.75) > 0.00685) return 2;
+    robot.SetSeed(7); other.SetSeed(7);
+    const std::string ways = robot.drawn(100);
+    if (ways.size() < 40 || ways != other.drawn(100)) return 3;
+    other.SetSeed(8);
+    return ways == other.drawn(100) ? 4 : 0;
+})");
+    folder_.run("c++ -std=c++17 -O1 " + flags.substr(4) + " -Icontroller -o user user.cpp controller/M.cpp && ./user");
+}
+
 TEST_F(Project, TheConsoleTakesLinesOrTime) {
     emit("swarm_taxis", "SwarmTaxis", Target::main);
     build();
@@ -85,24 +130,6 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
     EXPECT_NE(folder_.status("build/SwarmTaxisFSM_console often", output), 0);
     EXPECT_NE(output.find("usage"), std::string::npos) << output;
 }
-
-/// An enumeration, whole numbers, several arguments, an event sent, termination.
-const char* const typed = R"(package p
-enumeration Light { Red Green }
-interface I { go(a : real, b : nat) lamp(l : Light) var level : int }
-interface E { event see : Light event count : nat event done : nat }
-stm M { requires I uses E var l : Light var n : nat initial i
-    state A { entry go(0.5, 3) }
-    final F
-    transition t0 { from i to A }
-    transition t1 { from A to A trigger see?l action lamp(l) ; level = 7 }
-    transition t2 { from A to F trigger count?n action done!n } }
-controller C { requires I uses E sref m = M connection C on see to m on see connection C on count to m on count
-    connection m on done to C on done }
-robotic platform R { provides I uses E }
-module Mod { rref r = R cref c = C connection r on see to c on see (_async) connection r on count to c on count (_async)
-    connection c on done to r on done (_async) }
-)";
 
 TEST(ProjectText, APackageIsWellFormed) {
     const ir::System system = testing::corpus("swarm_taxis");
@@ -207,7 +234,7 @@ TEST_F(Project, RobotsInEnki) {
 
 TEST_F(Project, RobotsOfOtherModelsInEnki) {
     ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
-    emit(testing::model(typed), "Mod", Target::enki);
+    emit(testing::model(testing::typed_model), "Mod", Target::enki);
     build();
     const std::string output = folder_.run("build/M_enki 1 1");
     EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;

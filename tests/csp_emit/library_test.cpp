@@ -100,6 +100,20 @@ TEST(BlockLibrary, ARecordWithoutAFieldHasItsDefault) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-T21"));
 }
 
+// RoboTool's scripts pass modules and controllers the constants of their parts: a block may define these alone, or that
+// of the machine, which then is the part's too.
+TEST(BlockLibrary, ConstantsOfPartsCountInClaims) {
+    for (const char* const constant : {"const_C_r_k", "const_S_k"}) {
+        const auto m = testing::model(
+            "stm S { const k : nat event o : nat initial i state A { } transition t0 { from i to A action o ! k } } "
+            "controller C { event o : nat sref r = S connection r on o to C on o }",
+            std::string("csp Instantiations csp-begin\n") + constant +
+                " = 2\ncsp-end\nuntimed csp Q csp-begin\nQ = C::o.out!2 -> STOP\ncsp-end\n"
+                "untimed assertion T : C equals Q\n");
+        EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds")) << constant << m->messages();
+    }
+}
+
 // RoboTool looks at no contract: what is wrong there takes the contract away, and nothing else.
 TEST(BlockLibrary, AWrongContractIsNone) {
     const auto m = testing::model(

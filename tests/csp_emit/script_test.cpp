@@ -243,9 +243,27 @@ TEST(Files, DefinitionsAndAssertionsThatIncludeThem) {
     EXPECT_EQ(written[0].path, "csp-gen/timed/model.csp");
     EXPECT_EQ(written[1].path, "csp-gen/timed/model_assertions.csp");
     EXPECT_THAT(written[0].text, HasSubstr("module S"));
-    EXPECT_THAT(written[0].text, Not(HasSubstr("assert")));
+    EXPECT_THAT(written[0].text, Not(HasSubstr("\nassert")));
+    EXPECT_THAT(written[0].text, HasSubstr("the assertions are in model_assertions.csp"));
+    EXPECT_THAT(written[1].text, HasSubstr("`refines model_assertions.csp`"));
     EXPECT_THAT(written[1].text, HasSubstr("include \"model.csp\""));
     EXPECT_THAT(written[1].text, HasSubstr("assert S::D__(0) :[divergence free]"));
+}
+
+/// Who opens the file elsewhere finds the claims by their names, and the blocks as they were explained.
+TEST(Files, KeepNamesOfClaimsAndCommentsOfBlocks) {
+    const auto m = testing::model_of(
+        {{"m/s.rct", "stm S { event a initial i state A { } transition t0 { from i to A } }"},
+         {"m/s.assertions",
+          "untimed assertion Rests : S equals P\n"
+          "untimed csp P csp-begin\n  -- P does nothing\n  P = STOP -- at all\ncsp-end\n"
+          "untimed csp Instantiations csp-begin\n  -- small numbers\n  nametype core_nat = {0..1}\ncsp-end\n"}});
+    const auto written = files(m->emit(Time::untimed), Time::untimed, "s");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    EXPECT_THAT(written[0].text, HasSubstr("-- small numbers\nnametype core_nat = {0..1}\n"));
+    EXPECT_THAT(written[1].text, HasSubstr("-- P does nothing\n-- at all\nP = STOP\n"));
+    EXPECT_THAT(written[1].text, HasSubstr("\n\n-- Rests [untimed] S equals P, m/s.assertions:1\n"
+                                           "assert P [FD= S::D__(0)\nassert S::D__(0) [FD= P\n"));
 }
 
 TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {

@@ -1,5 +1,5 @@
 // Runs of blanks become one; the ends have none.
-#include "diagnostics/one_line.hpp"
+#include "diagnostics/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,12 @@
 namespace robochart::editors {
 
 std::set<std::string> assertion_words() {
-    std::ifstream in(tests::source_folder().string() + "/frontend/syntax/parser_assertions.cpp", std::ios::binary);
-    const std::string source(std::istreambuf_iterator<char>(in), {});
-    const std::regex literal("\"([a-z]+(-[a-z]+)*)\"");
+    std::string source;
+    for (const char* file : {"parser_assertions.cpp", "parser_probability.cpp"}) {
+        std::ifstream in(tests::source_folder().string() + "/frontend/syntax/" + file, std::ios::binary);
+        source.append(std::istreambuf_iterator<char>(in), {});
+    }
+    const std::regex literal("\"([A-Za-z]+(-[a-z]+)*)\"");
     std::set<std::string> words;
     for (std::sregex_iterator it(source.begin(), source.end(), literal); it != std::sregex_iterator(); ++it)
         words.insert((*it)[1]);

@@ -44,17 +44,17 @@ expect "--help --version" --
 expect "emit explain" e
 expect "aggregation" check agg
 expect "aggregation" agg
-expect "cpp csp monitor tests" emit ""
-expect "aggregation false_claims swarm_taxis" emit cpp ""
-expect "check conform cspm draw emit explain format help init lsp simulate step validate verify version" help ""
+expect "cpp csp monitor prism tests" emit ""
+expect "aggregation false_claims foraging swarm_taxis" emit cpp ""
+expect "check conform cspm draw emit explain format help init lsp prism simulate step validate verify version" help ""
 expect "always auto never" check --color ""
 expect "json" check --format js
 expect "json" check --format = js
 expect "aut csp dot" cspm --export ""
 expect "timed-script" check aggregation --print t
 expect "" check --timeout ""
-expect "aggregation false_claims swarm_taxis" check aggregation --out ""
-expect "aggregation false_claims swarm_taxis" check aggregation -o ""
+expect "aggregation false_claims foraging swarm_taxis" check aggregation --out ""
+expect "aggregation false_claims foraging swarm_taxis" check aggregation -o ""
 [ "$failures" -eq 0 ] || { echo "$failures failures" >&2; exit 1; }
 complete -p robochart-verify | grep -q _robochart_verify
 echo "the completion offers what --help lists"

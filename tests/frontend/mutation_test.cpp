@@ -87,7 +87,8 @@ TEST(Mutations, GiveOneMessageOrTwo) {
                     count.mutations, 100 * count.share(count.above_one), 100 * count.share(count.above_two), count.most,
                     count.worst.c_str());
         EXPECT_LE(count.share(count.above_two), 0.02) << name;
-        EXPECT_LE(count.most, 5U) << name << ": " << count.worst << "\n" << count.report;
+        // A reserved word put for the name of an event is wrong there, and the name in the five places that use it.
+        EXPECT_LE(count.most, 6U) << name << ": " << count.worst << "\n" << count.report;
     }
     EXPECT_GT(deleted.mutations, 500U);
 }

@@ -16,6 +16,9 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "checker/prism/checks/check.hpp"
+#include "checker/prism/session.hpp"
+#include "checker/prism/syntax/reader.hpp"
 #include "conformance/model/rules.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
@@ -49,6 +52,7 @@ std::string file_name(const app::Block& block, std::size_t number) {
     const std::string suffix = number == 0 ? "" : std::to_string(number + 1);
     if (block.language == "assertions") return "claims" + suffix + ".assertions";
     if (block.language == "cspm") return "script" + suffix + ".csp";
+    if (block.language == "prism" || block.language == "props") return "model" + suffix + "." + block.language;
     return "model" + suffix + ".rct";
 }
 
@@ -87,6 +91,34 @@ void read_script(const std::string& path, Judgement& result) {
     diagnostics::Diagnostics diagnostics;
     const auto script = cspm::read_file(sources, path, diagnostics);
     if (diagnostics.ok()) (void)cspm::check_types(script, diagnostics);
+    take(sources, diagnostics, result);
+}
+
+/// Explores the model too, and decides the properties.
+void evaluate(const prism::CheckedModel& model, const prism::CheckedProperties& properties,
+              diagnostics::Diagnostics& diagnostics) {
+    try {
+        const prism::StateSpace space(model, {}, {}, diagnostics);
+        prism::Session session(space, properties, {});
+        for (std::size_t i = 0; i < properties.properties.size(); ++i) (void)session.check(i, {});
+    } catch (const prism::EvaluationError& error) {
+        error.report(diagnostics);
+    }
+}
+
+/// The first file is the model, the others are its properties.
+void read_prism(const std::vector<std::string>& paths, Judgement& result) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::string error;
+    const auto source = sources.load(paths.front(), error).value();
+    const auto model = prism::check_model(prism::read_model(sources, source, diagnostics), diagnostics);
+    prism::PropertyFile file;
+    if (paths.size() > 1) file = prism::read_properties(sources, sources.load(paths[1], error).value(), diagnostics);
+    if (model && diagnostics.ok()) {
+        const prism::CheckedProperties properties = prism::check_properties(*model, file, diagnostics);
+        if (diagnostics.ok()) evaluate(*model, properties, diagnostics);
+    }
     take(sources, diagnostics, result);
 }
 
@@ -137,6 +169,7 @@ void run(const app::Options& options, Judgement& result) {
     bool good = project->diagnostics.ok();
     if (good && (all || options.verb == app::Verb::emit_csp)) good = app::write_csp(*project, options, report);
     if (good && options.verb == app::Verb::emit_cpp) good = app::write_cpp(*project, options, report);
+    if (good && options.verb == app::Verb::emit_prism) good = app::write_prism(*project, options, report);
     if (good && options.verb == app::Verb::conform) {
         app::check_conformance(*project, options, report);
         for (const app::ConformanceReport& each : report.conformance) take(each, result);
@@ -173,6 +206,7 @@ Judgement judge(const std::vector<app::Block>& example) {
     Judgement result;
     std::string console;
     std::vector<std::string> scripts;
+    std::vector<std::string> prism;
     bool has_model = false;
     std::size_t number = 0;
     for (const app::Block& block : example) {
@@ -187,6 +221,10 @@ Judgement judge(const std::vector<app::Block>& example) {
         std::ofstream(path, std::ios::binary) << block.text;
         add_expectations(path.filename().string(), block.text, result.expected);
         if (block.language == "cspm") scripts.push_back(path.string());
+        if (block.language == "prism" || block.language == "props") {
+            prism.push_back(path.string());
+            continue;
+        }
         has_model = has_model || block.language != "cspm";
     }
     if (!console.empty()) {
@@ -194,6 +232,7 @@ Judgement judge(const std::vector<app::Block>& example) {
     } else {
         if (has_model) read_model({folder.path().string()}, result);
         if (!scripts.empty()) read_script(scripts.front(), result);
+        if (!prism.empty()) read_prism(prism, result);
     }
     return result;
 }

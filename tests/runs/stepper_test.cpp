@@ -9,35 +9,17 @@
 #include <map>
 
 #include "diagnostics/splitmix64.hpp"
-#include "tests/csp_emit/fixture.hpp"
 #include "tests/random_models/models/well_formed.hpp"
 #include "tests/rounds.hpp"
+#include "tests/runs/animation.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::runs {
 namespace {
 
 using csp_emit::Time;
-using csp_emit::testing::Model;
 using lts::Word;
-
-/// A component that is being animated, with all that this needs.
-struct Animation {
-    Animation(std::unique_ptr<Model> read, Time time, const std::string& path)
-        : model(std::move(read)), emission(model->emit(time)), session(emission.script) {
-        for (const csp_emit::ComponentProcesses& each : emission.components)
-            if (each.path == path || path.empty()) process = each.process;
-        stepper.emplace(reader, session.process(process));
-    }
-
-    std::unique_ptr<Model> model;
-    csp_emit::Emission emission;
-    cspm::Session session;
-    Context context{emission.provenance, model->system, model->instantiation, model->sources, session};
-    StepReader reader{context};
-    cspm::ExprPtr process;
-    std::optional<Stepper> stepper;
-};
+using testing::Animation;
 
 /// The states of the compiled process that the way may have led to: the same events may lead to several.
 class Shadow {
@@ -210,6 +192,22 @@ controller C { sref a = A sref b = B connection b on e to a on e })"),
     ASSERT_EQ(absences.size(), 1U);
     EXPECT_EQ(absences.front().text, "t1: S -> T");
     EXPECT_THAT(absences.front().reason, ::testing::HasSubstr("its surroundings do not take part"));
+}
+
+// After the first step one machine has moved, the other is still behind the definition that it begins with.
+TEST(Stepper, HasAllMachinesAtEveryStep) {
+    Animation animation(csp_emit::testing::model(R"(
+stm A { initial i state S { } transition t0 { from i to S } }
+stm B { initial i state S { } transition t0 { from i to S } }
+controller C { sref a = A sref b = B })"),
+                        Time::untimed, "C");
+    Stepper& stepper = *animation.stepper;
+    for (int i = 0; i < 3; ++i) {
+        std::vector<std::string> components;
+        for (const Machine& each : stepper.machines()) components.push_back(each.component);
+        EXPECT_EQ(components, (std::vector<std::string>{"C::a", "C::b"})) << "step " << i;
+        stepper.take(0);
+    }
 }
 
 TEST(Stepper, MakesARunOfTheWay) {

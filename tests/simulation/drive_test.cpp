@@ -1,6 +1,9 @@
 // The interface for simulators carries values of every generated type to the controller and back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "harness.hpp"
 
 namespace robochart::simulation {
@@ -8,6 +11,7 @@ namespace {
 
 using cpp_emit::Carried;
 using testing::Experiment;
+using testing::replaced;
 
 constexpr const char* model = R"(
 enumeration Colour { Red Green Blue }
@@ -63,8 +67,8 @@ protected:
         ControllerArray one(controller_->drive(), 1);
         rc_actions actions{};
         EXPECT_EQ(controller_->drive().step(one[0], signals_.data(), &actions), RC_DRIVE_QUIESCENT);
-        EXPECT_EQ(controller_->drive().state_of(one[0]), 0U);
-        EXPECT_STREQ(controller_->drive().state[0], "Ready");
+        EXPECT_EQ(controller_->drive().state_of(one[0], 0), 0U);
+        EXPECT_STREQ(controller_->drive().machine[0].state[0], "Ready");
         if (actions.count != 1) {
             ADD_FAILURE() << actions.count << " actions";
             return {};
@@ -107,7 +111,8 @@ TEST_F(Echo, SaysWhatEachPortCarries) {
 TEST_F(Echo, NamesItsPlaceInTheModel) {
     ControllerArray one(controller_->drive(), 1);
     EXPECT_STREQ(controller_->drive().place_of(one[0]), "Echo::i (model.rct:13)");
-    EXPECT_EQ(controller_->drive().state_of(one[0]), controller_->drive().states) << "in no state yet";
+    ASSERT_EQ(controller_->drive().machines, 1U);
+    EXPECT_EQ(controller_->drive().state_of(one[0], 0), controller_->drive().machine[0].states) << "in no state yet";
 }
 
 TEST(Drive, BearsAnyNameOfTheModelsFile) {
@@ -117,6 +122,85 @@ TEST(Drive, BearsAnyNameOfTheModelsFile) {
     ASSERT_NE(controller, nullptr) << error;
     ControllerArray one(controller->drive(), 1);
     EXPECT_STREQ(controller->drive().place_of(one[0]), "Echo::i (a \"strange\\ name.rct:13)");
+}
+
+/// One machine stays, the other goes on with the event, into the inner state of a composite one.
+TEST(Drive, ShowsTheStateOfEachMachine) {
+    Experiment experiment(R"(
+interface Events { event go }
+robotic platform Body { uses Events }
+stm Stays { initial i state Here { } transition t0 { from i to Here } }
+stm Goes {
+	uses Events
+	initial i
+	state Waiting { }
+	state Going { initial j state Slow { } state Fast { } transition u0 { from j to Fast } transition u1 { from Fast to Slow trigger go } }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Going trigger go }
+}
+controller Brain {
+	uses Events
+	sref stays = Stays
+	sref goes = Goes
+	connection Brain on go to goes on go
+}
+module Robot {
+	rref body = Body
+	cref brain = Brain
+	connection body on go to brain on go (_async)
+}
+)",
+                          replaced(replaced(scenario, "for Echo", "for Robot"), "n_in = 3", "go"));
+    const RunResult result = experiment.run();
+    ASSERT_NE(experiment.controller, nullptr) << experiment.messages();
+    const std::vector<MachineStates> machines = machines_of(experiment.controller->drive());
+    ASSERT_EQ(machines.size(), 2U);
+    EXPECT_EQ(machines[0].name, "brain::stays");
+    EXPECT_EQ(machines[1].name, "brain::goes");
+    ASSERT_EQ(experiment.emission.machines.size(), 2U);
+    EXPECT_EQ(experiment.emission.machines[1].states.size(), machines[1].states.size());
+    const Frame& last = result.trials.at(0).frames.back();
+    EXPECT_EQ(machines[0].state(last.state(0, 0)), "Here");
+    EXPECT_EQ(machines[1].state(last.state(0, 1)), "Going::Fast");
+}
+
+/// Each of the robots draws its own way, each trial draws others, and a run that is repeated the same.
+TEST(Drive, RobotsDrawTheirWays) {
+    Experiment experiment(R"(
+stm Coin {
+	event go
+	initial i
+	probabilistic p
+	state Heads { }
+	state Tails { }
+	transition t0 { from i to p }
+	transition t1 { from p to Heads probability 0.5 }
+	transition t2 { from p to Tails probability 0.5 }
+	transition t3 { from Heads to p trigger go }
+	transition t4 { from Tails to p trigger go }
+}
+)",
+                          replaced(replaced(scenario, "for Echo", "for Coin"), "n_in = 3", "go"));
+    std::string error;
+    const auto controller = Controller::build(experiment.emission, "", error);
+    ASSERT_NE(controller, nullptr) << error << experiment.messages();
+    constexpr std::size_t robots = 1000;
+    const auto heads = [&](std::uint64_t seed) {
+        ControllerArray all(controller->drive(), robots, seed);
+        std::vector<bool> result;
+        const rc_signal none{};
+        rc_actions actions{};
+        for (std::size_t robot = 0; robot < robots; ++robot) {
+            EXPECT_EQ(controller->drive().step(all[robot], &none, &actions), RC_DRIVE_QUIESCENT);
+            result.push_back(controller->drive().state_of(all[robot], 0) == 0);
+        }
+        return result;
+    };
+    const std::vector<bool> first = heads(1);
+    const auto count = std::count(first.begin(), first.end(), true);
+    EXPECT_NEAR(static_cast<double>(count), 500.0, 79.0) << "five standard deviations";
+    EXPECT_EQ(first, heads(1));
+    EXPECT_NE(first, heads(2));
 }
 
 /// Events that nothing feeds are reported (RC-M14); a number feeds nat by a stimulus.

@@ -14,6 +14,22 @@
       for (const part of figure.querySelectorAll('[data-element="' + word.slice(colon + 1) + '"]')) part.classList.add(name);
     }
   }
+  // Rows have the variables of a machine where they are not as in the row before.
+  function values(claim, rows, index) {
+    for (const figure of claim.querySelectorAll("figure[data-machine]")) {
+      const place = figure.querySelector(".values");
+      let at = index;
+      while (at > 0 && !(figure.dataset.machine in valuesOf(rows[at]))) --at;
+      place.textContent = "";
+      (valuesOf(rows[at])[figure.dataset.machine] || []).forEach(([name, value, changed], i) => {
+        if (i > 0) place.append(", ");
+        const shown = document.createElement(changed && at === index ? "mark" : "span");
+        shown.textContent = name + " = " + value;
+        place.append(shown);
+      });
+    }
+  }
+  function valuesOf(row) { return JSON.parse(row.dataset.values); }
   function show(claim, index, move) {
     const rows = steps(claim);
     if (rows.length === 0) return;
@@ -24,15 +40,19 @@
     row.setAttribute("aria-current", "step");
     marked(claim, row.dataset.on, "on");
     marked(claim, row.dataset.fired, "fired");
+    values(claim, rows, index);
     claim.querySelector(".status").textContent = "step " + index + " of " + (rows.length - 1) + ": " + row.dataset.text;
     current = claim;
+    const panel = claim.querySelector(".steps");
+    if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
+      panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
     if (move) {
       history.replaceState(null, "", "#" + claim.id + "/s/" + index);
       row.scrollIntoView({ block: "nearest" });
     }
   }
   function fromAddress() {
-    const match = /^#(a[0-9]+)(?:\/s\/([0-9]+))?$/.exec(location.hash);
+    const match = /^#([ac][0-9]+)(?:\/s\/([0-9]+))?$/.exec(location.hash);
     const claim = match && document.getElementById(match[1]);
     if (!claim || !claim.classList.contains("claim")) return;
     show(claim, match[2] === undefined ? steps(claim).length - 1 : Number(match[2]), false);
@@ -43,7 +63,11 @@
       row.tabIndex = 0;
       row.addEventListener("click", () => show(claim, index, true));
     });
-    for (const button of claim.querySelectorAll(".controls button"))
+    const size = claim.querySelector("button.size");
+    size.addEventListener("click", () => {
+      size.setAttribute("aria-pressed", claim.querySelector(".drawn").classList.toggle("full"));
+    });
+    for (const button of claim.querySelectorAll(".controls button[data-to]"))
       button.addEventListener("click", () => {
         const last = steps(claim).length - 1;
         const to = { first: 0, back: at(claim) - 1, next: at(claim) + 1, last: last };

@@ -82,4 +82,14 @@ DeclPtr declaration_of(const Script& script, std::string_view path) {
     return found(path, {&script.decls});
 }
 
+std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls) {
+    std::vector<DeclPtr> result;
+    for (const DeclPtr& decl : decls) {
+        if (decl->kind == DeclKind::assertion) result.push_back(decl);
+        for (const auto* const inside : {&decl->decls, &decl->exports})
+            for (DeclPtr& each : assertions_in(*inside)) result.push_back(std::move(each));
+    }
+    return result;
+}
+
 }  // namespace robochart::cspm

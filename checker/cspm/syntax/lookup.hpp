@@ -1,4 +1,4 @@
-// Where a qualified name is declared, in the text of a script: for tools that look at scripts without evaluating them.
+// What is declared where in the text of a script: for tools that look at scripts without evaluating them.
 #pragma once
 
 #include <string>
@@ -16,5 +16,8 @@ namespace robochart::cspm {
 /// too, into timed sections, and from an instance into the module that it is made of. Of a function the first clause.
 /// Null if there is none.
 [[nodiscard]] DeclPtr declaration_of(const Script& script, std::string_view path);
+
+/// The assertions among declarations in their order, those inside modules and timed sections too.
+[[nodiscard]] std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

@@ -246,4 +246,10 @@ std::string print(const Script& script) {
     return layout.render();
 }
 
+std::string print(const Decl& decl) {
+    Layout layout(110);
+    Printer(layout).declaration(decl);
+    return layout.render();
+}
+
 }  // namespace robochart::cspm

@@ -16,6 +16,7 @@ public:
 
     void script(const Script& script);
     void expression(const ExprPtr& expr, int minimum = 0);
+    void declaration(const Decl& decl);
 
 private:
     // expressions
@@ -52,7 +53,6 @@ private:
 
     // declarations
     void declarations(const std::vector<DeclPtr>& decls);
-    void declaration(const Decl& decl);
     void comment(const std::string& text);
     void definition(const Decl& decl);
     void datatype(const Decl& decl);

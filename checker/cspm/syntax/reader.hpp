@@ -25,5 +25,7 @@ using Loader = std::function<std::optional<diagnostics::SourceId>(const std::str
 /// Writes a tree as text that FDR accepts and `read` maps back to an equal tree. Stable; lines up to about 110 columns.
 [[nodiscard]] std::string print(const Script&);
 [[nodiscard]] std::string print(const ExprPtr&);
+/// Without its comment, and without a line end behind it.
+[[nodiscard]] std::string print(const Decl&);
 
 }  // namespace robochart::cspm

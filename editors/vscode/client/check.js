@@ -22,6 +22,31 @@ function linesOf(report) {
     });
 }
 
+/** "t=3: input obstacle": a step as the list of steps has it. */
+const textOf = (step) => (step.time === undefined ? step.text : `t=${step.time}: ${step.text}`);
+
+/** The steps of a counterexample that are somewhere in the texts, in order; lines and columns count from 1. */
+function stepsOf(counterexample) {
+    return (counterexample?.steps ?? [])
+        .filter((step) => step.file !== undefined)
+        .map(({ file, line, column, endLine, endColumn, ...step }) => ({
+            file,
+            range: [line, column, endLine, endColumn],
+            text: textOf(step),
+        }));
+}
+
+/** What fails: the line of the assertion, why, and the steps that show it. */
+function failuresOf(report) {
+    return (report.assertions ?? [])
+        .filter((each) => each.answer === "fails")
+        .map((each) => ({
+            line: Number(/:(\d+)$/.exec(each.place ?? "")?.[1] ?? 1),
+            text: [`${each.title} fails`, each.counterexample?.end?.why].filter((part) => part).join(": "),
+            steps: stepsOf(each.counterexample),
+        }));
+}
+
 function parsed(text) {
     try {
         return JSON.parse(text);
@@ -39,7 +64,7 @@ function errorsOf(report) {
 
 /**
  * Runs `PROGRAM check FILE --assertion NAME`; no shell is involved.
- * Gives `{ verdict, lines }`; the verdict is "error" where there is none, and the lines say why.
+ * Gives `{ verdict, lines, failures }`; the verdict is "error" where there is none, and the lines say why.
  */
 function checkAssertion(program, file, name) {
     const words = ["check", file, "--assertion", name, "--format", "json"];
@@ -47,10 +72,10 @@ function checkAssertion(program, file, name) {
         execFile(program, words, { maxBuffer: 64 * 1024 * 1024 }, (failure, stdout, stderr) => {
             const report = parsed(stdout);
             const verdict = report && verdictOf(report);
-            if (verdict !== undefined) return resolve({ verdict, lines: linesOf(report) });
+            if (verdict !== undefined) return resolve({ verdict, lines: linesOf(report), failures: failuresOf(report) });
             const errors = [...errorsOf(report), ...errorsOf(parsed(stderr))];
             const why = errors.length > 0 ? errors : [(stderr || failure?.message || "no answer").trim()];
-            return resolve({ verdict: "error", lines: why });
+            return resolve({ verdict: "error", lines: why, failures: [] });
         });
     });
 }

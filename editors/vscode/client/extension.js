@@ -7,6 +7,7 @@ const { checkAssertion } = require("./check");
 const { Lenses } = require("./lenses");
 const preview = require("./preview");
 const { findProgram } = require("./program");
+const { Steps } = require("./steps");
 
 /** The texts that verdicts depend on. */
 const models = [
@@ -17,12 +18,17 @@ const models = [
 /** The texts the server is asked about. */
 const documentSelector = [...models, { scheme: "file", language: "cspm" }];
 
-/** The command of the server's lenses; the server offers them to those who name it at the start. */
+/** The commands of the server's lenses; the server offers those that are named at the start. */
 const checkCommand = "robochart.check";
+const drawCommand = "robochart.draw";
+const stepCommand = "robochart.step";
+/** The command of our own lens behind an assertion that fails. */
+const stepsCommand = "robochart.steps";
 
 let client;
 let output;
 let lenses;
+let steps;
 let diagrams;
 
 /** The work in hand: starts and stops never overlap. */
@@ -63,8 +69,11 @@ async function check(uri, name) {
     const edition = lenses.edition;
     lenses.set(uri, name, "checking …");
     refreshLenses();
-    const { verdict, lines } = await checkAssertion(found.program, file, name);
-    if (edition === lenses.edition) lenses.set(uri, name, verdict);
+    const { verdict, lines, failures } = await checkAssertion(found.program, file, name);
+    if (edition === lenses.edition) {
+        lenses.set(uri, name, verdict, failures);
+        steps.report(uri, name, failures);
+    }
     refreshLenses();
     output.appendLine(`check ${file} --assertion ${name}`);
     for (const line of lines) output.appendLine(line);
@@ -72,8 +81,20 @@ async function check(uri, name) {
     return verdict;
 }
 
+/** Steps through a component in a terminal; no shell is involved. */
+async function step(uri, name) {
+    const found = program();
+    if (found.problem !== undefined) return void sayNotFound(found.problem);
+    await vscode.workspace.saveAll(false);
+    const shellArgs = ["step", vscode.Uri.parse(uri).fsPath, name];
+    const terminal = vscode.window.createTerminal({ name: `step ${name}`, shellPath: found.program, shellArgs });
+    terminal.show();
+}
+
 function textChanged(event) {
-    if (models.some((each) => each.language === event.document.languageId)) lenses.forget();
+    if (!models.some((each) => each.language === event.document.languageId)) return;
+    lenses.forget();
+    steps.forget();
 }
 
 async function start() {
@@ -89,9 +110,10 @@ async function start() {
     const started = new LanguageClient("robochart", "RoboChart", server, {
         documentSelector,
         outputChannel: output,
-        initializationOptions: { commands: [checkCommand] },
+        initializationOptions: { commands: [checkCommand, drawCommand, stepCommand] },
         middleware: {
-            provideCodeLenses: async (document, token, next) => lenses.titled(await next(document, token)),
+            provideCodeLenses: async (document, token, next) =>
+                lenses.titled(await next(document, token), checkCommand, stepsCommand),
         },
     });
     try {
@@ -130,13 +152,18 @@ function settingsChanged(event) {
 
 function activate(context) {
     output = vscode.window.createOutputChannel("RoboChart");
-    lenses = new Lenses();
+    lenses = new Lenses((range, command) => new vscode.CodeLens(range, command));
+    steps = new Steps();
     diagrams = new preview.Preview(async (...words) => client?.sendRequest(...words), context.extensionUri);
     context.subscriptions.push(
         output,
+        steps,
         diagrams,
         vscode.commands.registerCommand("robochart.preview", () => diagrams.open()),
         vscode.commands.registerCommand(checkCommand, check),
+        vscode.commands.registerCommand(drawCommand, (uri, name) => diagrams.draw(uri, name)),
+        vscode.commands.registerCommand(stepCommand, step),
+        vscode.commands.registerCommand(stepsCommand, (uri, name) => steps.list(lenses.failures(uri, name))),
         vscode.workspace.onDidChangeTextDocument(textChanged),
         vscode.commands.registerCommand("robochart.restartServer", () => enqueue(stop, start)),
         vscode.workspace.onDidChangeConfiguration(settingsChanged),

@@ -55,6 +55,17 @@ class Preview {
     open() {
         const editor = vscode.window.activeTextEditor;
         if (isModel(editor?.document)) this.remember(editor);
+        return this.openPanel();
+    }
+
+    /** Shows the diagram of one component, until the cursor moves. */
+    draw(uri, component) {
+        this.place = { uri };
+        this.answer = { component };
+        return this.openPanel();
+    }
+
+    openPanel() {
         if (this.panel !== undefined) {
             this.panel.reveal(undefined, true);
         } else {

@@ -46,6 +46,26 @@ transition t3 { from B to B trigger e condition x == 1 } })");
     EXPECT_THAT(out, Not(HasSubstr("t3")));
 }
 
+// Both guards may be true for all that a step tells: that one is taken says nothing of the other.
+TEST(Firing, IsNotKnownWhereAStepDoesNotTellTransitionsApart) {
+    const std::string out = checked(R"(stm S { event e initial i var x : nat
+state A { } state B { }
+transition t0 { from i to A }
+transition t1 { from A to B trigger e }
+transition t2 { from A to B trigger e condition x > 1 }
+transition t3 { from B to A trigger e } })",
+                                    {"--untimed", "--format", "json"});
+    const auto report = nlohmann::json::parse(out);
+    for (const auto& row : report["assertions"])
+        if (row["core"]["property"] == "every transition fires") {
+            EXPECT_EQ(row["answer"], "inconclusive");
+            EXPECT_THAT(row["reason"].get<std::string>(),
+                        AllOf(HasSubstr("do not tell"), HasSubstr("t1: "), HasSubstr("t2: "), Not(HasSubstr("t3"))));
+            return;
+        }
+    FAIL() << out;
+}
+
 /// Sends `o` never.
 const std::string silent = R"(stm Silent { event o initial i state A { } state B { entry send o }
 transition t0 { from i to A } transition t1 { from A to B condition false } transition t2 { from B to A } }

@@ -56,6 +56,7 @@ TEST(Standstill, OfStepsWithoutEndNamesTheTransitionsOfTheLoop) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
     EXPECT_THAT(result.explanation.where, Not(Contains(HasSubstr("t1"))));
     EXPECT_THAT(result.explanation.remedy, HasSubstr("give t2: B -> B"));
+    EXPECT_THAT(result.reason, element("the model does infinitely much without time passing, entering B", 6));
     ASSERT_EQ(result.cycles.size(), 1U);
     EXPECT_THAT(result.cycles[0].inputs, ElementsAre("go"));
 }
@@ -90,6 +91,9 @@ TEST(Standstill, AtADeadlineSaysByHowMuchItIsTooShort) {
     EXPECT_EQ(code_of_cause(result), "RC-K03");
     EXPECT_THAT(result.explanation.where, Contains(element("the deadline of M::B is over", 6)));
     EXPECT_THAT(result.explanation.remedy, HasSubstr("at least 2 time units longer"));
+    EXPECT_THAT(result.reason, element("the model can neither go on nor let time pass, entry action of B, waiting", 6));
+    ASSERT_EQ(result.cycles.size(), 4U);
+    for (const Cycle& cycle : result.cycles) EXPECT_THAT(cycle.state, element("entry action of B, waiting", 6));
     const Result remedied = run_in_cycles(
         braking_machine("event x", "state B { entry (wait(5) ; x) <{5} } transition t1 { from Idle to B trigger go }"));
     EXPECT_EQ(remedied.outcome, Outcome::conforms) << remedied.reason;

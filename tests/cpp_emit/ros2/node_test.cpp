@@ -38,26 +38,8 @@ int main() {
 })");
 }
 
-/// An enumeration, whole numbers, several arguments, an event sent, termination.
-const char* const typed = R"(package p
-enumeration Light { Red Green }
-interface I { go(a : real, b : nat) lamp(l : Light) var level : int }
-interface E { event see : Light event count : nat event done : nat }
-stm M { requires I uses E var l : Light var n : nat initial i
-    state A { entry go(0.5, 3) }
-    final F
-    transition t0 { from i to A }
-    transition t1 { from A to A trigger see?l action lamp(l) ; level = 7 }
-    transition t2 { from A to F trigger count?n action done!n } }
-controller C { requires I uses E sref m = M connection C on see to m on see connection C on count to m on count
-    connection m on done to C on done }
-robotic platform R { provides I uses E }
-module Mod { rref r = R cref c = C connection r on see to c on see (_async) connection r on count to c on count (_async)
-    connection c on done to r on done (_async) }
-)";
-
 TEST_F(Package, CarriesNumbersAndEnumerations) {
-    emit(testing::model(typed), "Mod");
+    emit(testing::model(testing::typed_model), "Mod");
     drive("M_node.hpp", R"(
 int main() {
     p::MNode node;
@@ -91,7 +73,7 @@ int main() {
 
 /// The trace hook: what was read and done, in the words of docs/traces.md.
 TEST_F(Package, WritesALog) {
-    emit(testing::model(typed), "Mod");
+    emit(testing::model(testing::typed_model), "Mod");
     drive("M_node.hpp", R"(
 #include <fstream>
 #include <sstream>
@@ -327,7 +309,7 @@ int main() {
 }
 
 TEST_F(Package, WarnsOfAnOperationThatNobodyDoes) {
-    emit(testing::model(typed), "Mod",
+    emit(testing::model(testing::typed_model), "Mod",
          "ros2 for Mod { publish operation go as geometry_msgs/Vector3 on \"go\" { x = a y = b } }");
     drive("M_node.hpp", R"(
 class Robot : public p::MMessages {

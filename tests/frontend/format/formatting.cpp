@@ -63,11 +63,18 @@ timed csp P csp-begin
   P = a -> (* odd *) P   -- text
 csp-end csp Q associated to A::B , C csp-begin csp-end
 label "l" = x   >  3;
-  formula   f = 2;
-prob property  P1 :  P=?  [ F  "l" ]
-   with constants a   set to 2
+  formula   f = 2
+prob property  P1 : Prob  min  =? of [Finally <= 3 #l]  using sim with  CI at alpha = 0.1,n=3, and w=1
+   with constants a   set to 2 , and b from set{1 to 3 by step 1} with cmdoptions "-x   y"
+prob property P2:Reward{r}>=1 of[Cumul 3]\/ not a Until [1,2] M::s is  in M::s::S /\ Forall[Weak Until @m::n::v==$f]
+prob generate  path Q:using simulation for deadlock with 3 repeats up to 9 steps
 rewards "r"   true : 1;
 endrewards
+rewards r=[a::e . in]true:1;
+[]x>1 :2 ; endrewards
+defs D:pfunction f(x,y)={return $$x+&g(1)} poperation o()={(y=1)}
+pmodules m : pmodule n{v:[-1 to 2]init 0;w:bool; // of m
+ [a::e.out]@v==1->(0.5:@v=2)&(@m::n::v= - 1); [] w -> skip ; /* end */ }
 assertion A16: X is deterministic
 )txt";
 
@@ -169,7 +176,7 @@ bool is_correct(const Example& example) {
 }
 
 bool is_read_whole(const Example& example) {
-    return read(example.text, example.is_assertions)->file().verbatim.empty();
+    return read(example.text, example.is_assertions)->file().kept.empty();
 }
 
 void expect_laws(const Example& example) {

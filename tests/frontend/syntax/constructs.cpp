@@ -295,21 +295,39 @@ const std::vector<Row>& assertions() {
         {"instantiate P::T as [0, 3] assertion A: X terminates", "A: X terminates / instantiate P::T as [0, 3]"},
         {"const c : nat", "const c : nat"},
         {"constants C: M::s::k set to 1, and M::s::l from set {1 to 3 by step 2}",
-         "constants C: M::s::k set to 1, and M::s::l from set {1 to 3 by step 2}"},
+         "constants C : M::s::k set to 1, M::s::l from set {1 to 3 by step 2}"},
+        {"constants C: k from set {1,2}", "constants C : k from set {1, 2}"},
         {"label l = M::s is in M::s::t assertion A: X terminates", "A: X terminates / label l = M::s is in M::s::t"},
         {"formula f = $g + 1 /\\ #l", "formula f = $g + 1 /\\ #l"},
-        {"rewards r = [e.in] true : 1; endrewards label l = 1",
-         "rewards r = [e.in] true : 1; endrewards / label l = 1"},
+        {"rewards r = [e.in] true : 1; x : y; endrewards rewards s = [] v > 1 : 2; endrewards label l = 1",
+         "rewards r = [e.in] true : 1; x : y; endrewards / rewards s = [] v > 1 : 2; endrewards / label l = 1"},
         {"prob property p: Prob>0.5 of [Finally #l] with constants M::k set to 1 prob generate path q: using "
          "simulation for 10 steps",
-         "prob property p: Prob>0.5 of [Finally #l] with constants M::k set to 1 / prob generate path q: using "
+         "prob property p : Prob>0.5 of [Finally #l] with constants M::k set to 1 / prob generate path q : using "
          "simulation for 10 steps"},
         {"prob property p: Prob=? of [Finally #l]\nwith\nconstants C\nwith definitions pfunction f() = { return $$x "
-         "& 1 }",
-         "prob property p: Prob=? of [Finally #l]\nwith\nconstants C\nwith definitions pfunction f() = { return $$x "
-         "& 1 }"},
+         "+ 1 }",
+         "prob property p : Prob=? of [Finally #l] with constants C with definitions pfunction f() = { return $$x + 1 "
+         "}"},
         {"defs d: poperation o(x) = { (y = 1) } pmodules m: pmodule n { v: bool; [] @v -> skip; }",
-         "defs d: poperation o(x) = { (y = 1) } / pmodules m: pmodule n { v: bool; [] @v -> skip; }"}};
+         "defs d : poperation o(x) = { (y = 1) } / pmodules m : pmodule n { v : bool; [] @v -> skip; }"},
+        {"pmodules m: pmodule n { v: [-1 to 2] init 0; [a::e.out] @v==1 -> (0.5:@v=2)&(@m::n::v=-1); }",
+         "pmodules m : pmodule n { v : [-1 to 2] init 0; [a::e.out] @v == 1 -> (0.5 : @v = 2) & (@m::n::v = -1); }"},
+        {"prob property p: Prob min=? of [a Until <=t b] with definitions D with modules M with cmdoptions \"-x\"",
+         "prob property p : Prob min=? of [a Until <=t b] with definitions D with modules M with cmdoptions \"-x\""},
+        {"prob property p: Reward{r}max=? of [Cumul 3] prob property q: Reward<=2 of [Reachable x] "
+         "prob property s: Reward=? of [Total] prob property t: Reward=? of [LTL Globally x]",
+         "prob property p : Reward {r} max=? of [Cumul 3] / prob property q : Reward<=2 of [Reachable x] / "
+         "prob property s : Reward=? of [Total] / prob property t : Reward=? of [LTL Globally x]"},
+        {"prob property p: Prob=? of [Globally [1,3] Weak Until x] using sim with APMC at epsilon=0.1, delta=0.2, and "
+         "n=5",
+         "prob property p : Prob=? of [Globally [1, 3] Weak Until x] using sim with APMC at epsilon = 0.1, delta = "
+         "0.2, n = 5"},
+        {"prob property p: not Exists [Release Next a::e.in.val == E::l iff &f(1)]",
+         "prob property p : not Exists [Release Next a::e.in.val == E::l iff &f(1)]"},
+        {"prob generate path p: using simulation for deadlock with 3 repeats up to 9 steps with constants C",
+         "prob generate path p : using simulation for deadlock with 3 repeats up to 9 steps with constants C"},
+        {"label \"l\" = x;\nassertion A: X terminates", "A: X terminates / label \"l\" = x;"}};
     return rows;
 }
 

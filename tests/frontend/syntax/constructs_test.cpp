@@ -131,7 +131,11 @@ TEST_P(Assertions, GiveTheTree) {
         out += (out.empty() ? "" : " / ") + std::string("csp ") + b.name + " [" + b.text + "]";
         for (const QualifiedName& name : b.associated) out += " " + name.text();
     }
-    for (const std::string& text : reading->file().verbatim) out += (out.empty() ? "" : " / ") + text;
+    const auto add = [&](const std::string& text) { out += (out.empty() ? "" : " / ") + text; };
+    const auto add_line = [&](const std::string& text) { add(text.substr(0, text.size() - 1)); };
+    for (const auto& each : reading->file().probabilistic_definitions) add_line(to_text(each));
+    for (const auto& each : reading->file().probabilistic_assertions) add_line(to_text(each));
+    for (const KeptPart& part : reading->file().kept) add(part.text);
     EXPECT_EQ(out, GetParam().expected);
 }
 

@@ -248,7 +248,7 @@ assertion A11: S is deterministic assertion A12: S is divergence-free
 timed csp Spec associated to S, M csp-begin
 Spec = a -> { x csp- end
 csp-end
-prob property Q: Prob>0.5 of [Finally $x & #l]
+prob property Q: Prob>0.5 of [Finally $x /\ #l]
   with constants foo
 label l = 1
 rewards r = [e.in] true : 1; endrewards
@@ -271,7 +271,9 @@ TEST(Parser, ReadsAssertions) {
     ASSERT_EQ(file.csp_blocks.size(), 1U);
     EXPECT_EQ(file.csp_blocks[0].text, "\nSpec = a -> { x csp- end\n");
     EXPECT_EQ(file.csp_blocks[0].associated.size(), 2U);
-    EXPECT_EQ(file.verbatim.size(), 3U);
+    EXPECT_EQ(file.probabilistic_assertions.size(), 1U);
+    EXPECT_EQ(file.probabilistic_definitions.size(), 2U);
+    EXPECT_TRUE(file.kept.empty());
 }
 
 // ---------------------------------------------------------------- mistakes

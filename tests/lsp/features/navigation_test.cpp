@@ -138,6 +138,25 @@ TEST_F(Navigation, AssertionsLeadThroughReferences) {
     EXPECT_EQ(references("A"), "A A-use ? ? state");
 }
 
+TEST_F(Navigation, ProbabilisticAssertionsLeadToTheModelAndTheirDefinitions) {
+    client.open(
+        "file:///p/c.assertions",
+        "import p::*\n"
+        "label /*^label*/up = p::S is in p::S::/*^state*/A\n"
+        "const /*^k*/k : core::nat\n"
+        "constants /*^set*/Few : k set to 1\n"
+        "prob property P : Prob=? of [Finally #/*^label-use*/up /\\ p::S::/*^x2*/x == /*^k-use*/k] with constants "
+        "/*^set-use*/Few\n");
+    const auto from = [&](const std::string& mark) {
+        return client.marks(client.request("textDocument/definition", client.at(mark, "file:///p/c.assertions")));
+    };
+    EXPECT_EQ(from("state"), "A");
+    EXPECT_EQ(from("x2"), "x");
+    EXPECT_EQ(from("k-use"), "k");
+    EXPECT_EQ(from("label-use"), "label");
+    EXPECT_EQ(from("set-use"), "set");
+}
+
 TEST_F(Navigation, WorksInBrokenText) {
     std::string broken = text();
     broken.insert(broken.find("  transition u"), "  transition { from\n");

@@ -51,6 +51,21 @@ constexpr const char* outlined =
     "  sref s = T\n"
     "}\n";
 
+TEST(Outline, HasProbabilisticAssertionsAndWhatServesThem) {
+    Client client;
+    client.open("file:///p/a.assertions",
+                "label l = true\nrewards r = true : 1; endrewards\nprob property P : Exists [Finally #l]\n"
+                "prob generate path Q : using simulation for 10 steps\n");
+    const Answer symbols =
+        client.request("textDocument/documentSymbol",
+                       Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.assertions"}})}}));
+    EXPECT_EQ(shape(symbols), "l r P Q");
+    EXPECT_EQ(symbols[0]["detail"].text(), "label");
+    EXPECT_EQ(symbols[2]["detail"].text(), "prob property");
+    EXPECT_EQ(symbols[3]["detail"].text(), "prob generate path");
+    expect_nested(symbols);
+}
+
 TEST(Outline, HasEverythingWithAName) {
     Client client;
     client.open(outlined_uri, outlined);

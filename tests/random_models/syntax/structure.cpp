@@ -1,6 +1,8 @@
 // See structure.hpp.
 #include "tests/random_models/syntax/structure.hpp"
 
+#include "frontend/syntax/print.hpp"
+
 #include <array>
 #include <string_view>
 
@@ -18,6 +20,8 @@ constexpr std::array<std::string_view, 33> expr_words = {
     "exists1", "lambda",    "the",     "as",        "is",   "member",    "index",
     "call",    "tuple",     "record",  "sequence",  "set",  "set-range", "comprehension",
     "range",   "matrix-of", "inverse", "transpose", "since"};
+constexpr std::array<std::string_view, 9> probabilistic_words = {
+    "path", "probability", "reward", "all-paths", "some-path", "in-state", "event-of", "marked", "simulation"};
 constexpr std::array<std::string_view, 17> operator_words = {"iff",   "implies", "or",     "and",     "eq",    "ne",
                                                              "gt",    "ge",      "lt",     "le",      "in",    "plus",
                                                              "minus", "times",   "divide", "modulus", "concat"};
@@ -89,6 +93,9 @@ private:
     void nodes(const NodeContainer& container);
     void transition(const Transition& transition);
     void assertion(const Assertion& assertion);
+    void definition(const ProbabilisticDefinition& definition);
+    void update(const Update& update);
+    void probabilistic(const ProbabilisticAssertion& assertion);
 
     std::string out_;
 };
@@ -101,12 +108,15 @@ void Structure::expr(const ExprPtr& owned) {
         open("sinceEntry");
     else if (expr.kind == ExprKind::parenthesised)
         open("parenthesised");
+    else if (expr.kind > ExprKind::parenthesised && expr.kind < ExprKind::error)
+        open(probabilistic_words.at(static_cast<std::size_t>(expr.kind) - static_cast<std::size_t>(ExprKind::path)));
     else
         open(word(expr_words, expr.kind));
     if (!expr.text.empty()) name(expr.text);
     if (!expr.name.empty() && expr.kind != ExprKind::member) name(expr.name);  // a member's is its text, with a place
     if (expr.binary) add(word(operator_words, *expr.binary));
     if (expr.unary) add(*expr.unary == UnaryOp::negate ? "negate" : "not");
+    if (expr.path) add(to_text(*expr.path));
     if (expr.kind == ExprKind::range) {
         add(expr.lower_closed ? "closed" : "open");
         add(expr.upper_closed ? "closed" : "open");
@@ -344,6 +354,63 @@ void Structure::assertion(const Assertion& assertion) {
     close();
 }
 
+void Structure::update(const Update& update) {
+    for (const ExprPtr* part : {&update.probability, &update.variable, &update.value}) expr(*part);
+}
+
+void Structure::definition(const ProbabilisticDefinition& definition) {
+    open(to_text(definition.kind));
+    name(definition.name);
+    if (definition.constant) variable(definition.constant);
+    expr(definition.value);
+    for (const ConstantValues& each : definition.constants) {
+        expr(each.constant);
+        add(each.from_set ? "from-set" : "set-to");
+        expr(each.value);
+    }
+    for (const RewardItem& item : definition.rewards) {
+        add(item.of_step ? "of-step" : "of-state");
+        for (const ExprPtr* part : {&item.event, &item.guard, &item.value}) expr(*part);
+    }
+    for (const ProbabilisticFunction& each : definition.functions) {
+        add(each.result ? "pfunction" : "poperation");
+        name(each.name);
+        for (const VariablePtr& parameter : each.parameters) variable(parameter);
+        expr(each.result);
+        for (const Update& part : each.updates) update(part);
+    }
+    for (const ProbabilisticModule& each : definition.modules) {
+        add("pmodule");
+        name(each.name);
+        for (const ModuleVariable& declared : each.variables) {
+            variable(declared.variable);
+            expr(declared.low);
+            expr(declared.high);
+            expr(declared.variable->initial);
+        }
+        for (const Command& command : each.commands) {
+            add("command");
+            for (const ExprPtr* part : {&command.event, &command.guard}) expr(*part);
+            for (const Update& part : command.updates) update(part);
+        }
+    }
+    close();
+}
+
+void Structure::probabilistic(const ProbabilisticAssertion& assertion) {
+    open(assertion.property ? "prob-property" : "prob-path");
+    name(assertion.name);
+    for (const ExprPtr* part :
+         {&assertion.property, &assertion.path.steps, &assertion.path.repeats, &assertion.path.limit})
+        expr(*part);
+    for (const ProbabilisticClause& clause : assertion.clauses) {
+        name(clause.name.text());
+        definition(clause.definition);
+    }
+    if (!assertion.options.empty()) add("options");
+    close();
+}
+
 void Structure::file(const File& file) {
     if (!file.package.empty()) out_ += "(package `" + file.package.text() + "`)\n";
     for (const Import& import : file.imports)
@@ -364,7 +431,15 @@ void Structure::file(const File& file) {
         for (const QualifiedName& associated : block.associated) name(associated);
         out_ += " «" + block.text + "»)\n";
     }
-    for (const std::string& part : file.verbatim) out_ += "(verbatim «" + part + "»)\n";
+    for (const ProbabilisticDefinition& each : file.probabilistic_definitions) {
+        definition(each);
+        out_ += "\n";
+    }
+    for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
+        probabilistic(each);
+        out_ += "\n";
+    }
+    for (const KeptPart& part : file.kept) out_ += "(verbatim «" + part.text + "»)\n";
 }
 
 }  // namespace

@@ -49,19 +49,17 @@ CspBlock SyntaxBuilder::csp_block() {
     return block;
 }
 
-std::string SyntaxBuilder::verbatim() {
+/// What other tools read.
+KeptPart SyntaxBuilder::kept() {
     static const std::vector<std::string> parts = {
-        "label ready = (x == 1)",
-        "formula f = $ready",
+        "label \"ready\" = (x = 1);",
+        "formula \"f\" = x + 1;",
         "rewards \"steps\" true : 1; endrewards",
-        "prob property P1: Prob=? of [Finally x > 1]",
-        "constants C1: N set to 3",
-        "const N : nat",
         "instantiate T as int(0..3)",
-        "defs D = ``",
-        "pmodules M begin end",
     };
-    return random_.pick(parts);
+    KeptPart part;
+    part.text = random_.pick(parts);
+    return part;
 }
 
 std::unique_ptr<File> any_syntax(std::uint64_t seed, std::size_t size) {
@@ -82,11 +80,13 @@ std::unique_ptr<File> any_assertions(std::uint64_t seed, std::size_t size) {
     file->is_assertions = true;
     if (random.chance(30)) file->package = builder.qualified();
     for (std::size_t i = random.below(3); i > 0; --i) file->imports.push_back(builder.import());
-    for (std::size_t i = random.between(1, size); i > 0; --i) {
-        const std::size_t way = random.below(6);
+    for (std::size_t i = random.between(1, size + size / 2); i > 0; --i) {
+        const std::size_t way = random.below(9);
         if (way < 4) file->assertions.push_back(builder.assertion());
         if (way == 4) file->csp_blocks.push_back(builder.csp_block());
-        if (way == 5) file->verbatim.push_back(builder.verbatim());
+        if (way == 5) file->kept.push_back(builder.kept());
+        if (way == 6) file->probabilistic_assertions.push_back(builder.probabilistic_assertion());
+        if (way > 6) file->probabilistic_definitions.push_back(builder.probabilistic_definition());
     }
     return file;
 }

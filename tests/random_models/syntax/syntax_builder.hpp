@@ -36,7 +36,11 @@ public:
     // Assertions (syntax_assertions.cpp)
     frontend::Assertion assertion();
     frontend::CspBlock csp_block();
-    std::string verbatim();
+    frontend::KeptPart kept();
+
+    // Probabilistic assertions (syntax_probability.cpp)
+    frontend::ProbabilisticAssertion probabilistic_assertion();
+    frontend::ProbabilisticDefinition probabilistic_definition();
 
 private:
     struct Leveled {
@@ -49,6 +53,17 @@ private:
     Leveled binder(std::size_t depth);
     Leveled bracketed(std::size_t depth);
     Leveled selection(std::size_t depth);
+    Leveled probabilistic(std::size_t depth);
+    frontend::ExprPtr path(std::size_t depth);
+    frontend::ExprPtr step_bound(std::string& relation);
+    frontend::ExprPtr quantitative(std::size_t depth);
+    frontend::ExprPtr simulation();
+    frontend::ExprPtr marked(const char* sign);
+    frontend::ExprPtr named();
+    frontend::Update update();
+    frontend::ProbabilisticFunction function_of_properties();
+    frontend::ProbabilisticModule module_of_properties();
+    void define(frontend::ProbabilisticDefinition& definition);
     frontend::ExprPtr literal();
     frontend::ExprPtr call(std::size_t depth);
     frontend::ExprPtr matrix(std::size_t depth);
@@ -77,6 +92,7 @@ private:
     frontend::AssertionParameter assertion_parameter();
     frontend::AssertionTime time();
 
+    bool probabilistic_ = false;  ///< expressions may have the forms of probabilistic assertions
     Random& random_;
 };
 

@@ -68,6 +68,7 @@ ExprPtr SyntaxBuilder::at(int level, std::size_t depth) {
 }
 
 SyntaxBuilder::Leveled SyntaxBuilder::any(std::size_t depth) {
+    if (probabilistic_ && random_.chance(30)) return probabilistic(depth);
     if (depth == 0) return atom(0);
     switch (random_.below(10)) {
         case 0:

@@ -51,7 +51,7 @@ TEST(Constructs, AnyAssertionsReachTheTable) {
     Features wanted;
     add_rows(table::assertions(), table::as_file, "t.assertions", wanted);
     Features made;
-    for (std::uint64_t seed = 0; seed < 10000; ++seed) add_features(structure(*any_assertions(seed)), made);
+    for (std::uint64_t seed = 0; seed < 15000; ++seed) add_features(structure(*any_assertions(seed)), made);
     EXPECT_EQ(lacking(wanted.constructs, made.constructs), "");
     EXPECT_EQ(lacking(wanted.compositions, made.compositions), "");
 }

@@ -238,6 +238,25 @@ TEST(Instantiate, NumbersTooLargeForTheScaleAreReported) {
               (Codes{"RC-S15", "RC-S15", "RC-S15"}));
 }
 
+/// The number that makes a type large is shown where the model has it; what an option makes large has no place.
+TEST(Instantiate, ATypeThatIsTooLargeNamesTheNumber) {
+    const auto lowered = samples::lower_text(
+        samples::machine_text("event e:nat var n:nat transition t { from A to A trigger e?n condition n < 4000000 }"));
+    const auto first = [&](const InstantiationOptions& options) {
+        Diagnostics diagnostics;
+        (void)instantiate(lowered->system, options, diagnostics);
+        return diagnostics.sorted().at(0);
+    };
+    const diagnostics::Diagnostic found = first({});
+    EXPECT_EQ(found.rule->code, "RC-S15");
+    ASSERT_TRUE(found.span.known());
+    EXPECT_EQ(lowered->sources.text(found.span.source).substr(found.span.begin, found.span.end - found.span.begin),
+              "4000000");
+    const diagnostics::Diagnostic chosen = first({{}, {{"nat", {0, 5000000}}}});
+    EXPECT_EQ(chosen.rule->code, "RC-S15");
+    EXPECT_FALSE(chosen.span.known());
+}
+
 TEST(Carrier, ComposedTypes) {
     System system = core_system();
     const auto add = [&](Type type) {

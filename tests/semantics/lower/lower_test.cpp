@@ -104,6 +104,28 @@ TEST(LowerExpressions, FunctionsAreLoweredAtFirstUseAndWarnedOf) {
     EXPECT_EQ(lowered->text("S", lowered->transition("S", "a").action->value), "half(2r)");
 }
 
+/// A block is a definition for the times that it is for; one of another name replaces nothing. In a time without claims
+/// none is needed.
+TEST(LowerExpressions, FunctionsThatBlocksDefineAreNotWarnedOf) {
+    const auto codes = [](const std::string& blocks) {
+        return lower_text("package a::b\nfunction half(n:nat):nat { }\n" +
+                              machine_text("var y:nat\ntransition a { from A to A action y = half(2) }\n"),
+                          blocks)
+            ->codes();
+    };
+    const std::string text = " csp-begin\n a_b_half(n) = n\ncsp-end\n";
+    EXPECT_EQ(codes("csp Instantiations" + text), Codes{});
+    EXPECT_EQ(codes("untimed csp Instantiations" + text + "timed csp instantiations" + text), Codes{});
+    EXPECT_EQ(codes("timed csp Instantiations" + text), Codes{"RC-S18"});
+    const std::string claim = "assertion A : a::b::S is deadlock-free\n";
+    EXPECT_EQ(codes("timed " + claim + "timed csp Instantiations" + text), Codes{});
+    EXPECT_EQ(codes("timed " + claim + "untimed csp Instantiations" + text), Codes{"RC-S18"});
+    EXPECT_EQ(codes(claim + "timed csp Instantiations" + text), Codes{"RC-S18"});
+    EXPECT_EQ(codes(claim), Codes{"RC-S18"});
+    EXPECT_EQ(codes("csp Other" + text), Codes{"RC-S18"});
+    EXPECT_EQ(codes("csp Instantiations csp-begin\n y = a_b_half(1)\n-- a_b_half(n) = n\ncsp-end\n"), Codes{"RC-S18"});
+}
+
 TEST(LowerExpressions, LetAndLambda) {
     const auto lowered = lower_text(machine_text(
         "var n:nat\ntransition a { from A to A action n = let x == n + 1 @ x + 1 ; n = (lambda x:nat @ x + 1)(1) }\n"));

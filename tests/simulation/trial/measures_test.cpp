@@ -1,4 +1,4 @@
-// Measures by hand, bands over trials, and what pictures show.
+// Measures by hand, and bands over trials.
 #include "simulation/trial/measures.hpp"
 
 #include <gmock/gmock.h>
@@ -6,14 +6,11 @@
 
 #include <cmath>
 
-#include "simulation/report/pictures.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/report/run.hpp"
 
 namespace robochart::simulation {
 namespace {
-
-using ::testing::HasSubstr;
 
 std::vector<Pose> at(const std::vector<Vector>& places) {
     std::vector<Pose> poses;
@@ -46,6 +43,21 @@ TEST(MeasuresProperty, ClusterIsTheClosure) {
             largest = std::max(largest, static_cast<std::size_t>(std::count(group.begin(), group.end(), i)));
         EXPECT_DOUBLE_EQ(largest_cluster(at(places), 15), static_cast<double>(largest) / 25);
     }
+}
+
+TEST(Measures, ClustersCountThoseAloneToo) {
+    const auto poses = at({{0, 0}, {20, 0}, {10, 0}, {0, 50}});
+    EXPECT_EQ(clusters(poses, 10).count, 2U) << "the three, and the one alone";
+    EXPECT_EQ(clusters(poses, 10).largest, 3U);
+    EXPECT_EQ(clusters(poses, 9.99).count, 4U);
+    EXPECT_EQ(clusters(poses, 60).count, 1U);
+    EXPECT_EQ(clusters({}, 60).count, 0U);
+}
+
+TEST(Measures, MeanDistanceIsOverAllPairs) {
+    // The sides of a triangle: 3, 4 and 5.
+    EXPECT_DOUBLE_EQ(mean_distance(at({{0, 0}, {3, 0}, {0, 4}})), 4);
+    EXPECT_DOUBLE_EQ(mean_distance(at({{7, 7}})), 0);
 }
 
 TEST(Measures, SpreadAndMomentOfASquare) {
@@ -94,46 +106,6 @@ TEST(Judge, EachTakesTheWorstMeanTheMean) {
     trials[1].statistics[0] = 0.9;
     EXPECT_TRUE(judge(scenario, trials)[0].holds);
     EXPECT_DOUBLE_EQ(judge(scenario, trials)[0].value, 0.9);
-}
-
-std::vector<Frame> two_frames() {
-    return {{0, {{{0, 0}, 0}}, {0}}, {2, {{{30, 40}, 1.5}}, {1}}};
-}
-
-TEST(Pictures, SvgHasEveryPanelAndRobot) {
-    Scenario scenario = with_bands();
-    scenario.pictures = {0, 2};
-    const std::string svg = snapshots_svg(scenario, two_frames());
-    EXPECT_THAT(svg, ::testing::StartsWith("<svg "));
-    EXPECT_THAT(svg, HasSubstr(">0 s<"));
-    EXPECT_THAT(svg, HasSubstr(">2 s<"));
-    EXPECT_THAT(svg, HasSubstr("translate(30.0 -40.0)")) << "the y axis points down";
-    EXPECT_THAT(svg, ::testing::EndsWith("</svg>\n"));
-}
-
-TEST(Pictures, AnimationNamesTheStates) {
-    const std::string svg = animation_svg(with_bands(), two_frames(), {"Going", "Held"}, 2);
-    EXPECT_THAT(svg, HasSubstr("dur=\"1s\""));
-    EXPECT_THAT(svg, HasSubstr(">Held<"));
-    EXPECT_THAT(svg, HasSubstr("values=\"0.0 -0.0;30.0 -40.0\""));
-}
-
-TEST(Pictures, CsvHasARowARobotATime) {
-    EXPECT_EQ(positions_csv(two_frames(), {"Going", "Held"}),
-              "t,id,x,y,theta,state\n0.000,0,0.0000,0.0000,0.00000,Going\n2.000,0,30.0000,40.0000,1.50000,Held\n");
-}
-
-TEST(Pictures, RasterShowsTheRobotWhereItIs) {
-    const Raster raster = rasterise(with_bands(), two_frames()[1], 250);  // one dot a centimetre
-    const auto dot = [&](double x, double y) {
-        const std::size_t index =
-            3 * (static_cast<std::size_t>(125 - y) * raster.width + static_cast<std::size_t>(125 + x));
-        return std::array{raster.dots[index], raster.dots[index + 1], raster.dots[index + 2]};
-    };
-    const std::array<unsigned char, 3> white{255, 255, 255};
-    EXPECT_NE(dot(30, 40), white);
-    EXPECT_EQ(dot(30, 46), white);
-    EXPECT_EQ(dot(-30, 40), white);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ async function activated(settings, failure) {
     const extension = loadExtension(settings, failure);
     const context = { subscriptions: [] };
     await extension.activate(context);
-    assert.strictEqual(context.subscriptions.length, 7);
+    assert.strictEqual(context.subscriptions.length, 11);
     return extension;
 }
 

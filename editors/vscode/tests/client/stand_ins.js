@@ -55,6 +55,7 @@ function loadExtension(settings, failure) {
             onDidChangeTextDocument: (handler) => ((handlers.text = handler), disposable),
             saveAll: async () => log.push(["save"]),
             textDocuments: [{ uri: "open" }],
+            asRelativePath: (file) => file.replace("/p/", ""),
             openTextDocument: async (uri) => documentAt(uri.toString()),
         },
         window: {
@@ -81,6 +82,25 @@ function loadExtension(settings, failure) {
                 log.push(["shown", document.uri.toString(), options]);
                 return { revealRange: (range) => log.push(["revealed", range]) };
             },
+            createTerminal: (options) => (log.push(["terminal", options]), { show: () => log.push(["show terminal"]) }),
+            createQuickPick: () => {
+                const listeners = {};
+                const listen = (name) => (handler) => ((listeners[name] = handler), disposable);
+                return {
+                    activeItems: [],
+                    onDidChangeActive: listen("active"),
+                    onDidAccept: listen("accept"),
+                    onDidHide: listen("hide"),
+                    go(item) {
+                        this.activeItems = [item];
+                        return listeners.active([item]);
+                    },
+                    accept: () => listeners.accept(),
+                    show: () => log.push(["show list"]),
+                    hide: () => listeners.hide(),
+                    dispose: () => log.push(["dispose list"]),
+                };
+            },
             showErrorMessage: async (message, ...buttons) => (log.push(["error", message]), buttons[0]),
         },
         commands: {
@@ -88,8 +108,34 @@ function loadExtension(settings, failure) {
             executeCommand: async (...words) => log.push(["command", ...words]),
         },
     };
+    vscode.languages = {
+        createDiagnosticCollection: (name) => {
+            const problems = new Map();
+            handlers.problems = problems;
+            return {
+                name,
+                get: (uri) => problems.get(uri.toString()),
+                set: (uri, list) => problems.set(uri.toString(), list),
+                clear: () => problems.clear(),
+                ...disposable,
+            };
+        },
+    };
+    const record = (...names) =>
+        class {
+            constructor(...values) {
+                names.forEach((name, index) => (this[name] = values[index]));
+            }
+        };
+    vscode.Diagnostic = record("range", "message", "severity");
+    vscode.DiagnosticRelatedInformation = record("location", "message");
+    vscode.Location = record("uri", "range");
+    vscode.CodeLens = record("range", "command");
+    vscode.DiagnosticSeverity = { Error: 0 };
+    vscode.QuickPickItemKind = { Separator: -1 };
     vscode.Uri = {
         parse: uriOf,
+        file: (path) => uriOf(`file://${path}`),
         joinPath: (uri, ...names) => uriOf([uri.toString(), ...names].join("/")),
     };
     vscode.ViewColumn = { Beside: -2, One: 1 };
@@ -130,7 +176,7 @@ function loadExtension(settings, failure) {
     const load = Module._load;
     Module._load = (request, ...rest) => stand[request] ?? load(request, ...rest);
     try {
-        for (const name of ["extension", "preview"]) delete require.cache[require.resolve(`../../client/${name}`)];
+        for (const name of ["extension", "preview", "steps"]) delete require.cache[require.resolve(`../../client/${name}`)];
         return { ...require("../../client/extension"), log, handlers, vscode };
     } finally {
         Module._load = load;

@@ -1,0 +1,104 @@
+// See part_diagrams.hpp.
+#include "app/report/part_diagrams.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "diagnostics/escape.hpp"
+#include "diagrams/layout/arrange.hpp"
+#include "diagrams/svg/svg.hpp"
+
+namespace robochart::app {
+
+PartDiagrams::PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget) : budget_(budget) {
+    for (const Part& part : parts)
+        if (part.project->model && !part.again) add(*part.project);
+}
+
+PartDiagrams::PartDiagrams(Project& project, diagnostics::Budget& budget) : budget_(budget) {
+    if (project.model) add(project);
+}
+
+void PartDiagrams::add(Project& project) {
+    elements_.push_back(std::make_unique<diagrams::Elements>(*project.model, next_));
+    next_ += elements_.back()->all().size();
+    for (const diagrams::Element& each : elements_.back()->all()) {
+        note(project.sources, each.span, each.id);
+        note(project.sources, each.name_span, each.id);
+    }
+    name_elements(project);
+    stored_findings_.within(&budget_);
+    stored_.read(*project.model, project.sources, stored_findings_);
+    for (diagrams::Subject& subject : diagrams::subjects(*project.model, project.sources)) {
+        const std::string name = subject.file;
+        for (int i = 2; !files_.insert(subject.file).second; ++i) subject.file = fmt::format("{}_{}", name, i);
+        const diagrams::StoredLayout* layout = stored_.find(subject.component);
+        subjects_.push_back({&project, elements_.back().get(), std::move(subject), layout});
+    }
+}
+
+void PartDiagrams::explain_layout(const PartSubject& subject) const {
+    stored_.explain(subject.subject.component, subject.project->diagnostics);
+}
+
+std::string PartDiagrams::at(const runs::Place& place) const {
+    const auto found = by_place_.find({place.file, place.line, place.column});
+    return found == by_place_.end() ? "" : found->second;
+}
+
+std::string PartDiagrams::at(const diagnostics::SourceManager& sources, diagnostics::Span span) const {
+    const auto where = position(sources, span);
+    const auto found = where ? by_place_.find(*where) : by_place_.end();
+    return found == by_place_.end() ? "" : found->second;
+}
+
+std::string PartDiagrams::named(const std::string& element) const {
+    const auto found = by_name_.find(element);
+    return found == by_name_.end() ? "" : found->second;
+}
+
+std::string PartDiagrams::of(const runs::Event& event) const {
+    const std::string id = named(event.element);
+    return id.empty() && event.place ? at(*event.place) : id;
+}
+
+std::string PartDiagrams::svg(const PartSubject& subject, const std::string& prefix, const Classes& classes) const {
+    try {
+        const diagrams::Picture picture =
+            diagrams::draw(subject.subject, {*subject.elements, nullptr, &budget_, subject.layout});
+        return diagrams::svg(picture, *subject.elements, {diagrams::Theme::automatic, prefix, classes});
+    } catch (const diagrams::layout::TooLarge& large) {
+        return fmt::format("<p>{}</p>", diagnostics::xml_text(std::string(large.what())));
+    }
+}
+
+std::string PartDiagrams::svg(const std::string& component, const std::string& prefix, const Classes& classes) const {
+    for (const PartSubject& each : subjects_)
+        if (each.subject.component != nullptr && each.subject.name == component) return svg(each, prefix, classes);
+    return "";
+}
+
+std::optional<PartDiagrams::Position> PartDiagrams::position(const diagnostics::SourceManager& sources,
+                                                             diagnostics::Span span) {
+    if (!span.known()) return std::nullopt;
+    const diagnostics::Position begin = sources.position(span.source, span.begin);
+    return Position{sources.path(span.source), begin.line, begin.column};
+}
+
+void PartDiagrams::note(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id) {
+    if (const auto where = position(sources, span)) by_place_.try_emplace(*where, id);
+}
+
+void PartDiagrams::name_elements(const Project& project) {
+    const auto name = [&](const ir::Origin& origin) {
+        const std::string id = at(project.sources, origin.span);
+        if (!id.empty()) by_name_.try_emplace(origin.element, id);
+    };
+    for (const ir::Machine& machine : project.system.machines) {
+        for (const ir::Node& node : machine.nodes) name(node.origin);
+        for (const ir::Transition& transition : machine.transitions) name(transition.origin);
+    }
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,262 @@
+#include "app/report/prism_report.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include "diagnostics/escape.hpp"
+#include "diagnostics/json.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::Json;
+using Kind = prism::Result::Kind;
+
+/// A bound or value as a number of JSON, or "Infinity".
+Json number_json(double value) {
+    if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+    return value;
+}
+
+std::string double_text(double value) {
+    if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+    return fmt::format("{}", value);
+}
+
+double middle(const prism::Real& value) {
+    const prism::Enclosure bounds = value.bounds();
+    return std::isinf(bounds.high) || std::isinf(bounds.low) ? bounds.high : bounds.middle();
+}
+
+/// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
+std::string value_text(const prism::Real& value) {
+    const prism::Enclosure bounds = value.bounds();
+    if (value.exact()) return prism::fraction_text(value.value());
+    if (bounds.low == bounds.high) return double_text(bounds.low);
+    return fmt::format("{:.10g} (from {} to {})", middle(value), double_text(bounds.low), double_text(bounds.high));
+}
+
+std::string result_text(const PrismAnswer& answer) {
+    const prism::Result& result = answer.result;
+    if (!answer.error.empty()) return "error: " + answer.error;
+    switch (result.kind) {
+        case Kind::truth:
+            return result.truth           ? "true"
+                   : result.where.empty() ? "false"
+                                          : fmt::format("false, for example in the state {}", result.where);
+        case Kind::number:
+            return value_text(result.low);
+        case Kind::range:
+            return fmt::format("[{}, {}]", value_text(result.low), value_text(result.high));
+        case Kind::unknown:
+            break;
+    }
+    return "not decided: " + result.reason;
+}
+
+std::string list(const NamedValues& constants) {
+    std::string text;
+    for (const auto& [name, value] : constants) text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
+    return text;
+}
+
+std::string title(const PrismProperty& property) {
+    return property.name.empty() ? property.text : fmt::format("\"{}\": {}", property.name, property.text);
+}
+
+std::string run_text(const PrismReport& report, const PrismRun& run) {
+    std::string text = fmt::format("{}{}{}: {}, {} states", report.model, run.constants.empty() ? "" : ", ",
+                                   list(run.constants), report.mdp ? "mdp" : "dtmc", run.states);
+    if (run.initial != 1) text += fmt::format(" ({} initial)", run.initial);
+    if (report.mdp) text += fmt::format(", {} choices", run.choices);
+    return text + fmt::format(", {} transitions", run.transitions);
+}
+
+std::string value_of(const std::string& name, const PrismRun& run, const PrismAnswer& answer) {
+    for (const NamedValues* constants : {&run.constants, &answer.constants})
+        for (const auto& [each, value] : *constants)
+            if (each == name) return value;
+    return "";
+}
+
+/// Those that take several values.
+NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismAnswer& answer) {
+    NamedValues all = run.constants;
+    all.insert(all.end(), answer.constants.begin(), answer.constants.end());
+    std::erase_if(all, [&](const auto& constant) {
+        for (const PrismRun& other : report.runs)
+            for (const PrismAnswer& each : other.answers)
+                if (value_of(constant.first, other, each) != constant.second) return false;
+        return true;
+    });
+    return all;
+}
+
+std::string answer_text(const PrismAnswer& answer, const std::string& indent) {
+    std::string text = indent;
+    if (!answer.constants.empty()) text += list(answer.constants) + ": ";
+    text += result_text(answer) + "\n";
+    const bool number = answer.result.kind == Kind::number || answer.result.kind == Kind::range;
+    if (number && !answer.result.reason.empty() && answer.error.empty())
+        text += fmt::format("{}  wider than asked for: {}\n", indent, answer.result.reason);
+    for (const auto& [state, value] : answer.result.printed) text += fmt::format("{}  {}: {}\n", indent, state, value);
+    return text;
+}
+
+const char* answer_word(const PrismAnswer& answer) {
+    if (!answer.error.empty()) return "error";
+    switch (answer.result.kind) {
+        case Kind::truth:
+            return answer.result.truth ? "true" : "false";
+        case Kind::number:
+            return "number";
+        case Kind::range:
+            return "range";
+        case Kind::unknown:
+            break;
+    }
+    return "not decided";
+}
+
+Json real_json(const prism::Real& value) {
+    const prism::Enclosure bounds = value.bounds();
+    Json json{
+        {"value", number_json(middle(value))}, {"low", number_json(bounds.low)}, {"high", number_json(bounds.high)}};
+    if (value.exact()) json["exact"] = value.value().str();
+    return json;
+}
+
+Json constants_json(const NamedValues& constants) {
+    Json json = Json::object();
+    for (const auto& [name, value] : constants) json[name] = value;
+    return json;
+}
+
+Json answer_json(const PrismAnswer& answer) {
+    Json json{{"property", answer.property + 1}, {"answer", answer_word(answer)}};
+    if (!answer.constants.empty()) json["constants"] = constants_json(answer.constants);
+    const prism::Result& result = answer.result;
+    if (!answer.error.empty()) {
+        json["reason"] = answer.error;
+        return json;
+    }
+    if (result.kind == Kind::number) json.update(real_json(result.low));
+    if (result.kind == Kind::range) {
+        json["least"] = real_json(result.low);
+        json["greatest"] = real_json(result.high);
+    }
+    if (!result.where.empty()) json["state"] = result.where;
+    if (!result.reason.empty()) json["reason"] = result.reason;
+    for (const auto& [state, value] : result.printed) json["printed"].push_back({{"state", state}, {"value", value}});
+    return json;
+}
+
+/// A cell of RFC 4180.
+std::string cell(const std::string& text) {
+    if (text.find_first_of("\",\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+/// All names of constants, in the order in which they first occur.
+std::vector<std::string> names_of(const PrismReport& report) {
+    std::vector<std::string> names;
+    const auto add = [&](const NamedValues& constants) {
+        for (const auto& [name, value] : constants)
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const PrismRun& run : report.runs) {
+        add(run.constants);
+        for (const PrismAnswer& answer : run.answers) add(answer.constants);
+    }
+    return names;
+}
+
+std::string csv_row(const PrismReport& report, const PrismRun& run, const PrismAnswer& answer,
+                    const std::vector<std::string>& names) {
+    std::string row;
+    for (const std::string& name : names) row += cell(value_of(name, run, answer)) + ",";
+    row += cell(title(report.properties[answer.property])) + "," + answer_word(answer);
+    const prism::Result& result = answer.result;
+    const bool number = answer.error.empty() && (result.kind == Kind::number || result.kind == Kind::range);
+    if (!number) return row + ",,,\n";
+    const std::string value = result.kind == Kind::number ? double_text(middle(result.low)) : "";
+    return row + fmt::format(",{},{},{}\n", value, double_text(result.low.bounds().low),
+                             double_text(result.high.bounds().high));
+}
+
+}  // namespace
+
+Exit exit_of(const PrismReport& report) {
+    bool failed = false;
+    bool open = !report.limit.empty();
+    if (!report.errors.empty()) return Exit::bad_input;
+    for (const PrismRun& run : report.runs)
+        for (const PrismAnswer& answer : run.answers) {
+            if (!answer.error.empty()) return Exit::bad_input;
+            failed = failed || (answer.result.kind == Kind::truth && !answer.result.truth);
+            open = open || answer.result.kind == Kind::unknown;
+        }
+    return failed ? Exit::failed : open ? Exit::inconclusive : Exit::success;
+}
+
+/// One run: property by property. Several: a table for each property.
+std::string prism_text(const PrismReport& report, const Options& options) {
+    std::string text;
+    if (!options.quiet)
+        for (const PrismRun& run : report.runs)
+            if (run.explored) text += run_text(report, run) + "\n";
+    for (std::size_t i = 0; i < report.properties.size(); ++i) {
+        std::string answers;
+        for (const PrismRun& run : report.runs)
+            for (PrismAnswer answer : run.answers) {
+                if (answer.property != i) continue;
+                answer.constants = varying(report, run, answer);
+                answers += answer_text(answer, "  ");
+            }
+        if (!answers.empty()) text += title(report.properties[i]) + "\n" + answers;
+    }
+    if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
+    return text;
+}
+
+std::string prism_json(const PrismReport& report) {
+    Json json{{"schema", "robochart-verify/prism/1"}, {"model", report.model}, {"kind", report.mdp ? "mdp" : "dtmc"}};
+    json["properties"] = Json::array();
+    for (const PrismProperty& each : report.properties)
+        json["properties"].push_back({{"name", each.name}, {"text", each.text}});
+    json["runs"] = Json::array();
+    for (const PrismRun& run : report.runs) {
+        Json one{{"constants", constants_json(run.constants)}};
+        if (run.explored) {
+            one["states"] = run.states;
+            one["initial"] = run.initial;
+            one["choices"] = run.choices;
+            one["transitions"] = run.transitions;
+            one["deadlocks"] = run.deadlocks;
+            one["seconds"] = diagnostics::rounded(run.seconds, 3);
+        }
+        one["answers"] = Json::array();
+        for (const PrismAnswer& answer : run.answers) one["answers"].push_back(answer_json(answer));
+        json["runs"].push_back(std::move(one));
+    }
+    if (!report.errors.empty()) json["errors"] = report.errors;
+    if (!report.limit.empty()) json["limit"] = report.limit;
+    return diagnostics::json_text(json) + "\n";
+}
+
+std::string prism_csv(const PrismReport& report) {
+    const std::vector<std::string> names = names_of(report);
+    std::string text;
+    for (const std::string& name : names) text += cell(name) + ",";
+    text += "property,answer,value,low,high\n";
+    for (const PrismRun& run : report.runs)
+        for (const PrismAnswer& answer : run.answers) text += csv_row(report, run, answer, names);
+    return text;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,99 @@
+// The script with the blocks is made beside the one without, and their definitions are compared as texts.
+#include "app/verbs/block_values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/emit.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "runs/values.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// What is defined at the top of a script, as text.
+class Definitions {
+public:
+    explicit Definitions(const cspm::Script& script) {
+        for (const cspm::DeclPtr& decl : script.decls) {
+            if (decl->kind == cspm::DeclKind::value && decl->patterns.front().front()->kind == cspm::PatternKind::name)
+                values_.emplace(decl->patterns.front().front()->text, decl->body);
+            if (decl->kind == cspm::DeclKind::function) functions_[decl->names.front()] += cspm::print(*decl) + "\n";
+        }
+    }
+
+    /// A constant that is another one by its name is what that one is. "": it is not defined.
+    [[nodiscard]] std::string value(std::string name) const {
+        std::set<std::string> followed;
+        for (auto at = values_.find(name); at != values_.end(); at = values_.find(name)) {
+            const bool again = !followed.insert(name).second;
+            if (again || at->second->kind != cspm::ExprKind::name || !values_.contains(at->second->text))
+                return cspm::print(at->second);
+            name = at->second->text;
+        }
+        return "";
+    }
+    [[nodiscard]] std::string function(const std::string& name) const {
+        const auto at = functions_.find(name);
+        return at == functions_.end() ? "" : at->second;
+    }
+
+private:
+    std::map<std::string, cspm::ExprPtr> values_;
+    std::map<std::string, std::string> functions_;
+};
+
+/// A constant by its last name where all of that name are alike, else by its path.
+std::vector<std::string> constants_unlike(const Project& project, const Definitions& here, const Definitions& there) {
+    std::vector<std::pair<std::string, std::string>> unlike;  // path, and both values
+    std::map<std::string, std::set<std::string>> of_name;     // what those of one name are
+    const auto last = [](const std::string& path) { return path.substr(path.rfind(':') + 1); };
+    for (const ir::NamedConstant& constant : ir::named_constants(project.system)) {
+        const auto shown = [&](const std::string& text) {
+            return runs::value_text(project.system, project.instantiation, constant.type, text);
+        };
+        const std::string ours = here.value(constant.name), theirs = there.value(constant.name);
+        const bool same = ours == theirs || ours.empty() || theirs.empty();
+        std::string both = same ? "" : fmt::format("{} (there {})", shown(ours), shown(theirs));
+        of_name[last(constant.path)].insert(both);
+        if (!same) unlike.emplace_back(constant.path, std::move(both));
+    }
+    std::vector<std::string> result;
+    for (const auto& [path, both] : unlike) {
+        const std::string name = last(path);
+        std::string text = fmt::format("{} = {}", of_name[name].size() == 1 ? name : path, both);
+        if (std::find(result.begin(), result.end(), text) == result.end()) result.push_back(std::move(text));
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string values_unlike_blocks(const Project& project, const cspm::Script& without_blocks) {
+    const auto replaces = [](const ir::CspBlock& block) {
+        return block.timed && (block.name == "Instantiations" || block.name == "instantiations");
+    };
+    const auto& blocks = project.system.csp_blocks;
+    if (std::none_of(blocks.begin(), blocks.end(), replaces)) return "";
+    diagnostics::Diagnostics unread;  // those of blocks are said where assertions are decided
+    const csp_emit::Emission with_blocks =
+        csp_emit::emit(project.system, project.instantiation, csp_emit::Time::timed, {}, project.sources, unread);
+    const Definitions here(without_blocks), there(with_blocks.definitions);
+    std::vector<std::string> unlike = constants_unlike(project, here, there);
+    for (const ir::Function& function : project.system.functions) {
+        const std::string name = csp_emit::function_name(function);
+        const std::string ours = here.function(name), theirs = there.function(name);
+        if (!ours.empty() && !theirs.empty() && ours != theirs) unlike.push_back(fmt::format("{}(...)", function.name));
+    }
+    return fmt::format("{}", fmt::join(unlike, ", "));
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,88 @@
+// See trace_page.hpp.
+#include "app/verbs/trace_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "app/command/numbers.hpp"
+#include "app/command/run.hpp"
+#include "app/report/html.hpp"
+#include "app/verbs/step_files.hpp"
+#include "app/verbs/stepped_component.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// Logs whose first run is stepped through.
+constexpr std::size_t most_replayed = 20;
+
+class Replays {
+public:
+    explicit Replays(const Options& options) : options_(options) {}
+
+    /// The first run of the log, as far as the component goes its way.
+    runs::Run of(const ComparedLog& log) {
+        runs::Stepper& stepper = stepper_of(log);
+        const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed};
+        const Followed followed = follow_log(stepper, stepped, log.path, *options_.run);
+        runs::Run run = stepper.run(csp_emit::Time::timed);
+        run.end.why = followed.error.empty() ? "the end of the run" : followed.error;
+        return run;
+    }
+
+private:
+    runs::Stepper& stepper_of(const ComparedLog& log) {
+        auto& made = components_[{log.project, log.component}];
+        if (made == nullptr)
+            made = std::make_unique<SteppedComponent>(*log.project, log.component, csp_emit::Time::timed, options_);
+        return made->stepper();
+    }
+
+    const Options& options_;
+    std::map<std::pair<Project*, std::string>, std::unique_ptr<SteppedComponent>> components_;
+};
+
+/// "logged turn!3 in cycle 2 of run by hand; allowed: ..."
+std::string reason_of(const conformance::RunReport& wrong) {
+    std::string text = fmt::format("run {}, cycle {}: {}", wrong.name.empty() ? "without a name" : wrong.name,
+                                   wrong.cycle, wrong.what);
+    if (wrong.verdict == conformance::RunVerdict::inconclusive) return text + ": " + wrong.reason;
+    return text +
+           "; allowed: " + (wrong.allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(wrong.allowed, ", or ")));
+}
+
+AssertionReport report_of(const ComparedLog& log) {
+    AssertionReport one;
+    one.title =
+        fmt::format("the runs of {} ({}) are runs of {}", log.path, counted(log.counts.runs, "run"), log.component);
+    one.answer = log.counts.rejected > 0       ? Answer::fails
+                 : log.counts.inconclusive > 0 ? Answer::inconclusive
+                                               : Answer::holds;
+    if (log.wrong) {
+        one.place = fmt::format("{}:{}", log.path, log.wrong->at_line);
+        one.reason = reason_of(*log.wrong);
+    }
+    return one;
+}
+
+}  // namespace
+
+std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts, const Options& options) {
+    Report report;
+    report.model = options.inputs.empty() ? "" : options.inputs.front();
+    report.summary = fmt::format("{} compared with the model; the first run of each is stepped through",
+                                 counted(logs.size(), "log"));
+    if (logs.size() > most_replayed) report.notes.push_back(fmt::format("of the first {} logs", most_replayed));
+    Replays replays(options);
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+        report.assertions.push_back(report_of(logs[i]));
+        if (i < most_replayed) report.assertions.back().run = replays.of(logs[i]);
+    }
+    return render_html(report, parts, options);
+}
+
+}  // namespace robochart::app

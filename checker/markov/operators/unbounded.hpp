@@ -1,0 +1,22 @@
+// Probabilities and rewards without a bound on the steps, for every state, as enclosures that hold in spite of
+// rounding.
+#pragma once
+
+#include "checker/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// P [ left U right ].
+[[nodiscard]] Solution until(const Model& model, const StateSet& left, const StateSet& right, Direction direction,
+                             const Precision& precision = {});
+
+/// R [ F target ]: what is earned before the target is reached; infinite where it is not reached with probability 1
+/// (maximum: under every scheduler; minimum: under one). Throws Unsupported where a reward is negative.
+[[nodiscard]] Solution reachability_reward(const Model& model, const Rewards& rewards, const StateSet& target,
+                                           Direction direction, const Precision& precision = {});
+
+/// R [ C ]: what is earned in all. Throws Unsupported where a reward is negative.
+[[nodiscard]] Solution total_reward(const Model& model, const Rewards& rewards, Direction direction,
+                                    const Precision& precision = {});
+
+}  // namespace robochart::markov

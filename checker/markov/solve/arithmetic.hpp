@@ -1,0 +1,71 @@
+// What the operators need of the numbers that they compute with: intervals, rationals, and doubles for guesses.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "checker/markov/model/model.hpp"
+#include "checker/markov/solve/interval.hpp"
+#include "checker/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// Numbers of a model in another arithmetic. A double is any value of the enclosure.
+[[nodiscard]] std::vector<Interval> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
+                                              const Interval&);
+[[nodiscard]] std::vector<Rational> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
+                                              const Rational&);
+
+[[nodiscard]] inline Interval best(const Interval& left, const Interval& right, Direction direction) {
+    Interval result;
+    const bool greater = direction == Direction::maximum;
+    result.negated_low =
+        greater ? std::min(left.negated_low, right.negated_low) : std::max(left.negated_low, right.negated_low);
+    result.high = greater ? std::max(left.high, right.high) : std::min(left.high, right.high);
+    return result;
+}
+template <class Value>
+[[nodiscard]] Value best(const Value& left, const Value& right, Direction direction) {
+    return (direction == Direction::maximum) == (left < right) ? right : left;
+}
+
+/// Whether `left` is strictly better; for intervals by some value in them, which only a strategy depends on.
+[[nodiscard]] inline bool better(const Interval& left, const Interval& right, Direction direction) {
+    return direction == Direction::maximum ? left.middle() > right.middle() : left.middle() < right.middle();
+}
+template <class Value>
+[[nodiscard]] bool better(const Value& left, const Value& right, Direction direction) {
+    return direction == Direction::maximum ? left > right : left < right;
+}
+
+/// Whether a divisor can be trusted to be above 0.
+[[nodiscard]] inline bool positive(const Interval& value) {
+    return value.negated_low < 0;
+}
+template <class Value>
+[[nodiscard]] bool positive(const Value& value) {
+    return value > 0;
+}
+
+[[nodiscard]] inline bool is_zero(const Interval& value) {
+    return value.high == 0 && value.negated_low == 0;
+}
+template <class Value>
+[[nodiscard]] bool is_zero(const Value& value) {
+    return value == 0;
+}
+
+template <class Value>
+[[nodiscard]] Value whole(int value) {
+    return Value(value);
+}
+template <>
+[[nodiscard]] inline Interval whole<Interval>(int value) {
+    return {static_cast<double>(value), static_cast<double>(value)};
+}
+
+inline void poll(diagnostics::Budget* budget) {
+    if (budget != nullptr) budget->poll();
+}
+
+}  // namespace robochart::markov

@@ -1,0 +1,43 @@
+// Equations of one strongly connected component: x(i) = the best, over the choices of i, of constant + sum of p * x(j).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "checker/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// Unknowns 0 .. size-1. Every choice leads, with its outside probability and its entries, to exactly 1 in all; no
+/// choice has only entries of its own unknown; constants are not negative.
+template <class Value>
+struct System {
+    std::vector<std::uint32_t> first_choice{0};  ///< unknowns + 1
+    std::vector<std::uint64_t> first_entry{0};   ///< choices + 1
+    std::vector<std::uint32_t> unknown;          ///< of each entry
+    std::vector<std::uint32_t> number;           ///< of each entry: index into numbers
+    std::vector<Value> constant;                 ///< of each choice: what it earns, and what it reaches outside
+    std::vector<Value> outside;                  ///< of each choice: the probability to leave
+    std::span<const Value> numbers;
+
+    [[nodiscard]] std::size_t size() const { return first_choice.size() - 1; }
+    [[nodiscard]] std::size_t choices() const { return first_entry.size() - 1; }
+};
+
+/// One choice for each unknown.
+using Policy = std::vector<std::uint32_t>;
+
+/// A policy that leaves the component with probability 1, from everywhere. Some choice must lead outside.
+template <class Value>
+[[nodiscard]] Policy leaving_policy(const System<Value>& system);
+
+/// Values of unknowns, and the choices that give them.
+template <class Value>
+struct SystemSolution {
+    std::vector<Value> values;
+    Policy policy;
+};
+
+}  // namespace robochart::markov

@@ -1,0 +1,32 @@
+// Trees with names replaced: formulas by what they stand for, names by other names.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+#include "checker/prism/syntax/syntax.hpp"
+
+namespace robochart::prism {
+
+/// Replaces names. Equal parts of a tree stay shared.
+class Rewriter {
+public:
+    /// Names that stand for expressions.
+    std::map<std::string, ExprPtr, std::less<>> expressions;
+    /// Functions by other names.
+    std::map<std::string, std::string, std::less<>> functions;
+
+    /// Null stays null.
+    [[nodiscard]] ExprPtr operator()(const ExprPtr& expr);
+
+private:
+    [[nodiscard]] ExprPtr rewritten(const ExprPtr& expr);
+    std::unordered_map<const Expr*, ExprPtr> done_;  ///< of this call
+};
+
+/// Calls `visit` with every name in a tree, once for each shared part.
+void for_each_name(const ExprPtr& expr, const std::function<void(const Expr&)>& visit);
+
+}  // namespace robochart::prism

@@ -1,0 +1,14 @@
+// The names of a model as a scope.
+#pragma once
+
+#include "checker/prism/checks/checked.hpp"
+#include "checker/prism/checks/types.hpp"
+
+namespace robochart::prism {
+
+/// Constants, variables and formulas share one space of names; what is declared twice is reported.
+void declare_names(const CheckedModel& model, Scope& scope, diagnostics::Diagnostics& diagnostics);
+/// A constant of a model or of a properties file.
+void declare_constant(const Constant& constant, Scope& scope, diagnostics::Diagnostics& diagnostics);
+
+}  // namespace robochart::prism

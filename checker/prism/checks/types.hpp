@@ -1,0 +1,69 @@
+// Types of expressions of models and properties.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/prism/syntax/syntax.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::prism {
+
+/// What names denote, and what may stand in an expression.
+struct Scope {
+    struct Symbol {
+        Type type = Type::integer;
+        bool variable = false;
+    };
+    ModelKind kind = ModelKind::mdp;
+    std::map<std::string, Symbol, std::less<>> symbols;
+    bool properties = false;                    ///< questions and labels may stand here
+    std::set<std::string, std::less<>> labels;  ///< with "deadlock" and "init"
+    std::vector<std::string> rewards;           ///< names, "" where there is none
+    /// Types of the properties by name, as far as they are known.
+    std::map<std::string, std::optional<Type>, std::less<>> named;
+};
+
+/// Types of trees in a scope. Where something does not fit it is reported, and there is no type.
+class TypeChecker {
+public:
+    TypeChecker(const Scope& scope, diagnostics::Diagnostics& diagnostics) : scope_(scope), diagnostics_(diagnostics) {}
+
+    std::optional<Type> type(const ExprPtr& expr) { return type(expr, false); }
+    /// Reports where the type is another; an int may stand for a double. Null is in order.
+    void expect(const ExprPtr& expr, Type wanted, bool constant = false, const char* what = "");
+
+private:
+    using Result = std::optional<Type>;
+
+    /// `path`: whether path formulas may stand here.
+    Result type(const ExprPtr& expr, bool path);
+    Result computed(const Expr& expr, bool path);
+    Result name(const Expr& expr);
+    Result label(const Expr& expr);
+    Result conditional(const Expr& expr);
+    Result logical(const Expr& expr, bool path);
+    Result equality(const Expr& expr);
+    Result comparison(const Expr& expr);
+    Result arithmetic(const Expr& expr);
+    Result call(const Expr& expr);
+    Result query(const Expr& expr);
+    Result reward(const Expr& expr);
+    Result filter(const Expr& expr);
+    Result path_operator(const Expr& expr);
+    bool operand(const ExprPtr& expr, Type wanted, bool path = false);
+    /// All are numbers: int if all are.
+    Result numbers(const std::vector<ExprPtr>& parts);
+    Result wrong(const Expr& expr, const std::string& wanted, Type found);
+    void constant(const ExprPtr& expr, const char* what);
+
+    const Scope& scope_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::unordered_map<const Expr*, Result> known_[2];  ///< not in, and in, a place for path formulas
+};
+
+}  // namespace robochart::prism

@@ -1,0 +1,106 @@
+// Values of property expressions in every state, from the inside out. See "Meaning" in docs/probability.md.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/markov/graph/graph.hpp"
+#include "checker/markov/operators/exact.hpp"
+#include "checker/markov/solve/solution.hpp"
+#include "checker/prism/explore/state_space.hpp"
+#include "checker/prism/result.hpp"
+#include "checker/prism/state_values.hpp"
+
+namespace robochart::prism {
+
+/// A question that cannot be decided: the message says why.
+class Undecided : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct EvaluatorOptions {
+    double relative = 1e-6;  ///< width of enclosures
+    bool exact = false;
+    diagnostics::Budget* budget = nullptr;
+};
+
+/// Labels have been replaced in the expressions, but for "deadlock" and "init". Throws EvaluationError, Undecided,
+/// markov::Unsupported, LimitReached.
+class Evaluator {
+public:
+    Evaluator(const StateSpace& space, Code& code, const EvaluatorOptions& options);
+
+    [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
+    /// With a filter's states where it has one; else the initial states.
+    [[nodiscard]] Result answer(const ExprPtr& expr);
+
+private:
+    using Direction = markov::Direction;
+    using StateSet = markov::StateSet;
+
+    // expressions
+    StateVector state_expression(const ExprPtr& expr);
+    StateVector logical(const Expr& expr);
+    StateVector comparison(const Expr& expr);
+    StateVector conditional(const Expr& expr);
+    StateVector arithmetic(const Expr& expr);
+    StateVector all_states(const Value& value) const;
+    /// Where it holds; throws Undecided where that is not known everywhere.
+    StateSet set(const ExprPtr& expr);
+    [[nodiscard]] std::int64_t integer(const ExprPtr& expr);
+    [[nodiscard]] Real real(const ExprPtr& expr);
+
+    // questions
+    StateVector query(const Expr& expr);
+    StateVector question(const Expr& expr, Direction direction);
+    StateVector bounded(const Expr& expr, const StateVector& numbers, const Real& bound, Op relation) const;
+    std::optional<StateVector> qualitative(const Expr& expr, Direction direction, const Real& bound, Op relation);
+    StateVector path(const ExprPtr& expr, Direction direction);
+    StateVector next(const ExprPtr& operand, Direction direction);
+    StateVector one_step_before(const StateVector& after, Direction direction) const;
+    StateVector until(const ExprPtr& left, const ExprPtr& right, const StepBound* steps, Direction direction);
+    StateVector until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction);
+    StateVector again_and_again(const ExprPtr& operand, bool always, Direction direction);
+    StateSet maximal_components(const StateSet& within, const StateSet& touched);
+    StateVector reward(const Expr& expr, Direction direction);
+    std::size_t reward_index(const Expr& expr);
+    const markov::Rewards& rewards(std::size_t structure);
+    StateVector long_run(const Expr& expr);
+    StateSet branching(const Expr& expr, bool always);
+    StateVector filter(const Expr& expr);
+    Result filtered(const Expr& expr);
+
+    [[nodiscard]] StateVector complement(StateVector values) const;
+    [[nodiscard]] StateVector solved(const markov::Solution& solution) const;
+    [[nodiscard]] StateVector solved(const markov::ExactSolution& solution) const;
+    [[nodiscard]] StateVector solved(std::vector<Enclosure> numbers) const;
+    [[nodiscard]] markov::Precision precision() const {
+        return {options_.relative, most_sweeps, options_.budget, false};
+    }
+    [[nodiscard]] std::pair<std::uint64_t, std::optional<std::uint64_t>> step_range(const StepBound& steps);
+    [[nodiscard]] std::uint64_t step_number(const ExprPtr& expr);
+    [[nodiscard]] bool asks(const ExprPtr& expr);
+    [[nodiscard]] const markov::Graph& graph();
+    Result over(const StateVector& values, const StateSet& states) const;
+    [[nodiscard]] StateSet initial() const;
+    void poll() const {
+        if (options_.budget != nullptr) options_.budget->poll();
+    }
+
+    static constexpr std::uint64_t most_sweeps = 1'000'000;
+    const StateSpace& space_;
+    Code& code_;
+    EvaluatorOptions options_;
+    const markov::Model& chain_;
+    std::optional<markov::Graph> graph_;
+    std::map<std::size_t, markov::Rewards> rewards_;
+    std::unordered_map<const Expr*, bool> asks_;
+};
+
+}  // namespace robochart::prism

@@ -1,0 +1,100 @@
+// The commands of a model as code, and what they do in a state.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/prism/checks/checked.hpp"
+#include "checker/prism/explore/code.hpp"
+#include "checker/prism/explore/layout.hpp"
+#include "checker/prism/explore/number_table.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::prism {
+
+/// What one branch of an enabled command does: with which probability, and which variables it writes.
+struct Effect {
+    NumberTable::Id probability = NumberTable::one;
+    std::uint32_t first_write = 0, end_write = 0;  ///< in CommandTable::writes
+};
+struct Write {
+    std::uint32_t variable = 0;
+    std::int64_t value = 0;
+};
+
+/// The commands by groups: one for each action of each module.
+class CommandTable {
+public:
+    /// Throws EvaluationError. Warnings go to `diagnostics`, which outlives the table.
+    CommandTable(const CheckedModel& model, const Layout& layout, Code& code, NumberTable& numbers,
+                 diagnostics::Diagnostics& diagnostics);
+
+    /// The parts of a synchronisation as groups.
+    struct Act {
+        std::uint32_t action = 0;  ///< index into `actions`
+        std::vector<std::uint32_t> groups;
+    };
+    [[nodiscard]] const std::vector<Act>& acts() const { return acts_; }
+    [[nodiscard]] const std::vector<std::string>& actions() const { return actions_; }  ///< the first is ""
+
+    /// Finds the enabled commands of all groups, and evaluates what they do. Throws EvaluationError.
+    void evaluate(StateValues state);
+    /// The same without what they do.
+    void evaluate_guards(StateValues state);
+    /// The enabled commands of a group, as indices for `effects`.
+    [[nodiscard]] const std::vector<std::uint32_t>& enabled(std::uint32_t group) const { return enabled_[group]; }
+    [[nodiscard]] const std::vector<Effect>& effects(std::uint32_t command) const { return commands_[command].effects; }
+    [[nodiscard]] const Write* write(std::uint32_t index) const { return writes_.data() + index; }
+    [[nodiscard]] Span span(std::uint32_t command) const { return commands_[command].source->span; }
+
+private:
+    /// A number of the text: fixed, or evaluated by the values that it depends on.
+    struct Probability {
+        bool fixed = true;
+        NumberTable::Id id = NumberTable::one;
+        Code::Root root = 0;
+        Span span;
+        std::vector<std::uint32_t> variables;
+        std::unordered_map<std::uint64_t, std::vector<std::pair<std::vector<std::int32_t>, NumberTable::Id>>> known;
+    };
+    struct CodedBranch {
+        Probability probability;
+        std::vector<std::pair<std::uint32_t, Code::Root>> assignments;
+        std::vector<Span> spans;
+    };
+    struct CodedCommand {
+        const Command* source = nullptr;
+        Code::Root guard = 0;
+        std::vector<CodedBranch> branches;
+        bool fixed = true;  ///< all probabilities are
+        bool warned = false;
+        std::vector<Effect> effects;  ///< in the state evaluated last
+    };
+
+    void add_command(const Command& command, const CheckedModel& model);
+    Probability probability(const ExprPtr& expr);
+    std::uint32_t group(const ActionOfModule& part);
+    std::uint32_t action(const std::string& name);
+    NumberTable::Id evaluated(Probability& probability, StateValues state);
+    void check_probability(const Probability& probability, NumberTable::Id id);
+    void evaluate_effects(CodedCommand& command, StateValues state);
+    void write_values(const CodedBranch& branch, Effect& effect, StateValues state);
+    /// Divides by the sum where it is almost 1.
+    void check_sum(CodedCommand& command);
+
+    const Layout& layout_;
+    Code& code_;
+    NumberTable& numbers_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::vector<CodedCommand> commands_;
+    std::vector<std::vector<std::uint32_t>> groups_;  ///< commands
+    std::vector<ActionOfModule> group_names_;
+    std::vector<std::vector<std::uint32_t>> enabled_;
+    std::vector<Act> acts_;
+    std::vector<std::string> actions_{""};
+    std::vector<bool> proper_;  ///< numbers that are known to be probabilities
+    std::vector<Write> writes_;
+};
+
+}  // namespace robochart::prism

@@ -1,0 +1,48 @@
+// What evaluating an expression may throw, and values of constants.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "checker/prism/explore/real.hpp"
+#include "checker/prism/syntax/syntax.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::prism {
+
+/// A rule of explore/rules.hpp is broken at a place, in a state where that is known.
+class EvaluationError : public std::exception {
+public:
+    EvaluationError(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments)
+        : rule_(&rule), span_(span), arguments_(std::move(arguments)) {}
+    [[nodiscard]] const char* what() const noexcept override { return rule_->code.data(); }
+    /// "in the state x=1, y=false".
+    std::string state;
+    [[nodiscard]] bool is(const diagnostics::Rule& rule) const { return rule_ == &rule; }
+    void report(diagnostics::Diagnostics& diagnostics) const {
+        diagnostics::Diagnostic& finding = diagnostics.report(*rule_, span_, arguments_);
+        if (!state.empty()) finding.notes.push_back({{}, "in the state " + state});
+    }
+
+private:
+    const diagnostics::Rule* rule_;
+    Span span_;
+    std::vector<std::string> arguments_;
+};
+
+/// The value of a constant.
+struct Value {
+    Type type = Type::integer;
+    std::int64_t integer = 0;  ///< also of a bool: 0 or 1
+    Real real;                 ///< of a double
+
+    [[nodiscard]] Real number() const { return type == Type::real ? real : Real(integer); }
+    [[nodiscard]] std::string text() const;
+};
+
+using Values = std::map<std::string, Value, std::less<>>;
+
+}  // namespace robochart::prism

@@ -1,0 +1,53 @@
+// Breadth-first exploration: fills a state space. See "Semantics" in docs/probability.md.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "checker/prism/explore/commands.hpp"
+#include "checker/prism/explore/state_space.hpp"
+
+namespace robochart::prism {
+
+class Explorer {
+public:
+    Explorer(StateSpace& space, Code& code);
+    void operator()();
+
+private:
+    using Distribution = std::vector<std::pair<markov::State, NumberTable::Id>>;
+
+    void initial_states();
+    void initial_values(std::vector<std::int32_t>& values);
+    void expand(markov::State state);
+    void act(const CommandTable::Act& act);
+    void combine(const CommandTable::Act& act, std::size_t part, Distribution& distribution);
+    void branch(const CommandTable::Act& act, std::size_t part, NumberTable::Id probability,
+                Distribution& distribution);
+    void merge(Distribution& distribution);
+    void finish_choice(std::uint32_t action, Distribution& distribution);
+    [[nodiscard]] bool known_choice(std::uint32_t action, const Distribution& distribution) const;
+    void push_choice(std::uint32_t action, const Distribution& distribution);
+    NumberTable::Id number_of(std::uint64_t count);
+    void finish_state(markov::State state);
+    markov::State insert(const lts::Word* words);
+    void finish();
+
+    StateSpace& space_;
+    Code& code_;
+    NumberTable numbers_;
+    CommandTable commands_;
+    std::vector<std::int32_t> values_;
+    std::vector<std::vector<lts::Word>> partial_;  ///< packed successor after so many parts
+    std::vector<std::uint32_t> chosen_;            ///< command of each part
+    Distribution all_;                             ///< of the one choice of a dtmc
+    std::vector<NumberTable::Id> counts_;          ///< the numbers from 0 on
+    std::uint64_t combinations_ = 0;               ///< in this state
+};
+
+/// The states in which an expression holds, listed by trying values: every conjunct is looked at as soon as its
+/// variables have values. `found` is called with each. Throws EvaluationError.
+void list_states(const ExprPtr& expr, const Layout& layout, Code& code, diagnostics::Budget* budget,
+                 const std::function<void(const std::int32_t*)>& found);
+
+}  // namespace robochart::prism

@@ -1,0 +1,28 @@
+// What goes wrong while constants, states and rewards of a PRISM model are evaluated, as a table.
+#pragma once
+
+#include <span>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::prism::rules {
+
+extern const diagnostics::Rule constant_open;
+extern const diagnostics::Rule arithmetic;
+extern const diagnostics::Rule out_of_range;
+extern const diagnostics::Rule bad_probability;
+extern const diagnostics::Rule wrong_sum;
+extern const diagnostics::Rule empty_range;
+extern const diagnostics::Rule no_initial_state;
+extern const diagnostics::Rule deadlocks;
+extern const diagnostics::Rule negative_reward;
+extern const diagnostics::Rule bad_steps;
+extern const diagnostics::Rule too_close;
+extern const diagnostics::Rule normalised;
+extern const diagnostics::Rule not_exact;
+extern const diagnostics::Rule bad_bound;
+
+/// All of them, for `explain`.
+[[nodiscard]] std::span<const diagnostics::Rule* const> explore();
+
+}  // namespace robochart::prism::rules

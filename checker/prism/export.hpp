@@ -1,0 +1,25 @@
+// A state space as text, for other tools.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "checker/prism/explore/state_space.hpp"
+
+namespace robochart::prism {
+
+/// Receives a text piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+/// Transitions: "states transitions", then "from to probability" a line; of an mdp "states choices transitions", then
+/// "from choice to probability action". Probabilities are doubles with all their digits.
+void export_transitions(const StateSpace& space, const TextSink& sink);
+/// "(x,y)", then "0:(1,false)" a line.
+void export_states(const StateSpace& space, const TextSink& sink);
+/// `0="init" 1="deadlock" 2="done"`, then "0: 0 2" for each state with labels.
+void export_labels(const StateSpace& space, const TextSink& sink);
+/// For Graphviz.
+void export_graph(const StateSpace& space, const TextSink& sink);
+
+}  // namespace robochart::prism

@@ -1,0 +1,14 @@
+// Trees as PRISM's text. Reading it back gives an equal tree.
+#pragma once
+
+#include <string>
+
+#include "checker/prism/syntax/syntax.hpp"
+
+namespace robochart::prism {
+
+[[nodiscard]] std::string print(const ExprPtr& expr);
+[[nodiscard]] std::string print(const ModelFile& file);
+[[nodiscard]] std::string print(const PropertyFile& file);
+
+}  // namespace robochart::prism

@@ -1,0 +1,22 @@
+// Diagnostics of the PRISM reader, as a table.
+#pragma once
+
+#include <span>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::prism::rules {
+
+extern const diagnostics::Rule unexpected_token;
+extern const diagnostics::Rule bad_character;
+extern const diagnostics::Rule open_label;
+extern const diagnostics::Rule big_number;
+extern const diagnostics::Rule too_deep;
+extern const diagnostics::Rule not_supported;
+extern const diagnostics::Rule given_twice;
+extern const diagnostics::Rule unreadable;
+
+/// All of them, for `explain`.
+[[nodiscard]] std::span<const diagnostics::Rule* const> syntax();
+
+}  // namespace robochart::prism::rules

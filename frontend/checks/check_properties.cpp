@@ -1,0 +1,57 @@
+// What a probabilistic property may be: true or false, or a query; not a number, and not a formula about one path.
+#include "frontend/checks/checks.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/types/typer.hpp"
+#include "frontend/types/types.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+bool is_arithmetic(BinaryOp op) {
+    return op == BinaryOp::plus || op == BinaryOp::minus || op == BinaryOp::times || op == BinaryOp::divide ||
+           op == BinaryOp::modulus;
+}
+
+bool is_number(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::string:
+            return true;
+        case ExprKind::unary:
+            return expr.unary == UnaryOp::negate;
+        case ExprKind::binary:
+            return is_arithmetic(*expr.binary);
+        case ExprKind::name: {
+            const auto* variable = dynamic_cast<const Variable*>(expr.target);
+            return variable != nullptr && variable->type && !compatible(variable->type, make_type(TypeForm::boolean));
+        }
+        default:
+            return false;
+    }
+}
+
+/// The formula about a path that no quantifier is around; null if there is none.
+const Expr* bare_path(const Expr& expr) {
+    const Expr& bare = strip(expr);
+    if (bare.kind == ExprKind::path) return &bare;
+    if (bare.kind != ExprKind::unary && bare.kind != ExprKind::binary && bare.kind != ExprKind::if_then_else)
+        return nullptr;
+    for (const ExprPtr& arg : bare.args)
+        if (const Expr* found = arg ? bare_path(*arg) : nullptr) return found;
+    return nullptr;
+}
+
+}  // namespace
+
+void check_property(const Expr& property, Diagnostics& out) {
+    if (is_number(strip(property)))
+        out.report(rules::not_a_property, property.span, {shorten(to_text(property))});
+    else if (const Expr* path = bare_path(property))
+        out.report(rules::path_property, path->span, {shorten(to_text(*path))});
+}
+
+}  // namespace robochart::frontend

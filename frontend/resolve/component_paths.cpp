@@ -1,0 +1,113 @@
+// See component_paths.hpp.
+#include "frontend/resolve/component_paths.hpp"
+
+#include <algorithm>
+
+namespace robochart::frontend {
+
+const Kinds component_kinds = {DeclKind::module, DeclKind::controller, DeclKind::state_machine, DeclKind::operation};
+
+QualifiedName first_parts(const QualifiedName& name, std::size_t count) {
+    QualifiedName result;
+    const auto n = static_cast<std::ptrdiff_t>(count);
+    result.parts.assign(name.parts.begin(), name.parts.begin() + n);
+    result.spans.assign(name.spans.begin(), name.spans.begin() + n);
+    result.span = name.span;
+    return result;
+}
+
+bool is_component(const Declaration* part) {
+    const Declaration* behind = follow(part);
+    return behind != nullptr && component_kinds.has(behind->kind);
+}
+
+const Context* platform_of(const Declaration* whole, const std::string& name) {
+    const auto* module = followed<Component>(whole);
+    if (module == nullptr) return nullptr;
+    for (const Declaration* part : module->order) {
+        const auto* behind = followed<Context>(part);
+        if (part->name == name && behind != nullptr && behind->kind == DeclKind::platform) return behind;
+    }
+    return nullptr;
+}
+
+namespace {
+
+/// A part of a module or controller: by its own name, else by the name of what is behind a reference if that is plain.
+const Declaration* part_of(const Declaration* whole, const std::string& name) {
+    const auto* component = followed<Component>(whole);
+    if (component == nullptr) return nullptr;
+    const Declaration* by_definition = nullptr;
+    for (const Declaration* part : component->order) {
+        if (!is_component(part)) continue;
+        if (part->name == name) return part;
+        const Declaration* behind = follow(part);
+        const bool process = behind->kind == DeclKind::operation && name == "OP_" + behind->name;
+        if (behind->name != name && !process) continue;
+        if (by_definition != nullptr) return nullptr;
+        by_definition = part;
+    }
+    return by_definition;
+}
+
+const Declaration* in_some_package(const Model& model, const std::string& name) {
+    const Declaration* found = nullptr;
+    for (const auto& file : model.files)
+        for (const auto& declaration : file->declarations) {
+            if (declaration->name != name || !component_kinds.has(declaration->kind)) continue;
+            if (found != nullptr) return nullptr;
+            found = declaration.get();
+        }
+    return found;
+}
+
+}  // namespace
+
+const State* state_at(const NodeContainer& top, const QualifiedName& name, std::size_t at) {
+    const NodeContainer* container = &top;
+    const State* state = nullptr;
+    for (std::size_t i = at; i < name.parts.size(); ++i) {
+        const auto& nodes = container->nodes;
+        const auto found =
+            std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node->name == name.parts[i]; });
+        if (found == nodes.end()) return nullptr;
+        state = found->get();
+        container = state;
+    }
+    const bool fits = state != nullptr && (state->kind == DeclKind::state || state->kind == DeclKind::final);
+    return fits ? state : nullptr;
+}
+
+Way walk_components(Way from, const QualifiedName& name, std::size_t at) {
+    from.used = at;
+    while (from.used < name.parts.size()) {
+        const Declaration* part = part_of(from.end(), name.parts[from.used]);
+        if (part == nullptr) break;
+        from.path.steps.push_back(part);
+        ++from.used;
+    }
+    return from;
+}
+
+Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name) {
+    Way best;
+    const auto try_top = [&](const Declaration* top, std::size_t parts) {
+        if (top == nullptr) return;
+        Way found = walk_components({{{top}, nullptr}, 0}, name, parts);
+        if (found.used > best.used) best = std::move(found);
+    };
+    const std::size_t most = std::min(name.parts.size(), names.most_parts());
+    for (std::size_t parts = 1; parts <= most; ++parts)
+        try_top(names.find({&file, nullptr}, first_parts(name, parts), component_kinds), parts);
+    if (best.used == 0 && !name.empty()) try_top(in_some_package(model, name.parts.front()), 1);
+    return best;
+}
+
+void collect_states(const NodeContainer& container, std::vector<std::string>& names) {
+    for (const auto& node : container.nodes) {
+        if (node->kind == DeclKind::state || node->kind == DeclKind::final) names.push_back(node->name);
+        collect_states(*node, names);
+    }
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,38 @@
+// Components along paths through references, `Module::controller_ref::machine_ref` (private to the resolver).
+#pragma once
+
+#include <string>
+
+#include "frontend/names/names.hpp"
+#include "frontend/names/scopes.hpp"
+
+namespace robochart::frontend {
+
+/// What assertions call components.
+extern const Kinds component_kinds;
+
+/// A path with the number of parts of the name that it took.
+struct Way {
+    ComponentPath path;
+    std::size_t used = 0;
+
+    [[nodiscard]] const Declaration* end() const { return path.steps.empty() ? nullptr : path.steps.back(); }
+};
+
+/// The name's first parts.
+[[nodiscard]] QualifiedName first_parts(const QualifiedName& name, std::size_t count);
+/// Is it a component, or a reference to one?
+[[nodiscard]] bool is_component(const Declaration* part);
+/// The platform of this name in a module; null if there is none.
+[[nodiscard]] const Context* platform_of(const Declaration* whole, const std::string& name);
+/// The state or final state that the parts of a name from `at` on lead to; null if there is none.
+[[nodiscard]] const State* state_at(const NodeContainer& top, const QualifiedName& name, std::size_t at);
+/// Goes on from a component along the parts of a name from `at` on, as far as they name components.
+[[nodiscard]] Way walk_components(Way from, const QualifiedName& name, std::size_t at);
+/// The declarations that the longest beginning of a name leads to, from the file's package, its imports, unnamed
+/// packages or a package that is written in front; else from any package, if there is one component of the name.
+[[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
+/// The names of all states inside, for a suggestion.
+void collect_states(const NodeContainer& container, std::vector<std::string>& names);
+
+}  // namespace robochart::frontend

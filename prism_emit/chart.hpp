@@ -1,0 +1,43 @@
+// A state machine in the normal form that RoboTool makes before it encodes it (R7, R11).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prism_emit/context.hpp"
+
+namespace robochart::prism_emit {
+
+/// A node, of the model or added.
+struct Place {
+    ir::NodeKind kind = ir::NodeKind::state;
+    std::string name;
+    std::string path;  ///< names from the top, joined by "::"
+    std::optional<std::size_t> parent, initial;
+    std::vector<ir::StmtPtr> entry;
+    bool composite = false;
+    bool dropped = false;  ///< nothing leads there any more
+};
+
+/// A transition, of the model or added.
+struct Step {
+    std::string name;
+    std::size_t source = 0, target = 0;
+    const ir::Communication* trigger = nullptr;
+    std::vector<ir::ExprPtr> guards;
+    ir::ExprPtr probability;
+    std::vector<ir::StmtPtr> action;
+    diagnostics::Span span;
+};
+
+/// Places with the nodes of the machine first, by their ids.
+struct Chart {
+    std::vector<Place> places;
+    std::vector<Step> steps;
+};
+
+/// The normal form of a machine or an operation; `element` names it in findings.
+[[nodiscard]] Chart normal_form(Context&, const ir::Machine&, const std::string& element);
+
+}  // namespace robochart::prism_emit

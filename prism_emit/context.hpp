@@ -1,0 +1,59 @@
+// What all parts of one emission share: the module, the model that is made, its names.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "diagnostics/diagnostic.hpp"
+#include "prism_emit/emission.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::prism_emit {
+
+/// The values of a variable: false and true, or low..high.
+struct Carrier {
+    bool boolean = false;
+    std::int64_t low = 0, high = 1;
+};
+
+class Context {
+public:
+    Context(const ir::System& whole, const Preferences& preferences, const ir::Module& encoded,
+            diagnostics::Diagnostics& findings)
+        : system(whole), module(encoded), diagnostics(findings), preferences_(preferences) {}
+
+    const ir::System& system;
+    const ir::Module& module;
+    diagnostics::Diagnostics& diagnostics;
+    Emission emission;
+
+    /// The name, made one that is not reserved and not taken yet.
+    [[nodiscard]] std::string unique(const std::string& wanted);
+    /// Notes what an element is called.
+    void note(const std::string& kind, const std::string& element, const std::string& name);
+    /// "tick_16", "Action_20": numbers count on over the whole model.
+    [[nodiscard]] std::string numbered(const std::string& stem) { return unique(stem + "_" + std::to_string(next_++)); }
+    /// Numbers of what normalisation adds.
+    [[nodiscard]] std::string added(const std::string& stem) { return stem + "_" + std::to_string(next_added_++); }
+
+    /// R3: the range of a type. Nothing, with a finding about `element`, where it is not encoded.
+    [[nodiscard]] std::optional<Carrier> carrier(ir::TypeId type, const std::string& element,
+                                                 const diagnostics::Span& span);
+    /// The declaration of a variable of a carrier.
+    [[nodiscard]] static prism::Variable variable(const std::string& name, const Carrier& carrier,
+                                                  prism::ExprPtr initial);
+    /// R1: enumerations are constants, `SHuman_inRed`. The name of a literal.
+    [[nodiscard]] const std::string& literal(ir::TypeId type, std::int64_t index);
+
+private:
+    const Preferences& preferences_;
+    std::set<std::string> taken_;
+    std::map<std::pair<std::uint32_t, std::int64_t>, std::string> literals_;
+    unsigned next_ = 16;  ///< RoboTool's first ones are its own counters
+    unsigned next_added_ = 1;
+};
+
+}  // namespace robochart::prism_emit

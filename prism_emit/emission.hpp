@@ -1,0 +1,36 @@
+// The result of the emission, as data.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "checker/prism/syntax/syntax.hpp"
+
+namespace robochart::prism_emit {
+
+/// What an element of the model is called in PRISM.
+struct NameOf {
+    std::string kind;     ///< "STM", "event", "constant", "variable", "node", "transition"
+    std::string element;  ///< "modUVC::ctrlUVC::stm_ref0::p0"
+    std::string name;     ///< "modUVC_ctrlUVC_stm_ref0_p0"
+};
+
+/// Bounds of a type of numbers.
+struct Range {
+    std::int64_t low = 0, high = 0;
+};
+
+/// What RoboTool calls preferences of the translation.
+struct Preferences {
+    Range nat, integer, real;
+    prism::ModelKind kind = prism::ModelKind::dtmc;
+};
+
+/// A module of the model in PRISM.
+struct Emission {
+    prism::ModelFile model;
+    std::vector<NameOf> names;
+};
+
+}  // namespace robochart::prism_emit

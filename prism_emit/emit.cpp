@@ -1,0 +1,82 @@
+#include "prism_emit/emit.hpp"
+
+#include <map>
+
+#include "checker/prism/syntax/printer.hpp"
+#include "prism_emit/channels.hpp"
+#include "prism_emit/context.hpp"
+#include "prism_emit/expressions.hpp"
+#include "prism_emit/machine.hpp"
+#include "prism_emit/tree.hpp"
+
+namespace robochart::prism_emit {
+namespace {
+
+/// R10: the stages of an exit.
+void add_exit_constants(Context& context) {
+    static const std::vector<std::pair<std::string, int>> stages{
+        {"Exit_NONE", 0},    {"Exit_ACT_Parent", 1},      {"Exit_ACT_Trans", 2}, {"Exit_EXITED", 3},
+        {"Exit_Sub_ACT", 4}, {"Exit_Sub_ACT_Waiting", 5}, {"Exit_Sub_EXITED", 6}};
+    for (const auto& [name, value] : stages)
+        context.emission.model.constants.push_back(tree::constant(context.unique(name), value));
+}
+
+/// R3: "Variables provided by the platform become global."
+std::map<std::string, std::string> add_globals(Context& context) {
+    std::map<std::string, std::string> names;
+    const std::string platform = context.module.name + "::" + context.module.platform.name + "::";
+    for (const ir::Variable& variable : context.module.platform.variables) {
+        const std::string element = platform + variable.name;
+        const auto carrier = context.carrier(variable.type, element, variable.origin.span);
+        if (!carrier) continue;
+        const std::string name = context.unique(variable.name);
+        names[variable.name] = name;
+        context.note("variable", element, name);
+        Scope scope;
+        scope.element = element;
+        prism::ExprPtr initial;
+        if (variable.initial) initial = whole_value(context, scope, *variable.initial);
+        context.emission.model.globals.push_back(Context::variable(name, *carrier, initial));
+    }
+    return names;
+}
+
+}  // namespace
+
+Preferences preferences(const ir::Instantiation& instantiation) {
+    const auto range = [](const std::vector<std::int64_t>& values, std::int64_t scale) {
+        return values.empty() ? Range{} : Range{values.front() / scale, values.back() / scale};
+    };
+    return {range(instantiation.nat, 1), range(instantiation.integer, 1),
+            range(instantiation.real, instantiation.scale)};
+}
+
+std::optional<Emission> emit(const ir::System& system, const ir::Module& module, const Preferences& preferences,
+                             diagnostics::Diagnostics& diagnostics) {
+    Context context(system, preferences, module, diagnostics);
+    context.emission.model.kind = preferences.kind;
+    context.emission.model.kind_given = true;
+    add_exit_constants(context);
+    const std::map<std::string, std::string> globals = add_globals(context);
+    std::map<std::string, std::string> constants;
+    Channels channels(context);
+    for (std::uint32_t c = 0; c < module.controllers.size(); ++c) {
+        const auto& machines = system.controller(module.controllers[c].controller).machines;
+        for (std::uint32_t m = 0; m < machines.size(); ++m)
+            MachineEmitter(context, channels, globals, constants, {c, m})();
+    }
+    channels.emit_modules();
+    if (!diagnostics.ok()) return std::nullopt;
+    return std::move(context.emission);
+}
+
+/// R1: "A comment block `renames of the ... [a::b] to [a_b]` at the end is read by the property generator."
+std::string text(const Emission& emission) {
+    std::string result = prism::print(emission.model);
+    result += "\n// Renames of RoboChart elements\n";
+    for (const NameOf& each : emission.names)
+        result += "// renames of the " + each.kind + " [" + each.element + "] to [" + each.name + "]\n";
+    return result;
+}
+
+}  // namespace robochart::prism_emit

@@ -1,0 +1,27 @@
+// RoboTool's encoding of a module in PRISM (translate2prism), rule by rule: docs/prism-encoding.md has the rules R1 to
+// R16, the sources quote the statement of each. In a dtmc every step takes part in a uniform choice, so the number and
+// kind of steps decides all numbers; they are the same here. Names and order may differ.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "diagnostics/diagnostic.hpp"
+#include "prism_emit/emission.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::prism_emit {
+
+/// The ranges of a finite instantiation.
+[[nodiscard]] Preferences preferences(const ir::Instantiation&);
+
+/// The module in PRISM; its constants without a value stay open. Nothing, with
+/// findings, where the encoding has nothing for some construct.
+[[nodiscard]] std::optional<Emission> emit(const ir::System&, const ir::Module&, const Preferences&,
+                                           diagnostics::Diagnostics&);
+
+/// The text of the file: the model, then the names as comments (R1).
+[[nodiscard]] std::string text(const Emission&);
+
+}  // namespace robochart::prism_emit

@@ -1,0 +1,20 @@
+// What RoboTool's encoding in PRISM has nothing for is refused by name: a wrong number is worse than none.
+#pragma once
+
+#include <span>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::prism_emit::rules {
+
+extern const diagnostics::Rule no_module;               ///< RC-E01
+extern const diagnostics::Rule unsupported_construct;   ///< RC-E02
+extern const diagnostics::Rule unsupported_type;        ///< RC-E03
+extern const diagnostics::Rule unsupported_expression;  ///< RC-E04
+extern const diagnostics::Rule unsupported_event;       ///< RC-E05
+extern const diagnostics::Rule unsupported_operation;   ///< RC-E06
+extern const diagnostics::Rule bad_preferences;         ///< RC-E07
+
+[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+
+}  // namespace robochart::prism_emit::rules

@@ -1,0 +1,33 @@
+// Charts as SVG: the median of the trials, the middle half and all of them as bands, what the scenario accepts.
+#pragma once
+
+#include <string>
+
+#include "simulation/report/series.hpp"
+
+namespace robochart::simulation {
+
+/// How a chart is written.
+struct PlotOptions {
+    bool trials = false;  ///< a line for each trial too, hidden, with the class `sim-trial` and `data-trial`
+    bool now = false;     ///< a line for a time, with the class `sim-now`
+};
+
+/// The place of the plotted area in every plot, in the units of its view box.
+struct PlotArea {
+    double left = 62, top = 0, width = 440, height = 180;
+};
+
+/// A group for a chart whose upper left corner is the origin, and its height.
+struct Plot {
+    std::string svg;
+    double width = 520;
+    double height = 0;
+    PlotArea area;
+};
+[[nodiscard]] Plot plot(const Chart&, const std::vector<double>& times, const PlotOptions& = {});
+
+/// All charts of a run below each other, as a picture.
+[[nodiscard]] std::string plots_svg(const Scenario&, const Charts&);
+
+}  // namespace robochart::simulation

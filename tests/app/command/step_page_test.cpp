@@ -1,0 +1,338 @@
+// `step --html`: what the page embeds is what the terminal offers; it lets nothing of the model act; and in a browser
+// it goes where keys lead.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "diagnostics/cache/digest.hpp"
+#include "diagnostics/splitmix64.hpp"
+#include "tests/app/command.hpp"
+#include "tests/app/command/page.hpp"
+#include "tests/contents.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using tests::contents;
+
+/// What a page embeds.
+class Space {
+public:
+    explicit Space(const std::string& page)
+        : data_(nlohmann::json::parse(
+              between(page, "<script type=\"application/json\" id=\"space\">", "</script>").at(0))) {}
+
+    [[nodiscard]] std::size_t states() const { return data_["states"].size(); }
+    [[nodiscard]] std::size_t offers(std::size_t state) const { return data_["states"][state][1].size() / 2; }
+    /// As the terminal has it: "(hidden) t0: i -> A   m.rct:3".
+    [[nodiscard]] std::string offer(std::size_t state, std::size_t number) const {
+        const auto& label = data_["labels"].at(data_["states"][state][1].at(2 * number).get<std::size_t>());
+        const std::string place = text(label[1]);
+        return (label[2] == 1 ? "(hidden) " : "") + text(label[0]) + (place.empty() ? "" : "   " + place);
+    }
+    /// -1 where it is not embedded.
+    [[nodiscard]] long target(std::size_t state, std::size_t number) const {
+        return data_["states"][state][1].at(2 * number + 1).get<long>();
+    }
+    /// "a>1 b>2": its offers with the states behind them.
+    [[nodiscard]] std::string listed(std::size_t state) const {
+        std::string line;
+        for (std::size_t i = 0; i < offers(state); ++i)
+            line += (i == 0 ? "" : " ") + offer(state, i) + ">" + std::to_string(target(state, i));
+        return line;
+    }
+    [[nodiscard]] std::string text(const nlohmann::json& number) const {
+        return data_["texts"].at(number.get<std::size_t>()).get<std::string>();
+    }
+
+private:
+    nlohmann::json data_;
+};
+
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+/// A page of `step`, from files in a folder: "@NAME" is a file's path.
+std::string page_of(const Files& files, std::vector<std::string> words) {
+    const Folder folder(files);
+    for (std::string& word : words)
+        if (word.starts_with("@")) word = folder / word.substr(1);
+    words.insert(words.begin(), "step");
+    words.insert(words.end(), {"--html", folder / "page.html"});
+    const Ran ran = run(words);
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    return contents(folder / "page.html");
+}
+
+// P is 0, Q is 1, STOP is 2.
+TEST(StepPage, EmbedsTheStatesOfAScript) {
+    const Space space(page_of({{"s.csp", "channel a, b\nP = a -> Q [] b -> STOP\nQ = b -> P\n"}}, {"@s.csp", "P"}));
+    ASSERT_EQ(space.states(), 3U);
+    EXPECT_EQ(space.listed(0), "a>1 b>2");
+    EXPECT_EQ(space.listed(1), "b>0");
+    EXPECT_EQ(space.listed(2), "");
+}
+
+TEST(StepPage, ReportsWhereItEnds) {
+    const Folder folder(Files{{"s.csp", "channel a, b\nP(n) = n < 6000 & a -> P(n+1) [] b -> P(0)\n"}});
+    const Ran ran = run({"step", folder / "s.csp", "P(0)", "--html", folder / "page.html"});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("5000 states; the limit of 5000 states was reached; found and left out: 1\n"));
+    const std::string page = contents(folder / "page.html");
+    EXPECT_THAT(page, HasSubstr("5000 states; the limit of 5000 states was reached; found and left out: 1;"));
+    const Space space(page);
+    ASSERT_EQ(space.states(), 5000U);
+    EXPECT_EQ(space.listed(4998), "a>4999 b>0");
+    EXPECT_EQ(space.listed(4999), "a>-1 b>0") << "all offers, but nothing behind the limit";
+}
+
+// Each state takes longer than the one before.
+TEST(StepPage, KeepsWhatWasExploredWhenTheTimeIsOver) {
+    const Folder folder(Files{{"s.csp",
+                               "channel a\nf(n) = if n == 0 then 0 else f(n-1)\n"
+                               "P(n) = f(20000+n) == 0 & a -> P(n+1)\n"}});
+    const Ran ran = run({"step", folder / "s.csp", "P(0)", "--timeout", "1", "--html", folder / "page.html"});
+    EXPECT_EQ(ran.exit, 3) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("the time limit was reached; found and left out: 1"));
+    const Space space(contents(folder / "page.html"));
+    ASSERT_GT(space.states(), 0U);
+    EXPECT_EQ(space.listed(space.states() - 1), "a>-1");
+}
+
+TEST(StepPage, KeepsWhatCannotBeEvaluated) {
+    const Folder folder(Files{{"s.csp", "channel a : {0..1}\nP = a?x -> Q(x)\nQ(1) = P\n"}});
+    const Ran ran = run({"step", folder / "s.csp", "P", "--html", folder / "page.html"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("Q"));
+    EXPECT_EQ(Space(contents(folder / "page.html")).listed(0), "a.0>1 a.1>2");
+}
+
+/// Blocks of the terminal's output, one a state: its offers.
+std::vector<std::vector<std::string>> shown(const std::string& out) {
+    std::vector<std::vector<std::string>> result;
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty()) result.emplace_back();
+        const std::size_t digit = line.find_first_not_of(' ');
+        const std::size_t end = digit == std::string::npos ? digit : line.find("  ", digit);
+        if (result.empty() || digit == std::string::npos || digit > 3 || digit < 1 || end == std::string::npos)
+            continue;
+        if (line.find_first_not_of("0123456789", digit) == end) result.back().push_back(line.substr(end + 2));
+    }
+    return result;
+}
+
+// The same 2,000 choices in the page's data and in the terminal.
+TEST(StepPage, AWalkOffersWhatTheTerminalOffers) {
+    for (const std::vector<std::string>& time : {std::vector<std::string>{}, {"--untimed"}}) {
+        std::vector<std::string> words{repository("corpus/aggregation")};
+        words.insert(words.end(), time.begin(), time.end());
+        const Space space(page_of({}, words));
+        // With hidden steps the walk begins at the beginning, after two blocks of output.
+        std::string commands = "internal\nundo 0\n";
+        std::vector<std::vector<std::string>> expected;
+        std::size_t here = 0;
+        std::uint64_t chance = 1;
+        for (int i = 0; i < 2000; ++i) {
+            std::vector<std::string> offers;
+            for (std::size_t k = 0; k < space.offers(here); ++k) offers.push_back(space.offer(here, k));
+            expected.push_back(offers);
+            if (offers.empty()) {
+                commands += "undo 0\n";
+                here = 0;
+                continue;
+            }
+            const std::size_t chosen = diagnostics::splitmix64(chance) % offers.size();
+            commands += std::to_string(chosen + 1) + "\n";
+            ASSERT_GE(space.target(here, chosen), 0);
+            here = static_cast<std::size_t>(space.target(here, chosen));
+        }
+        words.insert(words.begin(), "step");
+        const Ran ran = run(words, commands);
+        EXPECT_EQ(ran.exit, 0) << ran.err;
+        std::vector<std::vector<std::string>> blocks = shown(ran.out);
+        ASSERT_EQ(blocks.size(), 2003U);
+        blocks.erase(blocks.begin(), blocks.begin() + 2);
+        blocks.pop_back();
+        EXPECT_TRUE(blocks == expected);
+    }
+}
+
+TEST(StepPage, ItsPolicyNamesItsStylesAndItsScriptAlone) {
+    const std::string page = page_of({}, {repository("corpus/swarm_taxis")});
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"").at(0);
+    EXPECT_THAT(policy, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(policy, Not(HasSubstr("unsafe")));
+    const auto scripts = between(page, "<script>", "</script>");
+    ASSERT_EQ(scripts.size(), 1U);
+    EXPECT_THAT(policy, HasSubstr("'" + diagnostics::policy_hash(scripts.front()) + "'"));
+    const auto styles = between(page, "<style>", "</style>");
+    EXPECT_GT(styles.size(), 1U) << "of the diagrams too";
+    for (const std::string& style : styles) EXPECT_THAT(policy, HasSubstr("'" + diagnostics::policy_hash(style) + "'"));
+    EXPECT_TRUE(all(page, "( style=\"[^\"]*\")").empty()) << "the policy forbids attributes";
+    EXPECT_TRUE(all(page, "((?:src|href)=\"[^#\"][^\"]*\")").empty()) << "nothing is fetched";
+    std::set<std::string> ids;
+    for (const std::string& id : all(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id;
+}
+
+constexpr const char* lamp = R"(package p
+stm S { event e : nat event f initial i var x : nat
+state Off { } state On { entry wait(2) }
+transition t0 { from i to Off }
+transition t1 { from Off to On trigger e?x condition x > 0 }
+transition t2 { from On to Off trigger f } })";
+
+TEST(StepPage, ShowsTheFirstStateWithoutScript) {
+    const std::string page = page_of({{"m.rct", lamp}}, {"@m.rct"});
+    EXPECT_THAT(page, HasSubstr("<noscript>"));
+    EXPECT_THAT(page, HasSubstr("<code>robochart-verify step</code> steps in a terminal"));
+    const std::string offers = between(page, "<ol id=\"offers\"", "</ol>").at(0);
+    EXPECT_THAT(offers, HasSubstr("(hidden) t0: i -&gt; Off"));
+    EXPECT_THAT(between(page, "<ul id=\"machines\"", "</ul>").at(0), HasSubstr("p::S: at initial node i"));
+}
+
+TEST(StepPage, NothingOfTheModelActs) {
+    const std::string evil = "</script><img src=x onerror=alert(1)>\\\"'\xe2\x80\xae";
+    const std::string page =
+        page_of({{"<b>x.rct", "package p stm S { event e : string initial i state A { entry send e!\"" + evil +
+                                  "\" } transition t0 { from i to A } }"}},
+                {"@<b>x.rct", "S"});
+    EXPECT_THAT(page, Not(HasSubstr("<img")));
+    EXPECT_THAT(page, Not(HasSubstr("<b>")));
+    EXPECT_THAT(page, Not(HasSubstr("\xe2\x80\xae"))) << "what turns the direction of writing is shown";
+    EXPECT_EQ(between(page, "<script", "</script>").size(), 2U) << "the data and the script";
+    bool sent = false;
+    const Space space(page);
+    for (std::size_t state = 0; state < space.states(); ++state)
+        for (std::size_t i = 0; i < space.offers(state); ++i)
+            sent = sent || space.offer(state, i).find("<img src=x onerror=alert(1)>") != std::string::npos;
+    EXPECT_TRUE(sent) << "as text it is there";
+}
+
+TEST(StepPage, ThatCannotBeWrittenIsAnError) {
+    const Ran ran = run({"step", repository("corpus/aggregation"), "--html", "/proc/page.html"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("/proc/page.html"));
+}
+
+const std::string lamp_page =
+    std::string("cat > m.rct <<'EOT'\n") + lamp + "\nEOT\n\"$verify\" step m.rct --html page.html";
+
+class StepPageInABrowser : public InABrowser {};
+
+const std::string status = "print document.getElementById('status').textContent\n";
+const std::string address = "print location.hash\n";
+const std::string lit =
+    "print ['on', 'fired'].map((look) => Array.from(document.querySelectorAll('figure .' + look + ' > "
+    "title')).map((title) => title.textContent))\n";
+
+// At rest in Off there are: e with 1, e with 2 (not with 0: its condition), time. After e the machine waits for two
+// time units, then takes f. No line of the output is a problem.
+TEST_F(StepPageInABrowser, GoesWhereKeysLead) {
+    const auto lines = played(lamp_page, status + "key 2\n" + status + lit +
+                                             "print document.querySelector('#absences .reason').textContent\n"
+                                             "key 1\n"
+                                             "print document.querySelector('#machines .changed').textContent\n"
+                                             "key t\n" +
+                                             status + lit);
+    ASSERT_EQ(lines.size(), 7U) << ::testing::PrintToString(lines);
+    EXPECT_THAT(lines[0], HasSubstr("t=0: entered Off; 3 offers"));
+    EXPECT_THAT(lines[1], HasSubstr("t=0: input e with 2 (t1: Off -> On); 1 offer"));
+    EXPECT_THAT(lines[2], HasSubstr(R"([["state On"],["transition t1)"));
+    EXPECT_THAT(lines[3], HasSubstr("the machine is not at rest: entry action of On, waiting"));
+    EXPECT_EQ(lines[4], R"("wait left1was 2")");
+    EXPECT_THAT(lines[5], HasSubstr("t=2: entered On; 2 offers")) << "hidden steps are taken at once";
+    EXPECT_EQ(lines[6], R"([["state On"],["state On"]])") << "has been entered";
+}
+
+TEST_F(StepPageInABrowser, ComesBackAndKeepsTheWayInItsAddress) {
+    const auto lines =
+        played(lamp_page, address + "key 2\n" + address + "key t\nkey t\n" + address + "key u\n" + address +
+                              "key Backspace\n" + address + "back\n" + address + "key Home\n" + address +
+                              "click #way li:first-child button\n" + address + "open #1x2.2.1\n" + status +
+                              "open #1x2.9.1\n" + status + "open #<img>\n" + status);
+    ASSERT_EQ(lines.size(), 11U) << ::testing::PrintToString(lines);
+    const std::string rest = lines[0].substr(0, lines[0].size() - 1);  // of the state before the first choice
+    EXPECT_EQ(lines[1], rest + ".2\"");
+    EXPECT_EQ(lines[2], rest + ".2.1x3\"") << "two time units, and that On is entered, which is hidden";
+    EXPECT_EQ(lines[3], rest + ".2.1\"") << "undo takes back the last choice, with the hidden steps behind it";
+    EXPECT_EQ(lines[4], rest + ".2\"");
+    EXPECT_EQ(lines[5], rest + ".2.1\"") << "the browser goes back to before the last undo";
+    EXPECT_EQ(lines[6], lines[0]);
+    EXPECT_EQ(lines[7], "\"#0\"");
+    EXPECT_THAT(lines[8], HasSubstr("step 4, t=1: one time unit passes"));
+    EXPECT_THAT(lines[9], HasSubstr("followed to step 2 only"));
+    EXPECT_THAT(lines[10], HasSubstr("followed to step 0 only"));
+}
+
+// Twelve offers: 1 may go on, 3 cannot, 12 is whole.
+TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
+    const auto lines =
+        played("printf 'channel a : {1..12}\\nP = a?x -> P\\n' > s.csp; \"$verify\" step s.csp P --html page.html",
+               "key 1\n" + status + "key Enter\n" + address + "key 3\n" + address + "key 1\nkey 2\n" + address +
+                   "key 1\nkey 5\n" + status + "key 1\nkey Escape\nkey Enter\n" + address +
+                   "print document.querySelectorAll('#offers button').length\n");
+    EXPECT_THAT(lines, ElementsAre("\"offer 1: Enter takes it\"", "\"#1\"", "\"#1.3\"", "\"#1.3.12\"",
+                                   "\"there is no offer 15\"", "\"#1.3.12\"", "12"));
+}
+
+// The way and the log of docs/step.md, "What was walked, kept".
+TEST_F(StepPageInABrowser, WritesTheWayAsTheLogThatSaveWrites) {
+    std::string keys = "key 1\nkey 1\nkey 1\n";
+    for (int i = 0; i < 10; ++i) keys += "key t\n";
+    const auto lines = played("\"$verify\" init wanderer > init.txt; \"$verify\" step wanderer --html page.html",
+                              keys + "key 1\nclick #log\nprint document.getElementById('log-text').value\n");
+    std::string expected = R"("robochart-trace 1\ncomponent wanderer::Robot\ncycle 1\nrun by hand\n)"
+                           R"(obstacle? forward! turn!90 tock\n)";
+    for (int i = 0; i < 9; ++i) expected += R"(tock\n)";
+    EXPECT_THAT(lines, ElementsAre(expected + R"(forward!\n")"));
+}
+
+TEST_F(StepPageInABrowser, RefusesLogsAsSaveDoes) {
+    const auto lines = played(
+        "printf 'stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A "
+        "trigger e } }' > m.rct; \"$verify\" step m.rct --html page.html",
+        "key 1\nkey 1\nclick #log\n" + status);
+    ASSERT_EQ(lines.size(), 1U) << ::testing::PrintToString(lines);
+    EXPECT_THAT(lines[0], HasSubstr("happens twice within one time unit; a cycle reads each input once"));
+}
+
+TEST_F(StepPageInABrowser, IsQuietInTheDarkAndWithoutScript) {
+    for (const std::string how : {"dark", "noscript"})
+        EXPECT_THAT(played(lamp_page, "key 1\n", how), ElementsAre()) << how;
+}
+
+TEST_F(StepPageInABrowser, EndsWhereTheEmbeddedStatesEnd) {
+    const auto lines = played(
+        "printf 'channel a, b\nP(n) = n < 6000 & a -> P(n+1) [] b -> P(0)\n' > s.csp; \"$verify\" step s.csp 'P(0)' "
+        "--html page.html",
+        "open #1x4999\n" + status + "key 1\n" + address +
+            "print document.getElementById('ends').textContent\n"
+            "print document.querySelectorAll('#offers button:disabled').length\n"
+            "print document.querySelectorAll('#way li').length\n"
+            "print document.querySelector('#way li').textContent\nclick #way li button\n"
+            "print document.querySelectorAll('#way li').length\nkey 2\n" +
+            address);
+    EXPECT_THAT(lines,
+                ElementsAre("\"step 4999: a; 2 offers\"", "\"#1x4999\"",
+                            "\"The embedded states end here (the limit of 5000 states was reached): behind 1 of 2 "
+                            "offers there are others.\"",
+                            "1", "201", "\"4799 steps before; show them all\"", "5000", "\"#1x4999.2\""));
+}
+
+// 2,000 steps of a way in the address.
+TEST_F(StepPageInABrowser, GoesALongWay) {
+    const auto lines = played(lamp_page, "open #1x2.3x2000\n" + status + "key u\n" + status);
+    ASSERT_EQ(lines.size(), 2U) << ::testing::PrintToString(lines);
+    EXPECT_THAT(lines[0], HasSubstr("step 2002, t=2000: one time unit passes"));
+    EXPECT_THAT(lines[1], HasSubstr("step 2001, t=1999"));
+}
+
+}  // namespace
+}  // namespace robochart::app::testing

@@ -1,0 +1,42 @@
+#include "prism_emit/preferences.hpp"
+
+#include <gtest/gtest.h>
+
+namespace robochart::prism_emit {
+namespace {
+
+TEST(Preferences, RangesAndTheKindAreRead) {
+    Preferences found;
+    EXPECT_EQ(read_preferences("# comment\nINT_MIN=-1\r\nINT_MAX = 20\nNAT_MIN=0\nNAT_MAX=5\nREAL_MIN=-3\nREAL_MAX=3\n"
+                               "PRISM_MODELTYPE=mdp\nSTM_GEN_ORDER=\nERROR_LOG_FILE=error.log\n\n",
+                               found),
+              "");
+    EXPECT_EQ(found.integer.low, -1);
+    EXPECT_EQ(found.integer.high, 20);
+    EXPECT_EQ(found.nat.high, 5);
+    EXPECT_EQ(found.real.low, -3);
+    EXPECT_EQ(found.kind, prism::ModelKind::mdp);
+}
+
+TEST(Preferences, WhatIsNotThereStays) {
+    Preferences found;
+    found.nat = {1, 4};
+    EXPECT_EQ(read_preferences("INT_MAX=3\n", found), "");
+    EXPECT_EQ(found.nat.low, 1);
+    EXPECT_EQ(found.nat.high, 4);
+}
+
+TEST(Preferences, MistakesAreNamedWithTheirLine) {
+    const auto error = [](const std::string& text) {
+        Preferences found;
+        return read_preferences(text, found);
+    };
+    EXPECT_EQ(error("\nINT_MAX=many\n"), "line 2: INT_MAX: a whole number is expected");
+    EXPECT_EQ(error("INT_MAX=3000000000\n"), "line 1: INT_MAX: a whole number is expected") << "more than 32 bits";
+    EXPECT_EQ(error("PRISM_MODELTYPE=ctmc"), "line 1: PRISM_MODELTYPE: dtmc or mdp is expected");
+    EXPECT_EQ(error("\n\nnonsense"), "line 3: KEY=VALUE is expected");
+    EXPECT_EQ(error("NAT_MIN=2\nNAT_MAX=1"), "NAT_MIN is greater than NAT_MAX");
+}
+
+}  // namespace
+}  // namespace robochart::prism_emit
