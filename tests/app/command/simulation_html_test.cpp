@@ -230,7 +230,7 @@ std::string acted(const std::string& script) {
     return "sed -e 's|<meta http-equiv[^>]*>|<script>requestAnimationFrame = (draw) => setTimeout(() => "
            "draw(performance.now()), 20); cancelAnimationFrame = clearTimeout;</script>|' -e 's|</body>|<script>" +
            script +
-           "</script></body>|' page.html > acted.html; timeout 60 chromium --headless --no-sandbox --disable-gpu "
+           "</script></body>|' page.html > acted.html; timeout 200 chromium --headless --no-sandbox --disable-gpu "
            "--enable-logging=stderr --user-data-dir=profile --virtual-time-budget=4000 --dump-dom "
            "\"file://$PWD/acted.html\"";
 }
@@ -244,7 +244,7 @@ std::string simulated() {
 TEST(SimulationHtml, ShowsTheTimeInTheAddress) {
     if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not on PATH";
     const Ran ran = run_shell(simulated() +
-                              "timeout 60 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
+                              "timeout 200 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
                               "--user-data-dir=profile --dump-dom \"file://$PWD/page.html#trial/2/frame/40/robot/3\"; "
                               "grep '^20.000,3,' trial-02.csv");
     EXPECT_THAT(ran.err, Not(HasSubstr("CONSOLE"))) << "neither an error nor a request that the policy forbids";
