@@ -18,7 +18,7 @@ const browser = spawn(
         "--disable-background-timer-throttling", "--disable-backgrounding-occluded-windows",
         "--disable-renderer-backgrounding", "--no-first-run", "--disable-extensions",
     ],
-    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
+    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], detached: true },
 );
 const [toBrowser, fromBrowser] = [browser.stdio[3], browser.stdio[4]];
 
@@ -81,22 +81,33 @@ try {
     const { targetId } = await ask("Target.createTarget", { url: "about:blank" });
     session = (await ask("Target.attachToTarget", { targetId, flatten: true })).sessionId;
     for (const domain of ["Page", "Runtime", "Log", "Network"]) await ask(`${domain}.enable`);
-    if (process.argv[3] === "noscript") await ask("Emulation.setScriptExecutionDisabled", { value: true });
+    const scripted = process.argv[3] !== "noscript";
+    if (!scripted) await ask("Emulation.setScriptExecutionDisabled", { value: true });
     if (process.argv[3] === "dark")
         await ask("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: "dark" }] });
     const ready = new Promise((done) => (loaded = done));
     await ask("Page.navigate", { url: page });
     await ready;
     await ask("Emulation.setFocusEmulationEnabled", { enabled: true });
-    await evaluated("new Promise((done) => requestAnimationFrame(() => setTimeout(done)))");
+    if (scripted) await evaluated("new Promise((done) => requestAnimationFrame(() => setTimeout(done)))");
     for (const line of readFileSync(0, "utf8").split("\n").filter((each) => each !== "")) {
         const [word, ...rest] = line.split(" ");
         await commands[word](rest.join(" "));
     }
     for (const text of events.map(problem)) if (text !== undefined) console.log(`problem: ${text}`);
 } finally {
+    // Its other processes outlive it for a moment, and write into the profile.
     const ended = new Promise((done) => browser.once("exit", done));
-    browser.kill();
+    process.kill(-browser.pid, "SIGKILL");
     await ended;
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    for (let left = 50; left > 0 && !removed(profile); --left) await new Promise((done) => setTimeout(done, 100));
+}
+
+function removed(folder) {
+    try {
+        rmSync(folder, { recursive: true, force: true });
+        return true;
+    } catch {
+        return false;
+    }
 }
