@@ -144,10 +144,10 @@ TEST(Probability, TheSuiteIsUnderstood) {
          {std::pair("suite/prism/uvc", 14U), std::pair("suite/prism/robotool/hvc", 14U)}) {
         if (!std::filesystem::exists(shared / folder)) continue;
         Reading reading;
-        const auto model = load_project(reading.sources, {(shared / folder).string()}, reading.findings);
+        const auto loaded = load_project(reading.sources, {(shared / folder).string()}, reading.findings);
         EXPECT_TRUE(reading.findings.ok()) << reading.report();
         std::size_t count = 0;
-        for (const auto& file : model->files) {
+        for (const auto& file : loaded->files) {
             count += file->probabilistic_assertions.size();
             EXPECT_TRUE(file->kept.empty());
         }
