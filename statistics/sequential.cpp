@@ -1,3 +1,4 @@
+// See sequential.hpp.
 #include "statistics/sequential.hpp"
 
 #include <cmath>
