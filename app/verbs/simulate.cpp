@@ -26,10 +26,8 @@
 
 namespace robochart::app {
 namespace fs = std::filesystem;
-namespace {
 
-/// The scenario's text into the project's sources; its scenario.
-simulation::Scenario read(Project& project, const Options& options) {
+simulation::Scenario read_scenario_of(Project& project, const Options& options) {
     std::string error;
     const auto source = project.sources.load(options.inputs.front(), error);
     if (!source) {
@@ -41,6 +39,8 @@ simulation::Scenario read(Project& project, const Options& options) {
     if (options.seed) scenario.seed = *options.seed;
     return scenario;
 }
+
+namespace {
 
 std::string model_of(const simulation::Scenario& scenario, const std::string& path) {
     const fs::path folder = fs::path(path).parent_path();
@@ -168,8 +168,9 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
     };
 }
 
-/// Builds the controller and runs; what goes wrong is among the project's diagnostics.
-std::unique_ptr<simulation::Controller> build(Simulation& simulation, const Options& options) {
+}  // namespace
+
+std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation, const Options& options) {
     std::string error;
     auto controller = simulation::Controller::build(simulation.emission, "", error,
                                                     simulation.project->diagnostics.budget(), options.run->cache());
@@ -179,12 +180,10 @@ std::unique_ptr<simulation::Controller> build(Simulation& simulation, const Opti
     return controller;
 }
 
-}  // namespace
-
 std::unique_ptr<Simulation> load_simulation(const Options& options) {
     auto simulation = std::make_unique<Simulation>();
     simulation->project = std::make_unique<Project>();
-    simulation->scenario = read(*simulation->project, options);
+    simulation->scenario = read_scenario_of(*simulation->project, options);
     if (options.inputs.size() != 1)
         simulation->project->diagnostics.report(rules::bad_option, {}, {"simulate takes one scenario at a time"});
     if (!simulation->project->diagnostics.ok()) return simulation;
@@ -192,7 +191,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     model.inputs = {model_of(simulation->scenario, options.inputs.front())};
     simulation->project = load(model);
     if (!acceptable(*simulation->project, options)) return simulation;
-    simulation->scenario = read(*simulation->project, options);
+    simulation->scenario = read_scenario_of(*simulation->project, options);
     emit(*simulation, model.inputs.front());
     return simulation;
 }
@@ -212,9 +211,10 @@ void write_page(Simulation& simulation, const simulation::RunResult& result, con
 
 Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
+    if (!simulation->scenario.variations.empty()) return sweep(options, stage);
     Project& project = *simulation->project;
     if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
-    const auto controller = build(*simulation, options);
+    const auto controller = build_controller(*simulation, options);
     if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;
     wanted.threads = stage.parallel ? options.threads : 1;

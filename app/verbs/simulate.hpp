@@ -7,6 +7,7 @@
 #include "app/command/pipeline.hpp"
 #include "simulation/report/run.hpp"
 #include "simulation/scenario/plan.hpp"
+#include "simulation/trial/controller.hpp"
 
 namespace robochart::app {
 
@@ -20,6 +21,11 @@ struct Simulation {
 /// Reads the scenario and its model and binds them. Never null; the project's diagnostics tell whether it can run.
 [[nodiscard]] std::unique_ptr<Simulation> load_simulation(const Options&);
 
+/// The scenario's text into the project's sources; its scenario.
+[[nodiscard]] simulation::Scenario read_scenario_of(Project&, const Options&);
+/// Builds the controller; on failure null, and what is wrong is among the project's diagnostics.
+[[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
+
 /// Another simulator in place of the embedded world.
 struct OtherStage {
     std::string name;  ///< "" for the embedded world
@@ -27,6 +33,8 @@ struct OtherStage {
     bool parallel = true;  ///< may trials run at the same time?
 };
 Exit run_simulate(const Options&, const OtherStage&);
+/// Of a scenario in which something varies.
+Exit sweep(const Options&, const OtherStage&);
 /// The whole of a program that simulates in another simulator: its arguments are those of the verb. Returns its exit
 /// code.
 int simulate_program(const char* program, int argc, char** argv, const OtherStage&);

@@ -163,6 +163,17 @@ struct Claim {
     diagnostics::Span span;
 };
 
+enum class Varied { robots, noise, constant };
+
+/// `vary robots in 1 to 30`.
+struct Variation {
+    Varied what = Varied::robots;
+    std::string constant;        ///< of the model, its name
+    std::vector<double> values;  ///< ascending, without repetition
+    bool until_proved = false;   ///< the first variation: up to the first value at which the claims are proved
+    diagnostics::Span span;
+};
+
 struct Scenario {
     Name name;
     Name component;
@@ -185,6 +196,7 @@ struct Scenario {
     std::vector<Measure> measures;
     std::vector<Band> bands;
     std::vector<Claim> claims;
+    std::vector<Variation> variations;  ///< at most two
     std::vector<double> pictures;       ///< times, s
     double record = 0.5;                ///< s between recorded positions
 

@@ -12,7 +12,6 @@ namespace robochart::simulation {
 
 namespace {
 
-constexpr std::uint64_t most_robots = 100'000;
 constexpr std::uint64_t most_trials = 100'000;
 
 }  // namespace
@@ -32,8 +31,8 @@ Scenario ScenarioReader::read() {
     return scenario_;
 }
 
-const std::array<ScenarioReader::ItemRow, 20>& ScenarioReader::items() {
-    static constexpr std::array<ItemRow, 20> table{{
+const std::array<ScenarioReader::ItemRow, 21>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 21> table{{
         {"model", true, &ScenarioReader::model},        {"step", true, &ScenarioReader::step},
         {"physics", true, &ScenarioReader::physics},    {"unit", true, &ScenarioReader::time_unit},
         {"duration", true, &ScenarioReader::duration},  {"trials", true, &ScenarioReader::trials},
@@ -44,6 +43,7 @@ const std::array<ScenarioReader::ItemRow, 20>& ScenarioReader::items() {
         {"drive", false, &ScenarioReader::drive},       {"stimulus", false, &ScenarioReader::stimulus},
         {"measure", false, &ScenarioReader::measure},   {"accept", false, &ScenarioReader::accept},
         {"pictures", true, &ScenarioReader::pictures},  {"record", true, &ScenarioReader::record},
+        {"vary", false, &ScenarioReader::vary},
     }};
     return table;
 }
@@ -139,7 +139,7 @@ Name ScenarioReader::new_name(std::string_view what) {
 
 void ScenarioReader::robots() {
     robots_span_ = in_.token().span;
-    scenario_.robots = static_cast<std::uint32_t>(in_.count(1, most_robots, "the number of robots"));
+    scenario_.robots = static_cast<std::uint32_t>(in_.count(1, most_robots_, "the number of robots"));
     in_.expect("{");
     Body& body = scenario_.world.body;
     while (!in_.failed() && !in_.at("}")) {

@@ -24,6 +24,7 @@ public:
     Scenario read();
 
 private:
+    static constexpr std::uint64_t most_robots_ = 100'000;
     using Item = void (ScenarioReader::*)();
     struct ItemRow {
         std::string_view word;
@@ -38,7 +39,7 @@ private:
     };
 
     // scenario.cpp: times, the arena and who is in it
-    static const std::array<ItemRow, 20>& items();
+    static const std::array<ItemRow, 21>& items();
     void item();
     void model();
     void step();
@@ -100,6 +101,11 @@ private:
     Formula over(Formula::Kind kind, std::string_view word, Formula part, double time);
     [[nodiscard]] bool at_time_word() const;
     double time_limit(std::string_view what);
+
+    // scenario_variations.cpp: what a sweep varies
+    void vary();
+    void values(Variation& variation);
+    double value_of(Varied what);
 
     // scenario_checks.cpp: what belongs together
     void check();

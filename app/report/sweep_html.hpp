@@ -1,0 +1,13 @@
+// A sweep as one page: the answers, the table of points, plots, the world that they are about.
+#pragma once
+
+#include <string>
+
+#include "simulation/sweep/sweep_plot.hpp"
+
+namespace robochart::app {
+
+[[nodiscard]] std::string render_sweep_html(const simulation::Scenario&, const simulation::SweepResult&,
+                                            const std::vector<simulation::SweepPlot>&);
+
+}  // namespace robochart::app

@@ -1,0 +1,241 @@
+// `simulate` with a scenario in which something varies: its claims at every point, one after the other. What is known
+// of a point is kept with what earlier runs have worked out, so a run that was stopped goes on where it was.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/command/output.hpp"
+#include "app/command/progress.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/report/sweep_html.hpp"
+#include "app/verbs/monitor.hpp"
+#include "app/verbs/simulate.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::app {
+namespace {
+
+constexpr std::size_t most_points = 2000;
+
+/// The controllers of the points that share the constants of the model.
+struct Prepared {
+    std::vector<std::string> constants;
+    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<simulation::Controller> controller;
+    std::unique_ptr<Monitors> monitors;
+};
+
+class Sweep {
+public:
+    Sweep(const Options& options, const OtherStage& stage, std::unique_ptr<Project> project,
+          simulation::Scenario scenario)
+        : options_(options), stage_(stage), project_(std::move(project)), scenario_(std::move(scenario)) {}
+
+    Exit run() {
+        check();
+        if (!project_->diagnostics.ok()) return refused(*project_);
+        for (const simulation::Point& point : simulation::points_of(scenario_)) result_.points.push_back({point, {}});
+        for (simulation::PointResult& point : result_.points) {
+            if (result_.interrupted || !wanted(point)) continue;
+            if (const auto refusal = look_at(point)) return *refusal;
+        }
+        redraw("");
+        result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        return report();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void check() {
+        const auto missing = [&](const char* what) {
+            project_->diagnostics.report(simulation::rules::missing, scenario_.name.span, {what});
+        };
+        if (scenario_.claims.empty()) missing("what is claimed (accept probability)");
+        std::size_t points = 1;
+        for (const simulation::Variation& each : scenario_.variations) points *= each.values.size();
+        if (points > most_points)
+            project_->diagnostics.report(simulation::rules::out_of_range, scenario_.variations.back().span,
+                                         {fmt::format("{} points are more than {}", points, most_points)});
+    }
+
+    Exit refused(Project& project) const { return show_diagnostics(project, options_), refusal(project); }
+
+    [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
+
+    /// Where values are tried until one is proved: can the point still change what is said of the least value?
+    [[nodiscard]] bool wanted(const simulation::PointResult& point) const {
+        if (!until_proved()) return true;
+        const std::optional<double> second = point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
+        for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
+            if (!simulation::least(result_.points, c, second).ended) return true;
+        return false;
+    }
+
+    /// The exit code where the point cannot be looked at.
+    std::optional<Exit> look_at(simulation::PointResult& point) {
+        if (const auto refusal = prepare(simulation::constants_at(scenario_, point.point))) return refusal;
+        const simulation::Scenario scenario = simulation::scenario_at(prepared_.simulation->scenario, point.point);
+        const diagnostics::Digest key = key_of(point.point);
+        diagnostics::Cache* const cache = options_.run->cache();
+        const auto earlier = cache == nullptr ? std::nullopt : cache->find(key);
+        if (earlier)
+            if (auto known = simulation::restored(*earlier, scenario.claims.size())) {
+                point.claims = std::move(*known);
+                ++result_.earlier;
+                return std::nullopt;
+            }
+        simulation::Plan plan = prepared_.simulation->plan;
+        plan.scenario = &scenario;
+        Project& project = *prepared_.simulation->project;
+        const simulation::RunResult found =
+            simulation::run(plan, prepared_.controller->drive(), run_options(point.point), project.diagnostics);
+        result_.cpu_seconds += found.cpu_seconds;
+        if (!project.diagnostics.ok()) return refused(project);
+        point.claims = found.claims;
+        result_.interrupted = found.interrupted;
+        if (!found.interrupted && cache != nullptr) cache->keep(key, simulation::stored(found.claims));
+        return std::nullopt;
+    }
+
+    std::optional<Exit> prepare(const std::vector<std::string>& constants) {
+        if (prepared_.controller != nullptr && prepared_.constants == constants) return std::nullopt;
+        Options options = options_;
+        options.constants.insert(options.constants.end(), constants.begin(), constants.end());
+        prepared_ = {constants, load_simulation(options), nullptr, nullptr};
+        Project& project = *prepared_.simulation->project;
+        if (!acceptable(project, options)) return refused(project);
+        if (!shown_) show_diagnostics(project, options);
+        shown_ = true;
+        prepared_.controller = build_controller(*prepared_.simulation, options);
+        if (prepared_.controller != nullptr && options.monitor)
+            prepared_.monitors = make_monitors(*prepared_.simulation, options);
+        if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
+        return std::nullopt;
+    }
+
+    /// All that an answer depends on; the program itself is in the cache's own keys.
+    [[nodiscard]] diagnostics::Digest key_of(const simulation::Point& point) const {
+        const Simulation& simulation = *prepared_.simulation;
+        diagnostics::Hasher hasher;
+        hasher.add("point of a sweep");
+        hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
+        for (const auto& file : simulation.emission.files) {
+            hasher.add(file.path);
+            hasher.add(file.text);
+        }
+        for (std::size_t v = 0; v < point.size(); ++v)
+            hasher.add(simulation::value_text(scenario_.variations[v], point[v]));
+        hasher.add(simulation.scenario.seed);
+        hasher.add(result_.points.size());
+        hasher.add(std::uint64_t{options_.monitor ? 1U : 0U});
+        hasher.add(stage_.name);
+        return hasher.finish();
+    }
+
+    [[nodiscard]] simulation::RunOptions run_options(const simulation::Point& point) {
+        simulation::RunOptions wanted;
+        wanted.threads = stage_.parallel ? options_.threads : 1;
+        wanted.stage = stage_.make;
+        wanted.record = false;
+        wanted.comparisons = static_cast<std::uint32_t>(result_.points.size());
+        if (prepared_.monitors != nullptr) wanted.trace = prepared_.monitors->beside({});
+        wanted.interrupted = [&budget = options_.run->budget()] { return !budget.reached().empty(); };
+        const std::string where = simulation::point_text(scenario_, point);
+        wanted.progress = [this, where](const simulation::RunProgress& now) {
+            redraw(fmt::format("{} ({} points): {} trials", where, result_.points.size(), now.trials_done));
+        };
+        return wanted;
+    }
+
+    void redraw(const std::string& line) const {
+        if (options_.progress != ProgressMode::json && progress_line_wanted(options_)) redraw_error_line(line);
+    }
+
+    Exit report() {
+        const std::vector<simulation::SweepPlot> plots = simulation::sweep_plots(scenario_, result_);
+        std::vector<std::string> files;
+        if (options_.pictures) {
+            add("sweep.csv", simulation::sweep_csv(scenario_, result_), files);
+            add("sweep-trials.csv", simulation::sweep_trials_csv(scenario_, result_), files);
+            for (const simulation::SweepPlot& plot : plots) add("sweep-" + plot.name + ".svg", plot.svg, files);
+        }
+        if (!options_.html.empty())
+            unwritable(diagnostics::replace_file(options_.html, render_sweep_html(scenario_, result_, plots),
+                                                 &options_.run->budget()));
+        options_.run->finish();
+        if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
+        const Exit exit = exit_code();
+        if (options_.format == Format::json)
+            print_exact(simulation::sweep_json(scenario_, result_, files, static_cast<int>(exit)));
+        else
+            print_text(files);
+        return exit;
+    }
+
+    void add(const std::string& name, const std::string& text, std::vector<std::string>& files) {
+        const std::string path = "simulation/" + scenario_.name.text + "/" + name;
+        const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
+        unwritable(error);
+        if (error.empty()) files.push_back(options_.out + "/" + path);
+    }
+
+    void unwritable(const std::string& error) {
+        if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
+    }
+
+    /// Success where every point, or where values are tried until one is proved every least value, is decided.
+    [[nodiscard]] Exit exit_code() const {
+        if (result_.interrupted) return Exit::inconclusive;
+        for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
+            for (const simulation::PointResult& point : result_.points) {
+                if (!until_proved() && simulation::point_word(point, c) == "open") return Exit::inconclusive;
+                const std::optional<double> second =
+                    point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
+                const simulation::Least found = simulation::least(result_.points, c, second);
+                if (until_proved() && !(found.value && found.certain)) return Exit::inconclusive;
+            }
+        return Exit::success;
+    }
+
+    void print_text(const std::vector<std::string>& files) const {
+        if (!options_.quiet) {
+            print("sweep of {}: {} points, seed {} and on at each; controller {}\n{:.1f} CPU seconds{}\n\n",
+                  scenario_.name.text, result_.points.size(), scenario_.seed, scenario_.component.text,
+                  result_.cpu_seconds,
+                  result_.earlier > 0 ? fmt::format("; {} points known from earlier runs", result_.earlier) : "");
+            print("{}\n", simulation::sweep_text(scenario_, result_));
+            if (!scenario_.bands.empty()) print("bands are not asked where something varies\n\n");
+            print("in this world, but for what varies\n{}\n", simulation::world_text(scenario_));
+            if (!files.empty()) print("files\n");
+            for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
+            if (!files.empty()) print("\n");
+        }
+        if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached());
+        for (const std::string& line : simulation::least_lines(scenario_, result_)) print("{}\n", line);
+    }
+
+    const Options& options_;
+    const OtherStage& stage_;
+    std::unique_ptr<Project> project_;  ///< of the scenario's text alone
+    simulation::Scenario scenario_;
+    Prepared prepared_;
+    bool shown_ = false;
+    simulation::SweepResult result_;
+    const Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+Exit sweep(const Options& options, const OtherStage& stage) {
+    auto project = std::make_unique<Project>();
+    simulation::Scenario scenario = read_scenario_of(*project, options);
+    if (!project->diagnostics.ok()) return show_diagnostics(*project, options), refusal(*project);
+    return Sweep(options, stage, std::move(project), std::move(scenario)).run();
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,83 @@
+// Reading scenarios: `vary`, the values that a sweep goes through.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/scenario/rules.hpp"
+#include "simulation/scenario/scenario_reader.hpp"
+
+namespace robochart::simulation {
+
+namespace {
+
+constexpr std::size_t most_values = 1000;
+constexpr std::size_t most_variations = 2;
+
+}  // namespace
+
+void ScenarioReader::vary() {
+    Variation variation;
+    const diagnostics::Span begin = in_.token().span;
+    if (in_.take("const")) {
+        variation.what = Varied::constant;
+        variation.constant = in_.qualified_name("a constant of the model").text;
+    } else if (in_.take("noise")) {
+        variation.what = Varied::noise;
+    } else if (!in_.take("robots")) {
+        return in_.fail("'robots', 'noise' or 'const'");
+    }
+    in_.expect("in");
+    values(variation);
+    if (scenario_.variations.empty() && in_.take("until")) {
+        in_.expect("proved");
+        variation.until_proved = true;
+    }
+    variation.span = diagnostics::join(begin, in_.last_span());
+    if (in_.failed()) return;
+    const auto same = [&](const Variation& other) {
+        return other.what == variation.what && other.constant == variation.constant;
+    };
+    if (std::any_of(scenario_.variations.begin(), scenario_.variations.end(), same))
+        in_.report(rules::said_twice, variation.span, {fmt::format("'{}'", in_.text_since(begin))});
+    else if (scenario_.variations.size() == most_variations)
+        in_.report(rules::out_of_range, variation.span, {fmt::format("at most {} things vary", most_variations)});
+    else
+        scenario_.variations.push_back(std::move(variation));
+}
+
+/// `LOW to HIGH by STEP`, or values with commas.
+void ScenarioReader::values(Variation& variation) {
+    const diagnostics::Span begin = in_.token().span;
+    std::vector<double>& values = variation.values;
+    values.push_back(value_of(variation.what));
+    if (in_.take("to")) {
+        const double high = value_of(variation.what);
+        double step = 1;
+        if (variation.what == Varied::robots ? in_.take("by") : (in_.expect("by"), true))
+            step = value_of(variation.what);
+        const double count = step > 0 ? std::floor((high - values[0]) / step + 1e-9) : -1;
+        if (!in_.failed() && (count < 0 || count >= static_cast<double>(most_values)))
+            in_.report(rules::out_of_range, diagnostics::join(begin, in_.last_span()),
+                       {fmt::format("a variation has from 1 to {} values, from the lowest on", most_values)});
+        else
+            for (double i = 1; i <= count; ++i) values.push_back(values[0] + i * step);
+        return;
+    }
+    while (in_.take(",") && values.size() < most_values) values.push_back(value_of(variation.what));
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+double ScenarioReader::value_of(Varied what) {
+    switch (what) {
+        case Varied::robots:
+            return static_cast<double>(in_.count(1, most_robots_, "a number of robots"));
+        case Varied::noise:
+            return in_.not_negative(Dimension::share, "the noise of the wheels");
+        default:
+            return in_.quantity(Dimension::number, "the value of a constant").value;
+    }
+}
+
+}  // namespace robochart::simulation

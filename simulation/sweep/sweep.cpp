@@ -1,0 +1,152 @@
+// See sweep.hpp.
+#include "simulation/sweep/sweep.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "diagnostics/json.hpp"
+#include "simulation/report/percent.hpp"
+
+namespace robochart::simulation {
+
+using diagnostics::Json;
+
+std::vector<Point> points_of(const Scenario& scenario) {
+    std::vector<Point> points{{}};
+    // The last variation first, so that the first changes fastest.
+    for (auto variation = scenario.variations.rbegin(); variation != scenario.variations.rend(); ++variation) {
+        std::vector<Point> more;
+        for (const Point& rest : points)
+            for (const double value : variation->values) {
+                Point point{value};
+                point.insert(point.end(), rest.begin(), rest.end());
+                more.push_back(std::move(point));
+            }
+        points = std::move(more);
+    }
+    return points;
+}
+
+Scenario scenario_at(const Scenario& scenario, const Point& point) {
+    Scenario result = scenario;
+    result.bands.clear();
+    result.pictures.clear();
+    for (std::size_t v = 0; v < point.size(); ++v) {
+        const Varied what = scenario.variations[v].what;
+        if (what == Varied::robots) result.set_robots(static_cast<std::uint32_t>(point[v]));
+        if (what == Varied::noise) result.world.body.noise = point[v];
+    }
+    return result;
+}
+
+std::vector<std::string> constants_at(const Scenario& scenario, const Point& point) {
+    std::vector<std::string> result;
+    for (std::size_t v = 0; v < point.size(); ++v)
+        if (scenario.variations[v].what == Varied::constant)
+            result.push_back(
+                fmt::format("{}={}", scenario.variations[v].constant, value_text(scenario.variations[v], point[v])));
+    return result;
+}
+
+std::string name_of(const Variation& variation) {
+    return variation.what == Varied::robots ? "robots" : variation.what == Varied::noise ? "noise" : variation.constant;
+}
+
+std::string value_text(const Variation& variation, double value) {
+    if (variation.what == Varied::noise) return percent(value);
+    const std::string text = fmt::format("{:.12f}", value);
+    const std::size_t last = text.find_last_not_of('0');
+    return text.substr(0, text[last] == '.' ? last : last + 1);
+}
+
+std::string point_text(const Scenario& scenario, const Point& point) {
+    std::vector<std::string> parts;
+    for (std::size_t v = 0; v < point.size(); ++v)
+        parts.push_back(name_of(scenario.variations[v]) + " " + value_text(scenario.variations[v], point[v]));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Least least(const std::vector<PointResult>& results, std::size_t claim, std::optional<double> second) {
+    Least found;
+    bool all_fail = true;
+    for (const PointResult& each : results) {
+        if (second && each.point.at(1) != *second) continue;
+        const bool known = !each.claims.empty();
+        const ClaimVerdict verdict = known ? each.claims.at(claim).verdict : ClaimVerdict::open;
+        if (verdict == ClaimVerdict::holds && !found.value) {
+            found.value = each.point.at(0);
+            found.certain = all_fail;
+            found.ended = true;
+        }
+        all_fail = all_fail && verdict == ClaimVerdict::fails;
+    }
+    const bool tried = std::all_of(results.begin(), results.end(), [&](const PointResult& each) {
+        return (second && each.point.at(1) != *second) || !each.claims.empty();
+    });
+    found.ended = found.ended || tried;
+    return found;
+}
+
+std::optional<statistics::Interval> pointwise(const Claim& claim, const ClaimResult& found) {
+    if (claim.indifference > 0 || found.looked == 0 || found.looked != found.trials()) return std::nullopt;
+    return statistics::Looks(claim.trials, 1 - claim.confidence).at(found.successes, found.looked);
+}
+
+std::vector<statistics::Duration> durations_of(const ClaimResult& found) {
+    std::vector<statistics::Duration> durations;
+    for (const ClaimOutcome& each : found.outcomes) durations.push_back({each.time, each.holds && !each.stopped});
+    return durations;
+}
+
+std::string stored(const std::vector<ClaimResult>& claims) {
+    Json list = Json::array();
+    for (const ClaimResult& claim : claims) {
+        Json outcomes = Json::array();
+        for (const ClaimOutcome& each : claim.outcomes) {
+            outcomes.push_back((each.holds ? 1 : 0) + (each.stopped ? 2 : 0));
+            outcomes.push_back(each.time);
+        }
+        list.push_back({static_cast<int>(claim.verdict), claim.successes, claim.error, claim.interval.low,
+                        claim.interval.high, claim.looked, claim.steps, std::move(outcomes)});
+    }
+    return list.dump();
+}
+
+namespace {
+
+bool is_stored(const Json& claim) {
+    const auto numbers = [](const Json& list) {
+        return std::all_of(list.begin(), list.end(), [](const Json& each) { return each.is_number(); });
+    };
+    if (!claim.is_array() || claim.size() != 8 || !claim[7].is_array() || !numbers(claim[7])) return false;
+    return std::all_of(claim.begin(), claim.end() - 1, [](const Json& each) { return each.is_number(); });
+}
+
+}  // namespace
+
+std::optional<std::vector<ClaimResult>> restored(std::string_view text, std::size_t claims) {
+    const Json list = Json::parse(text, nullptr, false);
+    if (!list.is_array() || list.size() != claims) return std::nullopt;
+    std::vector<ClaimResult> results;
+    for (const Json& each : list) {
+        if (!is_stored(each)) return std::nullopt;
+        ClaimResult claim;
+        claim.verdict = static_cast<ClaimVerdict>(each[0].get<int>());
+        claim.successes = each[1].get<std::uint64_t>();
+        claim.error = each[2].get<double>();
+        claim.interval = {each[3].get<double>(), each[4].get<double>()};
+        claim.looked = each[5].get<std::uint64_t>();
+        claim.steps = each[6].get<std::uint64_t>();
+        for (std::size_t i = 0; i + 1 < each[7].size(); i += 2) {
+            const int bits = each[7][i].get<int>();
+            claim.outcomes.push_back({(bits & 1) != 0, each[7][i + 1].get<double>(), (bits & 2) != 0});
+        }
+        results.push_back(std::move(claim));
+    }
+    return results;
+}
+
+}  // namespace robochart::simulation
