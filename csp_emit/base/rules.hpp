@@ -19,6 +19,7 @@ extern const diagnostics::Rule one_name_for_two;         // RC-C10
 extern const diagnostics::Rule probabilistic_choice;     // RC-C21
 extern const diagnostics::Rule block_without_process;    // RC-C11
 extern const diagnostics::Rule inputs_hidden;            // RC-C12
+extern const diagnostics::Rule definition_unread;        // RC-C13
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
