@@ -72,7 +72,7 @@ const Rule not_there{
     "everything that scenarios can say."};
 
 const Rule wrong_instant{
-    "RC-M16", Severity::error, "{} takes conditions at an instant",
+    "RC-M16", Severity::error, "{}",
     "`way <= 50 cm` holds or not at an instant; `way <= 50 cm within 60 s` and `always ...` hold or not of a whole "
     "trial. "
     "`within`, `until`, `always`, `stays for`, `at` and `first` are about conditions at an instant, and `and` and `or` "

@@ -185,8 +185,8 @@ struct Scenario {
     std::vector<Measure> measures;
     std::vector<Band> bands;
     std::vector<Claim> claims;
-    std::vector<double> pictures;       ///< times, s
-    double record = 0.5;                ///< s between recorded positions
+    std::vector<double> pictures;  ///< times, s
+    double record = 0.5;           ///< s between recorded positions
 
     [[nodiscard]] std::uint64_t steps() const;
     /// Another number of robots, with an arena for them.
