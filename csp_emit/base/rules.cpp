@@ -59,6 +59,13 @@ const Rule inputs_hidden{
     "A hidden event happens by itself, without anybody who sends it. A state that can do one is unstable and refuses "
     "nothing, so the claim demands nothing of it, and may hold where the model is wrong. Hide only calls, outputs and "
     "writes; leave inputs visible, and let the specification say what it thinks of them."};
+const Rule name_of_robotool{"RC-C13", Severity::error,
+                            "{} is a name of RoboTool's that this script does not have: it {}",
+                            "The names in csp blocks are those that RoboTool's generators of 2024 to 2026 show. Older "
+                            "ones had an event for the "
+                            "return of a call and one channel for all states that are entered; what is inside a "
+                            "machine is not a process of its "
+                            "own here."};
 const Rule probabilistic_choice{
     "RC-C21", Severity::note, "probabilistic junction {} counts as a free choice: CSP has no probabilities",
     "Every transition that leaves the junction may be taken, whatever its probability, as at a junction whose "
@@ -66,10 +73,11 @@ const Rule probabilistic_choice{
     "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 12> table{
+    static constexpr std::array<const Rule*, 13> table{
         &unsupported,      &recursive_call,          &missing_in_caller,    &reserved_name,
         &too_many_points,  &instantiations_replaced, &constant_without_use, &name_of_another,
-        &one_name_for_two, &block_without_process,   &inputs_hidden,        &probabilistic_choice};
+        &one_name_for_two, &block_without_process,   &inputs_hidden,        &probabilistic_choice,
+        &name_of_robotool};
     return table;
 }
 

@@ -43,6 +43,8 @@ private:
     void reachable(Assertion& assertion);
     bool find_state(Assertion& assertion);
     void clock(Assertion& assertion);
+    void missed_event(Assertion& assertion);
+    void unknown_place(const Assertion& assertion, const Way& way);
     void parameter(AssertionParameter& parameter);
     [[nodiscard]] const Variable* constant(const AssertionParameter& parameter, const Declaration& context);
     void value(AssertionParameter& parameter);
@@ -227,6 +229,50 @@ void AssertionResolver::clock(Assertion& assertion) {
     if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
 }
 
+/// What is written behind `in` is no machine and no state of one.
+void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way) {
+    const QualifiedName& name = assertion.other;
+    if (way.used == 0) return unknown(name, way);
+    const Declaration* behind = follow(way.end());
+    const auto* machine = dynamic_cast<const Machine*>(behind);
+    if (machine == nullptr) {
+        const std::string kind(to_text(behind->kind));
+        finder_.out().report(rules::missed_where, name.span,
+                             {fmt::format("a state machine or one of its states; `{}` is a {}", name.text(), kind)});
+        return;
+    }
+    auto& finding = finder_.out().report(rules::no_state, name.span, {name.text(), machine->name, ""});
+    std::vector<std::string> candidates;
+    collect_states(*machine, candidates);
+    const std::string meant = diagnostics::nearest(name.parts.back(), candidates);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+}
+
+/// `event E is missed in S`: S leads to a machine, or on to one of its states; E is an event of this machine.
+void AssertionResolver::missed_event(Assertion& assertion) {
+    const QualifiedName& name = assertion.other;
+    const Way found = way(name);
+    const auto* machine = followed<Machine>(found.end());
+    if (machine != nullptr && found.used < name.parts.size()) assertion.state = state_at(*machine, name, found.used);
+    if (machine == nullptr || (found.used < name.parts.size() && assertion.state == nullptr))
+        return unknown_place(assertion, found);
+    assertion.other_path = found.path;
+    constexpr std::int64_t most_units = 1'000'000;
+    if (assertion.time_units && (*assertion.time_units < 1 || *assertion.time_units > most_units))
+        finder_.out().report(rules::missed_where, assertion.time_units_span,
+                             {fmt::format("a number of time units from 1 to {}", most_units)});
+    const Scope scope = scope_of(*machine);
+    if (const auto event = scope.events.find(assertion.event.parts.back()); event != scope.events.end()) {
+        assertion.missed = event->second;
+        return;
+    }
+    const std::string text = assertion.event.text();
+    auto& finding = finder_.out().report(rules::missed_where, assertion.event.span,
+                                         {fmt::format("an event that `{}` has; `{}` is none", machine->name, text)});
+    const std::string meant = diagnostics::nearest(text, finder_.keys(scope.events));
+    if (!meant.empty()) finding.fixes.push_back({assertion.event.spans.back(), meant, diagnostics::suggested(false)});
+}
+
 // ---------------------------------------------------------------- constants
 
 std::vector<const Variable*> constants_of(const Declaration& context) {
@@ -330,9 +376,12 @@ void AssertionResolver::assertion(Assertion& assertion) {
     assertion.other_path = {};
     assertion.state = nullptr;
     assertion.clock = nullptr;
+    assertion.missed = nullptr;
     const bool binary = assertion.kind == AssertionKind::refines || assertion.kind == AssertionKind::equals;
     if (assertion.kind == AssertionKind::clock_initialised) {
         clock(assertion);
+    } else if (assertion.kind == AssertionKind::event_missed) {
+        missed_event(assertion);
     } else {
         assertion.subject_path = component(assertion.subject, true);
         if (assertion.kind == AssertionKind::reachable) reachable(assertion);

@@ -254,6 +254,7 @@ private:
     void assertion(File& file, AssertionTime time);
     void assertion_body(Assertion& assertion, Span time_word);
     void refuse_time(AssertionTime time, Span word);
+    void assertion_event(Assertion& assertion);
     void assertion_is(Assertion& assertion);
     void assertion_does(Assertion& assertion);
     void assertion_model(Assertion& assertion);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "frontend/syntax/parser.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -172,6 +173,7 @@ void Parser::assertion_body(Assertion& assertion, Span time_word) {
         assertion.negated = accept("not");
         return expect_word("initialised");
     }
+    if (at("event")) return assertion_event(assertion);
     assertion.subject = qualified_name("the name of a component");
     if (accept("is")) return assertion_is(assertion);
     if (accept_word("does")) return assertion_does(assertion);
@@ -184,6 +186,27 @@ void Parser::assertion_body(Assertion& assertion, Span time_word) {
     advance();
     assertion.kind = refines ? AssertionKind::refines : AssertionKind::equals;
     assertion.other = qualified_name("the name of a component or CSP process");
+}
+
+/// `event E is not missed in S for N time units`
+void Parser::assertion_event(Assertion& assertion) {
+    advance();
+    assertion.kind = AssertionKind::event_missed;
+    assertion.event = simple_name("the name of an event");
+    expect("is");
+    assertion.negated = accept("not");
+    expect_word("missed");
+    expect("in");
+    assertion.other = qualified_name("the name of a state machine or state");
+    if (!accept_word("for")) return;
+    if (peek().kind != TokenKind::integer) return expected("a number of time units");
+    const Token units = advance();
+    std::int64_t value = 0;  // where the number is too large, the lexer has said so
+    std::from_chars(units.text.data(), units.text.data() + units.text.size(), value);
+    assertion.time_units = value;
+    assertion.time_units_span = units.span;
+    expect_word("time");
+    if (!accept_word("unit")) expect_word("units");
 }
 
 /// After `X is`: a property, `not equal to Y`, or `reachable in Y`.
