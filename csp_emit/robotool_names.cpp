@@ -16,8 +16,8 @@ namespace robochart::csp_emit {
 namespace {
 
 /// Channels by which RoboTool's processes of states and transitions run together.
-constexpr std::array<std::string_view, 7> inner = {"enter",   "exit",       "exited",  "interrupt",
-                                                   "share__", "internal__", "entered_"};
+constexpr std::array<std::string_view, 9> inner = {"MachineBody", "Memory",  "enter",      "exit",    "exited",
+                                                   "interrupt",   "share__", "internal__", "entered_"};
 
 class NameCheck {
 public:

@@ -105,7 +105,8 @@ ComponentPath AssertionResolver::context(const QualifiedName& name) {
 std::vector<std::string> AssertionResolver::known_names() const {
     std::vector<std::string> names = finder_.candidates(component_kinds);
     for (const auto& file : model_.files)
-        for (const CspBlock& block : file->csp_blocks) names.push_back(block.name);
+        for (const CspBlock& block : file->csp_blocks)
+            if (!block.name.starts_with('?')) names.push_back(block.name);  // not that of one without a name
     return names;
 }
 
@@ -136,7 +137,7 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
         {"component or csp process", name.text(), meant.empty() ? instead(known_names()) : std::string()});
     for (const auto& file : model_.files)
         for (const CspBlock& block : file->csp_blocks)
-            if (name.parts.size() == 1 && defines(block, name.text()))
+            if (name.parts.size() == 1 && !block.name.starts_with('?') && defines(block, name.text()))
                 finding.notes.push_back(
                     {block.name_span, fmt::format("the csp block `{}` defines it; an assertion names a block, which "
                                                   "defines a process of its own name",
@@ -192,6 +193,29 @@ bool AssertionResolver::find_state(Assertion& assertion) {
     return instances.size() == 1 && take(instances.front(), absolute.used);
 }
 
+/// The full paths of the states of the name in the machines of a component.
+void add_states_below(const Declaration* component, const std::string& name, const std::string& above,
+                      std::vector<std::string>& paths) {
+    if (const auto* machine = followed<Machine>(component))
+        return collect_paths_of(*machine, name, above + "::", paths);
+    const auto* around = followed<Component>(component);
+    if (around == nullptr) return;
+    for (const Declaration* part : around->order)
+        if (is_component(part)) add_states_below(part, name, above + "::" + part->name, paths);
+}
+
+/// The only state of the name, by its path, or a name that is near.
+void suggest_state(const Machine& machine, const QualifiedName& name, diagnostics::Diagnostic& finding) {
+    std::vector<std::string> paths;
+    collect_paths_of(machine, name.parts.back(), "", paths);
+    std::string meant = paths.size() == 1 ? paths.front() : "";
+    if (meant == name.parts.back()) meant.clear();
+    std::vector<std::string> names;
+    collect_states(machine, names);
+    if (meant.empty() && paths.empty()) meant = diagnostics::nearest(name.parts.back(), names);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+}
+
 void AssertionResolver::reachable(Assertion& assertion) {
     if (assertion.subject_path.process != nullptr) {
         finder_.out().report(rules::no_state, assertion.other.span,
@@ -201,11 +225,13 @@ void AssertionResolver::reachable(Assertion& assertion) {
     if (assertion.subject_path.steps.empty() || find_state(assertion)) return;
     auto& finding = finder_.out().report(rules::no_state, assertion.other.span,
                                          {assertion.other.text(), assertion.subject.text(), ""});
-    std::vector<std::string> candidates;
     if (const auto* machine = followed<Machine>(assertion.subject_path.steps.back()))
-        collect_states(*machine, candidates);
-    const std::string meant = diagnostics::nearest(assertion.other.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({assertion.other.spans.back(), meant, diagnostics::suggested(false)});
+        return suggest_state(*machine, assertion.other, finding);
+    std::vector<std::string> paths;
+    add_states_below(assertion.subject_path.steps.back(), assertion.other.parts.back(), assertion.subject.text(),
+                     paths);
+    if (paths.size() == 1)
+        finding.fixes.push_back({assertion.other.span, paths.front(), diagnostics::suggested(false)});
 }
 
 /// `clock X::S::C is initialised`
@@ -242,10 +268,7 @@ void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way
         return;
     }
     auto& finding = finder_.out().report(rules::no_state, name.span, {name.text(), machine->name, ""});
-    std::vector<std::string> candidates;
-    collect_states(*machine, candidates);
-    const std::string meant = diagnostics::nearest(name.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+    suggest_state(*machine, name, finding);
 }
 
 /// `event E is missed in S`: S leads to a machine, or on to one of its states; E is an event of this machine.

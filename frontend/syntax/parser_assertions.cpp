@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 
+#include "diagnostics/spelling.hpp"
 #include "frontend/syntax/parser.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -233,8 +234,20 @@ void Parser::assertion_is(Assertion& assertion) {
         assertion.kind = AssertionKind::equals;
         assertion.other = qualified_name("the name of a component or CSP process");
     } else {
-        expected("a property such as `deadlock-free`");
+        unknown_property();
     }
+}
+
+void Parser::unknown_property() {
+    static const std::vector<std::string> words = {"deadlock",      "divergence", "timelock",
+                                                   "deterministic", "reachable",  "initialised"};
+    const std::string meant = diagnostics::nearest(peek().text, words);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::unexpected, missing_place(), {"a property such as `deadlock-free`", found()});
+    if (finding != nullptr && !meant.empty())
+        finding->fixes.push_back(
+            {peek().span, meant, diagnostics::suggested(diagnostics::is_certain(peek().text, meant, words))});
+    throw SyntaxError{};
 }
 
 /// After `X does`: `not terminate`, `not refine Y`.
@@ -275,11 +288,23 @@ void Parser::assertion_model(Assertion& assertion) {
     } else if (accept_word("traces")) {
         assertion.model = AssertionModel::traces;
     } else if (accept_word("failures")) {
+        pass_model_hyphen();
         assertion.model = accept_word("divergences") ? AssertionModel::failures_divergences : AssertionModel::failures;
     } else {
         expected("`traces`, `failures`, `failures divergences` or `tick-tock`");
     }
     expect_word("model");
+}
+
+/// `failures-divergences`
+void Parser::pass_model_hyphen() {
+    if (!at("-") || !at_word("divergences", 1)) return;
+    const Span hyphen = peek().span;
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, hyphen, {"-", "this model is written `failures divergences`"});
+    if (finding != nullptr) finding->fixes.push_back({hyphen, " ", "write a blank"});
+    quiet_until_ = 0;
+    advance();
 }
 
 /// `with P`, `with P, P and P`
