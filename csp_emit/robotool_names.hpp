@@ -10,7 +10,7 @@
 
 namespace robochart::csp_emit {
 
-/// Reports names of components of the model, such as `P::S::enteredV`, with what is there instead (RC-C13): those of
+/// Reports names of components of the model, such as `P::S::enteredV`, with what is there instead (RC-C15): those of
 /// older generators of RoboTool, and those of what is inside a machine in its scripts.
 void check_robotool_names(const Project&, const std::map<std::string, ComponentEmission>& components,
                           const std::vector<cspm::DeclPtr>& decls);

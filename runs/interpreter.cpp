@@ -170,16 +170,12 @@ void Interpreter::add_times() {
 void Interpreter::fold_tocks() {
     std::vector<Step> folded;
     std::optional<std::size_t> loop_start;
-    // The tock that is not allowed stands apart from those that are.
-    std::size_t end = run_.steps.size();
-    while (end > 0 && run_.steps[end - 1].count == 0) --end;
     for (std::size_t i = 0; i < run_.steps.size(); ++i) {
         Step& step = run_.steps[i];
         const bool loop_begins = run_.loop_start == i;
         if (loop_begins) loop_start = folded.size();
         Step* const last = folded.empty() ? nullptr : &folded.back();
-        const bool forbidden = counterexample_.kind == ViolationKind::trace && i + 1 == end;
-        const bool goes_on = !forbidden && !loop_begins && last != nullptr && last->event.kind == Kind::tock &&
+        const bool goes_on = !loop_begins && last != nullptr && last->event.kind == Kind::tock &&
                              step.event.kind == Kind::tock && last->raw + last->count == step.raw &&
                              last->hidden == step.hidden && last->changes.empty();
         if (!goes_on) {
@@ -351,10 +347,7 @@ std::string Interpreter::why() const {
     const End& end = run_.end;
     switch (end.kind) {
         case EndKind::forbidden:
-            return fmt::format("{} is not allowed here; allowed: {}",
-                               !end.event                      ? "the last step"
-                               : end.event->kind == Kind::tock ? "that time passes"
-                                                               : end.event->text,
+            return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step",
                                list(end.allowed));
         case EndKind::timelock:
         case EndKind::refusal: {

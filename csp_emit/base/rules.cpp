@@ -64,7 +64,7 @@ const Rule block_of_other_time{"RC-C14", Severity::error,
                                "A csp block with `timed` or `untimed` is part of that semantics only. An assertion "
                                "without such a word is decided in "
                                "both, so it and the blocks that it names agree on the word."};
-const Rule name_of_robotool{"RC-C13", Severity::error,
+const Rule name_of_robotool{"RC-C15", Severity::error,
                             "{} is a name of RoboTool's that this script does not have: it {}",
                             "The names in csp blocks are those that RoboTool's generators of 2024 to 2026 show. Older "
                             "ones had an event for the "

@@ -46,7 +46,10 @@ ExprPtr Parser::literal(ExprKind kind) {
 /// `30.5f`
 void Parser::pass_suffix() {
     const Token suffix = peek();
-    if (suffix.kind != TokenKind::identifier || suffix.escaped || suffix.span.begin != previous().span.end) return;
+    const bool adjacent = suffix.span.begin == previous().span.end && !suffix.escaped;
+    constexpr std::string_view letters = "fFlLuU";
+    if (suffix.kind != TokenKind::identifier || !adjacent) return;
+    if (suffix.text.find_first_not_of(letters) != std::string_view::npos) return;  // `1e5` is no 1
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, suffix.span, {std::string(suffix.text), "a number has no suffix"});
     if (finding != nullptr) finding->fixes.push_back({suffix.span, "", "leave it out"});

@@ -391,7 +391,7 @@ const std::vector<Row>& refused() {
         // declarations
         {"type A package P", "RC-P16@1"},
         {"package P package Q", "RC-P16@1"},
-        {"enumeration E { A, B }", "RC-P01@1"},
+        {"enumeration E { A, B }", "RC-P34@1"},
         {"datatype R { a:nat, b:nat }", "RC-P01@1"},
         {"datatype R { a:nat = 1 }", "RC-P01@1"},
         {"stm end { }", "RC-P11@1"},
