@@ -22,6 +22,7 @@
 #include "csp_emit/passes/name_clashes.hpp"
 #include "csp_emit/passes/safe_names.hpp"
 #include "csp_emit/passes/shared_modules.hpp"
+#include "csp_emit/robotool_names.hpp"
 #include "csp_emit/unread_definitions.hpp"
 #include "diagnostics/escape.hpp"
 #include "semantics/ir/query.hpp"
@@ -315,6 +316,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
                cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
     DeclsOfFiles decls_of_files;
     for (const FileBlocks& file : files) decls_of_files[file.file] = file.others;
+    for (const FileBlocks& file : files) check_robotool_names(project, emitted.components, file.others);
     check_block_claims(project, decls_of_files, emitted.provenance);
     std::vector<Obligation> of_blocks = block_obligations(project, result.script.decls);
     const auto add = [&](std::vector<Obligation> more) {

@@ -322,6 +322,8 @@ EndKind Interpreter::end_kind() const {
             break;
         case ir::PropertyKind::clock_initialised:
             return obligation_.one_suffices ? EndKind::clock_initialised : EndKind::clock_not_initialised;
+        case ir::PropertyKind::event_missed:
+            return EndKind::missed;
         default:
             break;
     }
@@ -420,6 +422,7 @@ std::string Interpreter::why() const {
         case EndKind::clock_not_initialised:
             return "the clock is read before its first reset";
         case EndKind::clock_initialised:
+        case EndKind::missed:
             return obligation_.reason;
         case EndKind::no_trace:
             return "the trace cannot go on";

@@ -252,7 +252,10 @@ std::string closing(const Report& report) {
     }
     if (!report.refused.empty()) {
         std::vector<std::string> names;
-        for (const RefusedReport& each : report.refused) names.push_back(diagnostics::shown(each.model));
+        for (const RefusedReport& each : report.refused)
+            if (std::string name = diagnostics::shown(each.model);
+                std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(std::move(name));
         parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
     }
     if (!report.unclaimed.empty()) parts.push_back(report.unclaimed);

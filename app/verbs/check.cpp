@@ -177,7 +177,8 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     const bool core = obligation.property == ir::no_id;
-    return core ? context.options.claims.empty()
+    const bool asked = context.options.core && !obligation.component.empty();
+    return core ? context.options.claims.empty() || asked
                 : asked_for(context.options, context.project.system.properties[obligation.property].name);
 }
 

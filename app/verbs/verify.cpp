@@ -433,6 +433,7 @@ void report_broken_claims(const Project& project, const Options& options, Report
     for (const auto& file : project.model->files) {
         if (!file->is_assertions) continue;
         for (const frontend::Assertion& claim : file->assertions) {
+            if (!asked_for(options, claim.name)) continue;
             AssertionReport one;
             one.title = claim.name;
             one.place = project.sources.place(claim.span);

@@ -49,11 +49,17 @@ const Rule path_property{
     "`Prob=? of [φ]` measures them, `Forall [φ]` and `Exists [φ]` quantify. RoboTool has this as "
     "NotPathFormulaInProbAssertion."};
 
+const Rule missed_where{
+    "RC-Q13", error, "a claim about a missed event needs {}",
+    "`event E is not missed in S` speaks of a state machine (or operation) S, or of a state S of one, by its path, and "
+    "of an event E of this machine by its name. What an event is outside the machine, a buffer may keep."};
+
 const std::vector<const Rule*>& of_assertions() {
     static const std::vector<const Rule*> rules = {&unknown_component,  &not_a_component, &no_state,
                                                    &no_clock,           &no_constant,     &constant_type,
                                                    &constant_twice,     &constants_open,  &probabilistic_claim,
-                                                   &probabilistic_part, &not_a_property,  &path_property};
+                                                   &probabilistic_part, &not_a_property,  &path_property,
+                                                   &missed_where};
     return rules;
 }
 
