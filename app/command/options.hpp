@@ -101,8 +101,10 @@ struct Options {
     std::string picture = "svg";          ///< draw: the format of diagrams
     std::string theme = "auto";           ///< draw: their colours
     std::vector<std::string> properties;  ///< prism: questions beside those of the files
-    bool exact = false;                   ///< prism: fractions
-    double epsilon = 1e-6;                ///< prism: relative width of enclosures
+    bool exact = false;                   ///< prism, probabilistic assertions: fractions
+    double epsilon = 1e-6;                ///< the same: relative width of enclosures
+    std::string encoding = "csp";         ///< check: the Markov models that probabilistic assertions are decided on
+    std::string scheduler = "any";        ///< check: who resolves the choices of those of the CSP semantics
     std::string exported_space;           ///< prism: format of the state space to write out; "": none
     ProgressMode progress = ProgressMode::automatic;
     std::string component;  ///< emit cpp, conform: only this one

@@ -8,6 +8,7 @@
 
 #include "app/command/options.hpp"
 #include "checker/prism/result.hpp"
+#include "diagnostics/json.hpp"
 
 namespace robochart::app {
 
@@ -43,6 +44,11 @@ struct PrismReport {
     std::vector<std::string> errors;
     std::string limit;  ///< what ended the run; "" if nothing did
 };
+
+/// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
+[[nodiscard]] std::string value_text(const prism::Real& value);
+/// {"value", "low", "high"}, and "exact" where it is a fraction.
+[[nodiscard]] diagnostics::Json real_json(const prism::Real& value);
 
 /// 2 where something is wrong, else 1 where a property is false, else 3 where one is not decided.
 [[nodiscard]] Exit exit_of(const PrismReport& report);

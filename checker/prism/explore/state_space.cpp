@@ -48,6 +48,24 @@ StateSpace::StateSpace(const CheckedModel& model, const Values& constants, const
     explorer();
 }
 
+StateSpace::StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given,
+                       const ExploreOptions& options, diagnostics::Diagnostics& diagnostics)
+    : model_(model),
+      options_(options),
+      diagnostics_(diagnostics),
+      constants_(values_of(model.constants, constants)),
+      layout_(layout_of(model, constants_)),
+      store_(layout_.words()),
+      given_(true),
+      chain_(std::move(given.chain)),
+      deadlocks_(std::move(given.deadlocks)) {
+    const std::size_t fields = layout_.fields().size();
+    rows_.resize(chain_.states() * layout_.words());
+    for (std::size_t state = 0; state < chain_.states(); ++state)
+        layout_.pack(given.values.data() + state * fields, rows_.data() + state * layout_.words());
+    for (const bool each : deadlocks_) deadlock_count_ += each ? 1 : 0;
+}
+
 std::string StateSpace::text(markov::State state) const {
     std::vector<std::int32_t> values(layout_.fields().size());
     unpack(state, values.data());
@@ -61,7 +79,7 @@ Code StateSpace::code(const Values& more) const {
 }
 
 markov::StateSet StateSpace::satisfying(const Code& code, Code::Root root) const {
-    markov::StateSet result(store_.size());
+    markov::StateSet result(chain_.states());
     std::vector<std::int32_t> values(layout_.fields().size());
     for (markov::State state = 0; state < result.size(); ++state) {
         if (options_.budget != nullptr) options_.budget->poll();

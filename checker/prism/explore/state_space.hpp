@@ -22,11 +22,22 @@ struct ExploreOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
+/// States that something else has explored, with the values of a model's variables in them.
+struct GivenSpace {
+    markov::Model chain;
+    markov::StateSet deadlocks;        ///< where the label "deadlock" holds
+    std::vector<std::int32_t> values;  ///< of the first state in the order of the variables, of the second, ...
+};
+
 /// The states that are reachable, numbered breadth first, and what happens in them.
 class StateSpace {
 public:
     /// `model` and `diagnostics`, which takes warnings, outlive it. Throws EvaluationError, LimitReached.
     StateSpace(const CheckedModel& model, const Values& constants, const ExploreOptions& options,
+               diagnostics::Diagnostics& diagnostics);
+    /// States that are given: the model says what their variables are called, and which rewards there are. Throws
+    /// EvaluationError.
+    StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
 
     [[nodiscard]] const markov::Model& chain() const { return chain_; }
@@ -42,7 +53,7 @@ public:
 
     /// "x=1, y=false".
     [[nodiscard]] std::string text(markov::State state) const;
-    void unpack(markov::State state, std::int32_t* values) const { layout_.unpack(store_[state], values); }
+    void unpack(markov::State state, std::int32_t* values) const { layout_.unpack(packed(state), values); }
 
     /// Code for expressions over its states, with more constants. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more) const;
@@ -55,12 +66,19 @@ private:
     friend class Explorer;
     friend class RewardTable;
 
+    [[nodiscard]] lts::StateView packed(markov::State state) const {
+        if (!given_) return store_[state];
+        return lts::StateView(rows_).subspan(std::size_t{state} * layout_.words(), layout_.words());
+    }
+
     const CheckedModel& model_;
     ExploreOptions options_;
     diagnostics::Diagnostics& diagnostics_;
     Values constants_;
     Layout layout_;
     lts::StateStore store_;
+    bool given_ = false;
+    std::vector<lts::Word> rows_;  ///< of given states, which may have equal values
     markov::Model chain_;
     markov::StateSet deadlocks_;
     std::uint64_t deadlock_count_ = 0;
