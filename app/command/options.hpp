@@ -102,11 +102,12 @@ struct Options {
     std::string picture = "svg";            ///< draw: the format of diagrams
     std::string theme = "auto";             ///< draw: their colours
     std::vector<std::string> properties;    ///< prism: questions beside those of the files
-    bool exact = false;                     ///< prism: fractions
-    double epsilon = 1e-6;                  ///< prism: relative width of enclosures
+    bool exact = false;                     ///< prism, probabilistic assertions: fractions
+    double epsilon = 1e-6;                  ///< the same: relative width of enclosures
+    std::string encoding = "csp";           ///< check: the Markov models that probabilistic assertions are decided on
+    std::string scheduler;                  ///< who resolves the choices; "": any scheduler
     std::string exported_space;             ///< prism: what to write out of the state space; "": nothing
     std::optional<prism::Method> sampling;  ///< prism: answer by random paths
-    std::string scheduler;                  ///< prism: who makes the choices of an mdp; "": all possible schedulers
     std::string plot;                       ///< prism: file for a picture of the answers; "": none
     ProgressMode progress = ProgressMode::automatic;
     std::string component;  ///< emit cpp, conform: only this one

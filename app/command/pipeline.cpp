@@ -60,6 +60,7 @@ bool lower(Project& project, const Options& options) {
 /// `wanted` without the constants that only other parts have.
 bool make_finite(Project& project, const Options& options, const ir::InstantiationOptions& wanted) {
     const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
+    project.asked = wanted;
     project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
     return project.diagnostics.ok();
 }

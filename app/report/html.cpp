@@ -12,6 +12,8 @@
 #include "app/command/run.hpp"
 #include "app/report/page.hpp"
 #include "app/report/part_diagrams.hpp"
+#include "app/report/probability_report.hpp"
+#include "app/report/value_plot.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "runs/text.hpp"
@@ -25,7 +27,9 @@ using diagnostics::xml_text;
 constexpr std::size_t most_steps = 2000;
 
 const char* look(Answer answer) {
-    return answer == Answer::holds ? "holds" : answer == Answer::fails ? "fails" : "other";
+    return answer == Answer::holds || answer == Answer::computed ? "holds"
+           : answer == Answer::fails                             ? "fails"
+                                                                 : "other";
 }
 
 std::string title_of(const AssertionReport& assertion) {
@@ -45,6 +49,23 @@ std::string place_text(const std::string& place) {
 
 std::string place_text(const runs::Place& place) {
     return place_text(fmt::format("{}:{}", place.file, place.line));
+}
+
+/// The values of a probabilistic assertion: a row for each combination of the constants that vary.
+std::string values_table(const ProbabilityReport& report) {
+    if (report.rows.empty()) return "";
+    std::string head;
+    for (const auto& [name, value] : varying(report, report.rows.front()))
+        head += fmt::format("<th scope=\"col\">{}</th>", xml_text(name));
+    std::string body;
+    for (const probability::Row& row : report.rows) {
+        body += "<tr>";
+        for (const auto& [name, value] : varying(report, row))
+            body += fmt::format("<td class=\"number\">{}</td>", xml_text(value));
+        body += fmt::format("<td>{}</td></tr>", xml_text(row_text(row)));
+    }
+    return fmt::format("<br>{}<table><thead><tr>{}<th scope=\"col\">value</th></tr></thead><tbody>{}</tbody></table>{}",
+                       xml_text(reading_of(report)), head, body, value_plot(report));
 }
 
 /// Elements of diagrams: the number of the machine whose diagram it is, and the element's id.
@@ -140,10 +161,12 @@ void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
     std::string shown = xml_text(title_of(assertion));
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
+    if (assertion.probability) shown += values_table(*assertion.probability);
     const bool information = assertion.core && assertion.core->information;
     out_ += fmt::format(
         "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
-        assertion.answer == Answer::holds || information ? "good" : "bad", information ? "" : look(assertion.answer),
+        assertion.answer == Answer::holds || assertion.answer == Answer::computed || information ? "good" : "bad",
+        information ? "" : look(assertion.answer),
         information ? (assertion.answer == Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
         place_text(assertion.place), assertion.statistics.states);
 }

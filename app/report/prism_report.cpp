@@ -31,13 +31,24 @@ double middle(const prism::Real& value) {
     return std::isinf(bounds.high) || std::isinf(bounds.low) ? bounds.high : bounds.middle();
 }
 
-/// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
+}  // namespace
+
 std::string value_text(const prism::Real& value) {
     const prism::Enclosure bounds = value.bounds();
     if (value.exact()) return prism::fraction_text(value.value());
     if (bounds.low == bounds.high) return double_text(bounds.low);
     return fmt::format("{:.10g} (from {} to {})", middle(value), double_text(bounds.low), double_text(bounds.high));
 }
+
+Json real_json(const prism::Real& value) {
+    const prism::Enclosure bounds = value.bounds();
+    Json json{
+        {"value", number_json(middle(value))}, {"low", number_json(bounds.low)}, {"high", number_json(bounds.high)}};
+    if (value.exact()) json["exact"] = value.value().str();
+    return json;
+}
+
+namespace {
 
 /// "(ci, 1000 paths of 4.6 steps, 1 to 31)".
 std::string paths_text(const prism::Estimate& estimate) {
@@ -177,14 +188,6 @@ const char* answer_word(const PrismAnswer& answer) {
             break;
     }
     return "not decided";
-}
-
-Json real_json(const prism::Real& value) {
-    const prism::Enclosure bounds = value.bounds();
-    Json json{
-        {"value", number_json(middle(value))}, {"low", number_json(bounds.low)}, {"high", number_json(bounds.high)}};
-    if (value.exact()) json["exact"] = value.value().str();
-    return json;
 }
 
 Json constants_json(const NamedValues& constants) {

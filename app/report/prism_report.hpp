@@ -10,6 +10,7 @@
 #include "app/command/options.hpp"
 #include "checker/prism/counterexample.hpp"
 #include "checker/prism/result.hpp"
+#include "diagnostics/json.hpp"
 #include "diagnostics/source.hpp"
 
 namespace robochart::app {
@@ -53,6 +54,10 @@ struct PrismReport {
 /// Around a number: where it lies, or of an estimate the interval that is right most often, that of Clopper and Pearson
 /// where the samples are hits and misses.
 [[nodiscard]] prism::Enclosure interval_of(const prism::Result& result);
+/// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
+[[nodiscard]] std::string value_text(const prism::Real& value);
+/// {"value", "low", "high"}, and "exact" where it is a fraction.
+[[nodiscard]] diagnostics::Json real_json(const prism::Real& value);
 
 /// 2 where something is wrong, else 1 where a property is false, else 3 where one is not decided.
 [[nodiscard]] Exit exit_of(const PrismReport& report);

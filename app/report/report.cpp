@@ -9,6 +9,7 @@
 
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
+#include "app/report/probability_report.hpp"
 #include "conformance/model/rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/paint.hpp"
@@ -33,7 +34,7 @@ std::string verdict(std::string_view word, Paint paint, bool color) {
 }
 
 Paint paint_of(Answer answer) {
-    if (answer == Answer::holds) return Paint::success;
+    if (answer == Answer::holds || answer == Answer::computed) return Paint::success;
     return answer == Answer::fails || answer == Answer::error ? Paint::error : Paint::warning;
 }
 
@@ -60,6 +61,7 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
                            a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
+    if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
     const std::string claimed =
         a.place.empty() ? "" : fmt::format("{} at {}; ", a.core ? "declared" : "claimed", diagnostics::shown(a.place));
@@ -234,9 +236,13 @@ std::string closing(const Report& report) {
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
         const auto decisive = std::count_if(report.assertions.begin(), report.assertions.end(), [](const auto& a) {
-            return a.answer != Answer::no_check && !(a.core && a.core->information);
+            return a.answer != Answer::no_check && a.answer != Answer::computed && !(a.core && a.core->information);
         });
-        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), decisive));
+        if (decisive > 0 || count(Answer::computed) == 0)
+            parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), decisive));
+        if (count(Answer::computed) > 0)
+            parts.push_back(
+                fmt::format("{} value{} computed", count(Answer::computed), count(Answer::computed) == 1 ? "" : "s"));
         if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
         if (count(Answer::inconclusive) > 0)
             parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
@@ -266,8 +272,8 @@ std::string closing(const Report& report) {
 }  // namespace
 
 std::string_view answer_word(Answer answer) {
-    constexpr std::array<std::string_view, 6> words{"holds",    "FAILS", "inconclusive",
-                                                    "no check", "error", "not checked"};
+    constexpr std::array<std::string_view, 7> words{"holds", "FAILS",       "inconclusive", "no check",
+                                                    "error", "not checked", "value"};
     return words[static_cast<std::size_t>(answer)];
 }
 
@@ -314,6 +320,7 @@ std::string blocks(const Listed& listed, const std::string& subject, const Optio
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
     for (const AssertionReport* a : listed)
+        // A value is an answer: it is printed whatever is left out.
         if (!options.quiet || a->answer != Answer::holds) out += assertion_block(*a, subject, width, options, color);
     return out;
 }

@@ -74,6 +74,8 @@ private:
     StateVector next(const ExprPtr& operand, Direction direction);
     StateVector one_step_before(const StateVector& after, Direction direction) const;
     StateVector until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction);
+    StateVector timed_until(const StateSet& left, const StateSet& right, const StepBound& steps, Direction direction);
+    StateVector timed_reward(const markov::Rewards& rewards, std::uint64_t units, Direction direction);
     StateVector again_and_again(const ExprPtr& operand, bool always, Direction direction);
     StateSet maximal_components(const StateSet& within, const StateSet& touched);
     StateVector reward(const Expr& expr, Direction direction);

@@ -172,6 +172,7 @@ Reachability Evaluator::reachability(const Expr& expr) {
 }
 
 StateVector Evaluator::next(const ExprPtr& operand, Direction direction) {
+    if (!chain_.counted.empty()) throw Undecided("X is about one step, and steps are not counted in this model");
     if (is_path(*operand)) return one_step_before(path(operand, direction), direction);
     const StateSet target = set(operand);
     if (options_.exact) return solved(exact_next(chain_, target, direction, options_.budget));
@@ -218,6 +219,7 @@ StateVector Evaluator::until(const StateSet& left, const StateSet& right, const 
         if (options_.exact) return solved(exact_until(chain_, left, right, direction, options_.budget));
         return solved(markov::until(chain_, left, right, direction, precision()));
     }
+    if (!chain_.counted.empty()) return timed_until(left, right, *steps, direction);
     const auto [from, to] = step_range(*steps, code_);
     if (options_.exact) return solved(exact_bounded_until(chain_, left, right, from, to, direction, options_.budget));
     return solved(bounded_until(chain_, left, right, from, to, direction, precision()));
@@ -272,11 +274,13 @@ StateVector Evaluator::reward(const Expr& expr, Direction direction) {
     switch (body.op) {
         case Op::cumulative: {
             const std::uint64_t steps = step_number(body.parts[0], code_);
+            if (!chain_.counted.empty()) return timed_reward(rewards, steps, direction);
             if (options_.exact) return solved(exact_cumulative_reward(chain_, rewards, steps, direction, budget));
             return solved(cumulative_reward(chain_, rewards, steps, direction, budget));
         }
         case Op::instantaneous: {
             const std::uint64_t steps = step_number(body.parts[0], code_);
+            if (!chain_.counted.empty()) throw Undecided("I= is about a number of steps, which are not counted here");
             if (options_.exact) return solved(exact_instantaneous_reward(chain_, rewards, steps, direction, budget));
             return solved(instantaneous_reward(chain_, rewards, steps, direction, budget));
         }

@@ -35,13 +35,22 @@ enum class MeaningKind {
     tock,
     refusal,  ///< tick-tock: its argument is the event that is refused
 };
+/// What a transition that leaves a probabilistic junction is weighed by.
+struct Draw {
+    std::string junction;                  ///< which of the machine's, with the operation that it is in: "Turn_p0"
+    const ir::Machine* machine = nullptr;  ///< that has the transition
+    ir::TransitionId transition;
+    std::vector<std::string> variables;  ///< of that machine, by VariableId: what holds them among the parameters of
+                                         ///< definitions
+};
 /// An event of the script in terms of the model.
 struct EventMeaning {
     MeaningKind kind = MeaningKind::step;
     std::string text;               ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
     std::vector<ir::TypeId> types;  ///< of the event's arguments, in order; empty if it has none
     ir::Origin origin;
-    std::string component = {};  ///< whose event it is: "P::C::stm_ref0"; "" if no component's
+    std::string component = {};             ///< whose event it is: "P::C::stm_ref0"; "" if no component's
+    std::shared_ptr<const Draw> draw = {};  ///< of a transition that leaves a probabilistic junction; else null
 };
 /// What a parameter of a definition holds.
 enum class ParameterKind {
@@ -143,6 +152,9 @@ struct Options {
     /// A machine that may have more states than this, by the sizes of its carriers, keeps its largest variables in
     /// memory processes of their own.
     double states_of_a_process = 50'000;
+    /// A machine's variables are parameters wherever it is, also where nothing reads them any more, and none is in a
+    /// memory: a state of the process tells all of them.
+    bool whole_states = false;
     bool share_modules = true;  ///< modules of equal text are written once (shared_modules.hpp)
     bool share_calls = true;    ///< one definition of an operation for its calls; otherwise each call is inlined
 };

@@ -30,6 +30,8 @@ Candidates parameter_candidates(const MachineTables& tables) {
         if (cell.kind == CellKind::clock && cell.reading.empty())
             result.ticking[cell.name] = b::call("clock_step", {b::name(cell.name), cell.limit});
     }
+    if (tables.project().options.whole_states)
+        for (const CellId cell : tables.frames.root().variables) result.kept.push_back(tables.cells[cell].name);
     tables.sharing.describe(result);
     return result;
 }

@@ -103,7 +103,8 @@ std::vector<Remembered> choose_memories(MachineTables& tables, const std::vector
             first[i].parameter = cell.name;
             if (cell.shared) first[i].shared = cell.channel;
         }
-        return estimate(functions, evaluations, sizes, first) <= tables.project().options.states_of_a_process;
+        const Options& options = tables.project().options;
+        return options.whole_states || estimate(functions, evaluations, sizes, first) <= options.states_of_a_process;
     };
     // One variable more never makes the estimate larger: it counts no longer, or where a function holds it as before,
     // and what is held because of it shrinks.

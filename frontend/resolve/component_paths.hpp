@@ -1,4 +1,5 @@
-// Components along paths through references, `Module::controller_ref::machine_ref` (private to the resolver).
+// Components along paths through references, `Module::controller_ref::machine_ref`: for the resolver, and for what
+// reads the paths of probabilistic assertions once more.
 #pragma once
 
 #include <string>

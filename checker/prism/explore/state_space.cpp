@@ -13,6 +13,22 @@ StateSpace::StateSpace(const CheckedModel& model, const Values& constants, const
     explorer();
 }
 
+StateSpace::StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given,
+                       const ExploreOptions& options, diagnostics::Diagnostics& diagnostics)
+    : instance_(model, constants),
+      options_(options),
+      diagnostics_(diagnostics),
+      store_(layout().words()),
+      given_(true),
+      chain_(std::move(given.chain)),
+      deadlocks_(std::move(given.deadlocks)) {
+    const std::size_t fields = layout().fields().size();
+    rows_.resize(chain_.states() * layout().words());
+    for (std::size_t state = 0; state < chain_.states(); ++state)
+        layout().pack(given.values.data() + state * fields, rows_.data() + state * layout().words());
+    for (const bool each : deadlocks_) deadlock_count_ += each ? 1 : 0;
+}
+
 std::string StateSpace::text(markov::State state) const {
     std::vector<std::int32_t> values(layout().fields().size());
     unpack(state, values.data());
@@ -20,7 +36,7 @@ std::string StateSpace::text(markov::State state) const {
 }
 
 markov::StateSet StateSpace::satisfying(const Code& code, Code::Root root) const {
-    markov::StateSet result(store_.size());
+    markov::StateSet result(chain_.states());
     std::vector<std::int32_t> values(layout().fields().size());
     for (markov::State state = 0; state < result.size(); ++state) {
         if (options_.budget != nullptr) options_.budget->poll();

@@ -20,11 +20,22 @@ struct ExploreOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
+/// States that something else has explored, with the values of a model's variables in them.
+struct GivenSpace {
+    markov::Model chain;
+    markov::StateSet deadlocks;        ///< where the label "deadlock" holds
+    std::vector<std::int32_t> values;  ///< of the first state in the order of the variables, of the second, ...
+};
+
 /// The states that are reachable, numbered breadth first, and what happens in them.
 class StateSpace {
 public:
     /// `model` and `diagnostics`, which takes warnings, outlive it. Throws EvaluationError, LimitReached.
     StateSpace(const CheckedModel& model, const Values& constants, const ExploreOptions& options,
+               diagnostics::Diagnostics& diagnostics);
+    /// States that are given: the model says what their variables are called, and which rewards there are. Throws
+    /// EvaluationError.
+    StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
 
     [[nodiscard]] const markov::Model& chain() const { return chain_; }
@@ -41,10 +52,13 @@ public:
 
     /// "x=1, y=false".
     [[nodiscard]] std::string text(markov::State state) const;
-    [[nodiscard]] lts::StateView packed(markov::State state) const { return store_[state]; }
-    /// The number of a packed state that is reachable.
+    [[nodiscard]] lts::StateView packed(markov::State state) const {
+        if (!given_) return store_[state];
+        return lts::StateView(rows_).subspan(std::size_t{state} * layout().words(), layout().words());
+    }
+    /// The number of a packed state that is reachable; of a space that was explored.
     [[nodiscard]] markov::State number_of(lts::StateView packed) const { return store_.find(packed); }
-    void unpack(markov::State state, std::int32_t* values) const { layout().unpack(store_[state], values); }
+    void unpack(markov::State state, std::int32_t* values) const { layout().unpack(packed(state), values); }
 
     /// Code for expressions over its states, with more constants. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more) const { return instance_.code(more); }
@@ -61,6 +75,8 @@ private:
     ExploreOptions options_;
     diagnostics::Diagnostics& diagnostics_;
     lts::StateStore store_;
+    bool given_ = false;
+    std::vector<lts::Word> rows_;  ///< of given states, which may have equal values
     markov::Model chain_;
     markov::StateSet deadlocks_;
     std::uint64_t deadlock_count_ = 0;
