@@ -51,8 +51,31 @@ DeclPtr never(const ExprPtr& process, bool negated) {
     return b::assert_refines(b::skip(), cspm::Model::traces, process, negated);
 }
 
-ExprPtr ClockWatch::only(const std::string& event, const std::vector<ExprPtr>& arguments) const {
-    return b::project(b::call(name + "::D__", arguments), b::productions({b::name(name + "::" + event)}));
+std::vector<ExprPtr> outputs_of(const Provenance& provenance, const std::string& path) {
+    std::vector<ExprPtr> result;
+    const std::string prefix = path + "::";
+    const auto& events = provenance.events;
+    for (auto at = events.lower_bound(prefix); at != events.end() && at->first.starts_with(prefix); ++at) {
+        const MeaningKind kind = at->second.kind;
+        const std::string own = at->first.substr(prefix.size());
+        const bool outside =
+            kind == MeaningKind::output || kind == MeaningKind::call || kind == MeaningKind::assignment;
+        if (!outside || own.find("::") != std::string::npos) continue;
+        const std::size_t dot = own.find('.');
+        const ExprPtr channel = b::name(prefix + own.substr(0, dot));
+        if (dot == std::string::npos) result.push_back(channel);
+        // Another ending is of a hidden step that does an output or call, which the process does not show.
+        if (own.ends_with(".out")) result.push_back(b::dot({channel, b::name("out")}));
+    }
+    return result;
+}
+
+ExprPtr WatchedCopy::process(const std::vector<ExprPtr>& arguments) const {
+    return b::call(name + "::D__", arguments);
+}
+
+ExprPtr WatchedCopy::only(const std::string& event, const std::vector<ExprPtr>& arguments) const {
+    return b::project(process(arguments), b::productions({b::name(this->event(event))}));
 }
 
 namespace {
@@ -74,20 +97,17 @@ std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& 
     return result;
 }
 
-}  // namespace
-
-ClockWatch clock_watch(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
-                       const std::string& clock, const std::string& purpose) {
+/// The copy of the machine at the path that `context` describes further.
+WatchedCopy watched_copy(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
+                         const std::string& name, MachineContext context) {
     const ComponentEmission& machine = emitted.components.at(path);
-    MachineContext context;
     context.project = &project;
     context.machine = machine.machine;
-    context.name = names.unique("CLW_" + purpose);
+    context.name = names.unique(name);
     context.path = context.name;
     context.definitions = machine.definitions;
     context.names = names;
-    context.watched = clock;
-    const std::string name = context.name;
+    const std::string copy = context.name;
     Emitted apart;
     const ComponentEmission watching = emit_machine(std::move(context), apart);
     emitted.provenance.events.merge(apart.provenance.events);
@@ -95,7 +115,55 @@ ClockWatch clock_watch(const Project& project, NameManager& names, Emitted& emit
     auto module = std::make_shared<cspm::Decl>(*watching.module);
     const std::vector<DeclPtr> channels = channels_around(emitted, path);
     module->exports.insert(module->exports.begin(), channels.begin(), channels.end());
-    return {std::move(module), name, watching.reads_of_watched};
+    return {std::move(module), copy, watching.reads_of_watched};
+}
+
+}  // namespace
+
+WatchedCopy clock_watch(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
+                        const std::string& clock, const std::string& purpose) {
+    MachineContext context;
+    context.watched = clock;
+    return watched_copy(project, names, emitted, path, "CLW_" + purpose, std::move(context));
+}
+
+WatchedCopy offer_watch(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
+                        const std::string& event, const ir::Node* state, const std::string& purpose) {
+    MachineContext context;
+    context.offered = event;
+    const std::vector<ir::Node>& nodes = emitted.components.at(path).machine->nodes;
+    if (state != nullptr) context.within = ir::NodeId{static_cast<std::uint32_t>(state - nodes.data())};
+    return watched_copy(project, names, emitted, path, "OFW_" + purpose, std::move(context));
+}
+
+ExprPtr missing(const WatchedCopy& watch, const Emitted& emitted, const std::string& event, std::int64_t units,
+                const std::vector<ExprPtr>& arguments, const std::string& name, std::vector<DeclPtr>& preparation) {
+    const auto own = [&](const char* each) { return b::name(watch.event(each)); };
+    const ExprPtr taken = b::dot({b::name(watch.event(event)), b::name("in")});
+    const ExprPtr left = b::name("k__");
+    const auto counting = [&](const ExprPtr& value) { return b::call(name, {value}); };
+    const ExprPtr anew = counting(b::number(units + 1));
+    const auto above = [&](std::int64_t value) { return b::binary(cspm::ExprKind::greater, left, b::number(value)); };
+    const ExprPtr refused = b::if_(above(units), counting(b::number(units)), counting(left));
+    const ExprPtr less = counting(b::binary(cspm::ExprKind::minus, left, b::number(1)));
+    const ExprPtr passes =
+        b::if_(above(units), counting(left), b::if_(above(1), less, b::prefix(own("missed__"), b::stop())));
+    const ExprPtr takes =
+        b::replicated(cspm::ExprKind::replicated_external, {b::generator("e__", b::productions({taken}))},
+                      b::prefix(b::name("e__"), anew));
+    preparation.push_back(
+        b::function_decl(name, b::variables({"k__"}),
+                         b::choice({b::prefix(own("inside__"), anew), b::prefix(own("outside__"), anew), takes,
+                                    b::prefix(own("refused__"), refused), b::prefix(tock(), passes)})));
+    const ExprPtr both =
+        b::rename(watch.process(arguments), {{own("inside__"), own("inside__")}, {own("inside__"), own("refused__")}});
+    const auto before = [](const ExprPtr& process, const ExprPtr& first, const ExprPtr& later) {
+        return b::call("prioritise", {process, b::sequence({first, later})});
+    };
+    const ExprPtr prompt = before(both, b::productions(outputs_of(emitted.provenance, watch.name)), b::set({tock()}));
+    const ExprPtr limited = before(prompt, b::productions({taken}), b::set({own("refused__")}));
+    const ExprPtr seen = b::productions({own("inside__"), own("outside__"), own("refused__"), taken, tock()});
+    return b::project(b::parallel(limited, seen, anew), b::productions({own("missed__")}));
 }
 
 }  // namespace robochart::csp_emit

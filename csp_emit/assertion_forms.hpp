@@ -25,19 +25,40 @@ namespace robochart::csp_emit {
 /// as well, so that every state of a terminating machine seems reachable.
 [[nodiscard]] cspm::DeclPtr never(const cspm::ExprPtr& process, bool negated);
 
-/// A copy of a machine that performs `unset__` where a guard reads the clock before its first reset, and `reset__` at a
-/// reset.
-struct ClockWatch {
+/// What a component does to its platform: its calls, outputs, and writes of variables that others share.
+[[nodiscard]] std::vector<cspm::ExprPtr> outputs_of(const Provenance&, const std::string& path);
+
+/// A copy of a machine that an assertion watches.
+struct WatchedCopy {
     cspm::DeclPtr module;
     std::string name;       ///< of the module
-    std::size_t reads = 0;  ///< guards that read the clock
+    std::size_t reads = 0;  ///< clock_watch: guards that read the clock
 
-    /// The copy with these arguments, of which one of the two events alone is seen.
+    [[nodiscard]] cspm::ExprPtr process(const std::vector<cspm::ExprPtr>& arguments) const;
+    [[nodiscard]] std::string event(const std::string& own) const { return name + "::" + own; }
+    /// The copy with these arguments, of which one event alone is seen.
     [[nodiscard]] cspm::ExprPtr only(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
+/// A copy that performs `unset__` where a guard reads the clock before its first reset, and `reset__` at a reset.
 /// `machine`: the path of one that has been emitted. `purpose`: what the module's name ends in. What its names mean is
 /// added to the provenance of `emitted`.
-[[nodiscard]] ClockWatch clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
-                                     const std::string& clock, const std::string& purpose);
+[[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
+                                      const std::string& clock, const std::string& purpose);
+/// A copy that shows where an event is on offer, in the state or outside it (MachineContext::offered); null: anywhere.
+[[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
+                                      const std::string& event, const ir::Node* state, const std::string& purpose);
+/// `event` can be missed for so many time units of a copy with these arguments, if this process performs `missed__`;
+/// `name` is that of a function which `preparation` gets. Of the copy W, with O its calls, outputs and writes:
+///     L = prioritise(prioritise(W[[inside__ <- inside__, inside__ <- refused__]], <O, {tock}>), <{| E.in |},
+///     {refused__}>)
+/// lets no time pass where the platform could take something, and performs `refused__` only where W is inside and
+/// refuses E. The process is
+/// (L [| {| inside__, outside__, refused__, E.in, tock |} |] R(n + 1)) |\ {missed__}, where R counts the tocks since
+/// the first refusal behind which nothing but `refused__` has happened:
+///     R(k) = inside__ -> R(n + 1) [] outside__ -> R(n + 1) [] E.in -> R(n + 1) [] refused__ -> R(min(k, n))
+///            [] tock -> (if k > n then R(k) else if k > 1 then R(k - 1) else missed__ -> STOP)
+[[nodiscard]] cspm::ExprPtr missing(const WatchedCopy&, const Emitted&, const std::string& event, std::int64_t units,
+                                    const std::vector<cspm::ExprPtr>& arguments, const std::string& name,
+                                    std::vector<cspm::DeclPtr>& preparation);
 
 }  // namespace robochart::csp_emit

@@ -56,6 +56,8 @@ std::string opposite(const ir::Property& property) {
             return "no run terminates, and none ends in a deadlock";
         case PropertyKind::reachable:
             return "no run reaches the state";
+        case PropertyKind::event_missed:
+            return "no run misses it";
         case PropertyKind::refines:
         case PropertyKind::equals:
         case PropertyKind::clock_initialised:
@@ -90,6 +92,7 @@ private:
     ExprPtr joint_alphabet(const ir::Property& property) const;
     std::vector<DeclPtr> reachability(const ir::Property& property) const;
     void initialisation(const ir::Property& property, Obligation& out);
+    void missed_event(const ir::Property& property, Obligation& out);
     ExprPtr renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const;
     std::string unavailable(const ir::Property& property) const;
     std::string unavailable_model(const ir::Property& property) const;
@@ -265,7 +268,7 @@ std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const 
 /// of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::initialisation(const ir::Property& property, Obligation& out) {
-    const ClockWatch watch =
+    const WatchedCopy watch =
         clock_watch(project_, names_, emitted_, path(property.subject), property.state, flatten(property.name));
     out.preparation.push_back(watch.module);
     const b::Exprs given = arguments(property.subject, property);
@@ -275,10 +278,36 @@ void Asserter::initialisation(const ir::Property& property, Obligation& out) {
     out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
 
+/// `event E is missed in S for n time units`: while the machine is in S, n time units in a row pass in which E is never
+/// on offer; calls, outputs and writes are taken at once. `is not missed` is SKIP [T= M |\ {missed__} (missing).
+void Asserter::missed_event(const ir::Property& property, Obligation& out) {
+    const ir::Node* state = nullptr;
+    for (const ir::Node& node : component(property.subject)->machine->nodes)
+        if (!property.state.empty() && node.path == property.state) state = &node;
+    const WatchedCopy watch =
+        offer_watch(project_, names_, emitted_, path(property.subject), property.event, state, flatten(property.name));
+    out.preparation.push_back(watch.module);
+    const std::string times =
+        property.time_units == 1 ? "1 time unit" : fmt::format("{} time units", property.time_units);
+    const std::string missed = fmt::format("{} is missed for {}", property.event, times);
+    for (const char* const mark : {"inside__", "outside__", "refused__"})
+        emitted_.provenance.events[watch.event(mark)] = {MeaningKind::step, "the watch of " + property.event, {}, {}};
+    emitted_.provenance.events[watch.event("missed__")] = {MeaningKind::transition, missed, {}, {}};
+    const std::string name = names_.unique("Misses_" + flatten(property.name));
+    out.assertions = {never(missing(watch, emitted_, property.event, property.time_units,
+                                    arguments(property.subject, property), name, out.preparation),
+                            !property.negated)};
+    if (property.negated)
+        out.reason = fmt::format("nothing takes {} for {} (`robochart-verify explain RC-K09` has remedies)",
+                                 property.event, times);
+}
+
 /// Why the property cannot be asked in its model; "" if it can.
 std::string Asserter::unavailable_model(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
-    const bool of_traces = property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
+    const bool of_traces = property.kind == PropertyKind::reachable ||
+                           property.kind == PropertyKind::clock_initialised ||
+                           property.kind == PropertyKind::event_missed;
     if (property.model == ir::PropertyModel::failures_divergences || of_traces) return "";
     if (binary && property.model != ir::PropertyModel::tick_tock) return "";
     if (binary && !timed()) return "the tick-tock model is about time";
@@ -302,6 +331,7 @@ std::string Asserter::unavailable(const ir::Property& property) const {
     const bool component_only =
         property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
     if (property.kind == PropertyKind::timelock_free && !timed()) return "time cannot stop in the untimed semantics";
+    if (property.kind == PropertyKind::event_missed && !timed()) return "an event is missed while time passes";
     const auto missing = [&](const ir::ComponentRef& ref) {
         return ref.kind != ir::ComponentKind::process && component(ref) == nullptr;
     };
@@ -343,6 +373,9 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
             break;
         case PropertyKind::clock_initialised:
             initialisation(property, out);
+            break;
+        case PropertyKind::event_missed:
+            missed_event(property, out);
             break;
     }
 }

@@ -169,13 +169,21 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
     std::map<std::string, Definitions> definitions;  // of a file
     for (const ir::Property& property : project.system.properties) {
         const bool both = property.timed && property.untimed;
-        if (project.timed() ? !property.timed || both : !property.untimed) continue;
+        if (project.timed() ? !property.timed : !property.untimed) continue;
         for (const ir::ComponentRef* const side : {&property.subject, &property.other}) {
             if (side->kind != ir::ComponentKind::process || side->definition >= project.system.csp_blocks.size())
                 continue;
             const ir::CspBlock& block = project.system.csp_blocks[side->definition];
+            if (!project.applies(block)) {
+                if (reported.insert(property.name).second)
+                    project.diagnostics
+                        .report(rules::block_of_other_time, property.origin.span,
+                                {property.name, block.timed ? "timed" : "untimed", block.name})
+                        .notes.push_back({{}, fmt::format("write `{} assertion`", block.timed ? "timed" : "untimed")});
+                continue;
+            }
             const auto decls = files.find(block.file);
-            if (decls == files.end()) continue;
+            if (decls == files.end() || (project.timed() && both)) continue;  // seen in the other time
             Definitions& defined = definitions.try_emplace(block.file, decls->second, provenance).first->second;
             if (!defined.defines(block.name)) {
                 if (reported.insert(block.name).second)

@@ -18,10 +18,10 @@ namespace robochart::csp_emit {
 /// The declarations of the blocks of each assertion file, by its path.
 using DeclsOfFiles = std::map<std::string, std::vector<cspm::DeclPtr>>;
 
-/// Reports blocks that define no process of their own name (RC-C11), and claims in a model with refusals about a
-/// process that hides inputs of a component (RC-C12). Hidden events happen by themselves and at once (Roscoe,
-/// Understanding Concurrent Systems, 5.1), a state that can do one is unstable and has no refusals, so such a claim
-/// demands nothing of it.
+/// Reports claims about blocks of another time (RC-C14), blocks that define no process of their own name (RC-C11), and
+/// claims in a model with refusals about a process that hides inputs of a component (RC-C12). Hidden events happen by
+/// themselves and at once (Roscoe, Understanding Concurrent Systems, 5.1), a state that can do one is unstable and has
+/// no refusals, so such a claim demands nothing of it.
 void check_block_claims(const Project&, const DeclsOfFiles&, const Provenance&);
 
 }  // namespace robochart::csp_emit

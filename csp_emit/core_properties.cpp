@@ -35,7 +35,8 @@ public:
                  b::assert_property(process_, cspm::AssertionKind::divergence_free, plain));
         if (project_.timed()) {
             required(PropertyKind::timelock_free, "timelock-free",
-                     timelock_free(b::hide(running_on(process_, "tock"), b::productions(outputs()))));
+                     timelock_free(b::hide(running_on(process_, "tock"),
+                                           b::productions(outputs_of(emitted_.provenance, path_)))));
             clocks();
         }
         information(PropertyKind::deterministic, "deterministic",
@@ -63,32 +64,12 @@ private:
         return obligation;
     }
 
-    /// What the component does to its platform: calls, outputs, writes of variables that others share.
-    [[nodiscard]] b::Exprs outputs() const {
-        b::Exprs result;
-        const std::string prefix = path_ + "::";
-        const auto& events = emitted_.provenance.events;
-        for (auto at = events.lower_bound(prefix); at != events.end() && at->first.starts_with(prefix); ++at) {
-            const MeaningKind kind = at->second.kind;
-            const std::string own = at->first.substr(prefix.size());
-            const bool outside =
-                kind == MeaningKind::output || kind == MeaningKind::call || kind == MeaningKind::assignment;
-            if (!outside || own.find("::") != std::string::npos) continue;
-            const std::size_t dot = own.find('.');
-            const ExprPtr channel = b::name(prefix + own.substr(0, dot));
-            if (dot == std::string::npos) result.push_back(channel);
-            // Another ending is of a hidden step that does an output or call, which the process does not show.
-            if (own.ends_with(".out")) result.push_back(b::dot({channel, b::name("out")}));
-        }
-        return result;
-    }
-
     /// Of a machine; each in an instrumented copy of it.
     void clocks() {
         if (component_.machine == nullptr) return;
         for (const ir::Clock& clock : component_.machine->clocks) {
             if (clock.entry_of.valid()) continue;  // set by the entry
-            const ClockWatch watch =
+            const WatchedCopy watch =
                 clock_watch(project_, names_, emitted_, path_, clock.name, flatten(path_ + "_" + clock.name));
             if (watch.reads == 0) continue;
             const ExprPtr read_unset = watch.only("unset__", default_arguments(project_, component_));

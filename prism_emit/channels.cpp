@@ -133,9 +133,12 @@ Channel* Channels::find(Seat seat, const ir::Event& event, Direction direction, 
         channels_.push_back(std::make_unique<Channel>(std::move(made)));
         channel = channels_.back().get();
     }
-    if (!(out ? channel->sent : channel->received))
-        context_.note("event", element(own) + "::" + event.name + (out ? "::OUT" : "::IN"),
-                      out ? channel->out_label() : channel->in_label());
+    if (!(out ? channel->sent : channel->received)) {
+        const std::string label = out ? channel->out_label() : channel->in_label();
+        context_.note("event", element(own) + "::" + event.name + (out ? "::OUT" : "::IN"), label);
+        if (channel->kind == Channel::Kind::platform)
+            context_.note("event", element(route->end) + "::" + route->end.event + (out ? "::IN" : "::OUT"), label);
+    }
     (out ? channel->sent : channel->received) = true;
     return channel;
 }

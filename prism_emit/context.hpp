@@ -21,12 +21,13 @@ struct Carrier {
 
 class Context {
 public:
-    Context(const ir::System& whole, const Preferences& preferences, const ir::Module& encoded,
+    Context(const ir::System& whole, const Preferences& preferences, const ir::Module& encoded, const Functions& given,
             diagnostics::Diagnostics& findings)
-        : system(whole), module(encoded), diagnostics(findings), preferences_(preferences) {}
+        : system(whole), module(encoded), functions(given), diagnostics(findings), preferences_(preferences) {}
 
     const ir::System& system;
     const ir::Module& module;
+    const Functions& functions;  ///< of assertions
     diagnostics::Diagnostics& diagnostics;
     Emission emission;
 

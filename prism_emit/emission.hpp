@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ struct Preferences {
     Range nat, integer, real;
     prism::ModelKind kind = prism::ModelKind::dtmc;
 };
+
+/// Functions that assertions define, by name: their values for arguments (R16, `pfunction`).
+using Functions = std::map<std::string, std::function<prism::ExprPtr(const std::vector<prism::ExprPtr>&)>>;
 
 /// A module of the model in PRISM.
 struct Emission {

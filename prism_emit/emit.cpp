@@ -52,8 +52,8 @@ Preferences preferences(const ir::Instantiation& instantiation) {
 }
 
 std::optional<Emission> emit(const ir::System& system, const ir::Module& module, const Preferences& preferences,
-                             diagnostics::Diagnostics& diagnostics) {
-    Context context(system, preferences, module, diagnostics);
+                             diagnostics::Diagnostics& diagnostics, const Functions& functions) {
+    Context context(system, preferences, module, functions, diagnostics);
     context.emission.model.kind = preferences.kind;
     context.emission.model.kind_given = true;
     add_exit_constants(context);

@@ -17,9 +17,9 @@ namespace robochart::prism_emit {
 [[nodiscard]] Preferences preferences(const ir::Instantiation&);
 
 /// The module in PRISM; its constants without a value stay open. Nothing, with
-/// findings, where the encoding has nothing for some construct.
+/// findings, where the encoding has nothing for some construct. `functions` go before what the model says of them.
 [[nodiscard]] std::optional<Emission> emit(const ir::System&, const ir::Module&, const Preferences&,
-                                           diagnostics::Diagnostics&);
+                                           diagnostics::Diagnostics&, const Functions& functions = {});
 
 /// The text of the file: the model, then the names as comments (R1).
 [[nodiscard]] std::string text(const Emission&);

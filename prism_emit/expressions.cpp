@@ -132,9 +132,11 @@ private:
     }
 
     /// R16, "Functions stay as #CALLFUNC!f$args# until an assertion supplies pfunctions": such a hole is no PRISM.
-    /// Where the model itself says what the result is, that is written in its place.
+    /// Where an assertion, or the model itself, says what the result is, that is written in its place.
     ExprPtr call(const ir::Expr& expr) {
         const ir::Function& function = context_.system.functions[expr.function.index];
+        const auto given = context_.functions.find(function.name);
+        if (given != context_.functions.end()) return given->second(operands(expr));
         const ir::Expr* result = definition(function);
         if (result == nullptr || depth_ > 0)
             return refuse(expr, "a call of the function '" + function.name + "', which no `result == ...` defines");

@@ -78,6 +78,8 @@ const char* word(EndKind kind) {
             return "clockNotInitialised";
         case EndKind::clock_initialised:
             return "clockInitialised";
+        case EndKind::missed:
+            return "missed";
         case EndKind::no_trace:
             return "noTrace";
     }

@@ -127,6 +127,7 @@ enum class EndKind {
     timelock,               ///< time cannot pass
     clock_not_initialised,  ///< a clock is read before its first reset
     clock_initialised,      ///< it is reset, where the claim is that it is not
+    missed,                 ///< an event is refused while time passes
     no_trace,               ///< the process has no such trace
 };
 

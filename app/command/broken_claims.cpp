@@ -1,92 +1,274 @@
-// A CSP block can be named by the claims of other files, its names by their blocks, and a block can replace the
-// instantiation. So beside a broken file with blocks only claims in files without any are left, and of those no file
-// that names one of its processes.
+// A claim is a sentence of its own: an error in another one says nothing about it, if the text around both was
+// understood. It depends on the CSP blocks whose processes it names, and blocks on those whose names they use; a block
+// may replace the instantiation, on which everything depends. What is left out is blanked in the text, so that the rest
+// is read as if it had never been there.
 #include "app/command/broken_claims.hpp"
 
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace robochart::app {
 namespace {
 
+using frontend::Assertion;
+using frontend::AssertionTime;
+using frontend::CspBlock;
 using frontend::File;
+
+/// A claim, a block, or a part for probabilistic claims, with the word for its time.
+struct Item {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    const Assertion* claim = nullptr;
+    const CspBlock* block = nullptr;
+};
+
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
+}
+
+bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
+}
+
+void blank(std::string& text, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < std::min(end, text.size()); ++i)
+        if (text[i] != '\n') text[i] = ' ';
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> result;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > at) result.emplace_back(text.substr(at, end - at));
+        at = std::max(end, at + 1);
+    }
+    return result;
+}
+
+/// What a block may declare: the first word of a line that is no component in front of `::`, and all of a line that
+/// begins with a word for declarations.
+void add_declared(const CspBlock& block, std::set<std::string>& names) {
+    static const std::set<std::string_view> declaring = {"channel", "datatype",    "subtype",  "nametype",
+                                                         "module",  "transparent", "external", "instance"};
+    for (std::size_t at = 0; at < block.text.size();) {
+        const std::size_t end = std::min(block.text.find('\n', at), block.text.size());
+        const std::string_view line = std::string_view(block.text).substr(at, end - at);
+        at = end + 1;
+        const std::vector<std::string> words = words_of(line);
+        if (words.empty()) continue;
+        const std::size_t behind = line.find(words.front()) + words.front().size();
+        if (declaring.contains(words.front()))
+            names.insert(words.begin(), words.end());
+        else if (line.substr(behind, 2) != "::")
+            names.insert(words.front());
+    }
+}
+
+/// An assertion file by its items.
+class ItemList {
+public:
+    ItemList(const File& file, std::string_view text) : text_(text) {
+        for (const diagnostics::Span& comment : file.comments) blank(text_, comment.begin, comment.end);
+        for (const Assertion& each : file.assertions)
+            items_.push_back({with_time(each.span.begin, each.time), each.span.end, &each, nullptr});
+        for (const CspBlock& each : file.csp_blocks)
+            items_.push_back({with_time(each.span.begin, each.time), each.span.end, nullptr, &each});
+        for (const auto& each : file.probabilistic_assertions) items_.push_back({each.span.begin, each.span.end});
+        for (const auto& each : file.probabilistic_definitions) items_.push_back({each.span.begin, each.span.end});
+        for (const auto& each : file.kept) items_.push_back({each.whole.begin, each.whole.end});
+        std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) { return a.begin < b.begin; });
+    }
+
+    [[nodiscard]] const std::vector<Item>& all() const { return items_; }
+
+    /// Those that an error touches, or a text in front of or behind them that belongs to none. False where it is in
+    /// front of all.
+    bool touched_by(diagnostics::Span error, std::vector<Item>& found) const {
+        if (items_.empty() || error.begin < items_.front().begin) return false;
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            const bool inside = items_[i].begin <= error.end && error.begin <= items_[i].end;
+            const bool behind = items_[i].end <= error.begin && error.begin <= next(i);
+            const bool before = i > 0 && error.end <= items_[i].begin && error.begin >= items_[i - 1].end;
+            if (inside || behind || before) found.push_back(items_[i]);
+        }
+        return true;
+    }
+    /// Those in front of or behind a text that belongs to none.
+    void beside_strays(std::vector<Item>& found) const {
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            if (!stray(items_[i].end, next(i))) continue;
+            found.push_back(items_[i]);
+            if (i + 1 < items_.size()) found.push_back(items_[i + 1]);
+        }
+    }
+    void blank_strays(std::string& text) const {
+        for (std::size_t i = 0; i < items_.size(); ++i)
+            if (stray(items_[i].end, next(i))) blank(text, items_[i].end, next(i));
+    }
+
+private:
+    /// Where what follows the item begins.
+    [[nodiscard]] std::size_t next(std::size_t item) const {
+        return item + 1 < items_.size() ? items_[item + 1].begin : text_.size();
+    }
+
+    /// Where `timed` or `untimed` in front of an item begins.
+    [[nodiscard]] std::size_t with_time(std::size_t begin, AssertionTime time) const {
+        if (time == AssertionTime::both) return begin;
+        const std::string_view word = time == AssertionTime::timed ? "timed" : "untimed";
+        std::size_t end = begin;
+        while (end > 0 && is_space(text_[end - 1])) --end;
+        const bool there = end >= word.size() && text_.compare(end - word.size(), word.size(), word) == 0;
+        return there ? end - word.size() : begin;
+    }
+
+    [[nodiscard]] bool stray(std::size_t begin, std::size_t end) const {
+        return begin < end && !std::all_of(text_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                           text_.begin() + static_cast<std::ptrdiff_t>(end), is_space);
+    }
+
+    std::string text_;
+    std::vector<Item> items_;
+};
 
 class Split {
 public:
     explicit Split(const Project& project) : project_(project) {}
 
     std::optional<BrokenClaims> find() {
-        if (!find_wrong() || !can_be_left_out()) return std::nullopt;
+        if (!find_wrong() || !leave_out_wrong()) return std::nullopt;
+        leave_out_dependent();
         BrokenClaims result;
         const auto& files = project_.model->files;
-        for (std::size_t i = 0; i < files.size(); ++i) {
-            if (files[i]->is_library) continue;
-            const bool claims = files[i]->is_assertions;
-            if (!claims || is_sound(*files[i])) result.sound.files.push_back(i);
-            if (!claims || !is_sound(*files[i])) result.broken.files.push_back(i);
-            some_ = some_ || (claims && is_sound(*files[i]) && !files[i]->assertions.empty());
-        }
+        for (std::size_t i = 0; i < files.size(); ++i)
+            if (!files[i]->is_library) divide(i, *files[i], result);
         if (!some_) return std::nullopt;
-        result.broken.again = true;
+        result.broken.unit.again = true;
         return result;
     }
 
 private:
-    /// The assertion files with errors; false where there are none, or errors elsewhere.
+    /// The errors of each assertion file; false where there are none, or errors elsewhere.
     bool find_wrong() {
         for (const diagnostics::Diagnostic& finding : project_.diagnostics.sorted()) {
             if (finding.rule->severity != diagnostics::Severity::error) continue;
-            const File* const file = finding.span.known() ? file_of(finding.span.source) : nullptr;
-            if (file == nullptr || !file->is_assertions) return false;
-            wrong_.insert(file);
+            const std::optional<std::size_t> file = finding.span.known() ? file_of(finding.span.source) : std::nullopt;
+            if (!file || !project_.model->files[*file]->is_assertions) return false;
+            errors_[*file].push_back(finding.span);
         }
-        return !wrong_.empty() && project_.diagnostics.dropped() == 0;
+        return !errors_.empty() && project_.diagnostics.dropped() == 0;
     }
 
-    /// Texts of blocks are sources of their own, under the path of their file.
-    [[nodiscard]] const File* file_of(diagnostics::SourceId source) const {
+    /// Texts of blocks are sources of their own, under the path of their file and with its offsets.
+    [[nodiscard]] std::optional<std::size_t> file_of(diagnostics::SourceId source) const {
         const std::string& path = project_.sources.path(source);
+        const auto& files = project_.model->files;
+        for (std::size_t i = 0; i < files.size(); ++i)
+            if (files[i]->source == source || project_.sources.path(files[i]->source) == path) return i;
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.text(file.source); }
+
+    /// Nothing is known of a block that was not recognised as one, and all depends on an instantiation.
+    [[nodiscard]] bool all_known(const File& file) const {
+        std::size_t blocks = 0;
+        const std::string_view text = text_of(file);
+        constexpr std::string_view word = "csp-begin";
+        for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + word.size()))
+            ++blocks;
+        return file.declarations.empty() && (!file.has_syntax_errors || blocks == file.csp_blocks.size());
+    }
+
+    bool leave_out_wrong() {
+        for (const auto& [index, spans] : errors_) {
+            const File& file = *project_.model->files[index];
+            if (!all_known(file)) return false;
+            const ItemList items(file, text_of(file));
+            std::vector<Item> found;
+            bool apart = true;
+            for (const diagnostics::Span span : spans) apart = items.touched_by(span, found) && apart;
+            items.beside_strays(found);
+            // An error in front of all, or in what serves several claims, is one of the whole file.
+            apart = apart && std::all_of(found.begin(), found.end(), [](const Item& item) {
+                        return item.claim != nullptr || item.block != nullptr;
+                    });
+            if (!apart) whole_.insert(index);
+            for (const Item& item : apart ? found : items.all()) leave_out(item);
+        }
+        return std::none_of(blocks_.begin(), blocks_.end(),
+                            [](const CspBlock* block) { return frontend::replaces_instantiations(*block); });
+    }
+
+    void leave_out(const Item& item) {
+        if (item.claim != nullptr) claims_.insert(item.claim);
+        if (item.block != nullptr && blocks_.insert(item.block).second) add_declared(*item.block, declared_);
+    }
+
+    /// Blocks that use a name which one that is left out may declare, as often as there are more; then claims.
+    void leave_out_dependent() {
+        for (bool more = true; more;) {
+            more = false;
+            for (const auto& file : project_.model->files)
+                for (const CspBlock& block : file->csp_blocks) {
+                    if (blocks_.contains(&block) || !uses_declared(block)) continue;
+                    blocks_.insert(&block);
+                    add_declared(block, declared_);
+                    more = true;
+                }
+        }
         for (const auto& file : project_.model->files)
-            if (file->source == source || project_.sources.path(file->source) == path) return file.get();
-        return nullptr;
+            for (const Assertion& claim : file->assertions)
+                if (blocks_.contains(claim.subject_path.process) || blocks_.contains(claim.other_path.process))
+                    claims_.insert(&claim);
     }
 
-    [[nodiscard]] bool has_blocks(const File& file) const {
-        return !file.csp_blocks.empty() ||
-               project_.sources.text(file.source).find("csp-begin") != std::string_view::npos;
+    [[nodiscard]] bool uses_declared(const CspBlock& block) const {
+        const std::vector<std::string> words = words_of(block.text);
+        return std::any_of(words.begin(), words.end(),
+                           [&](const std::string& word) { return declared_.contains(word); });
     }
 
-    /// Nothing is known of the blocks of a text that was not understood, and all depends on an instantiation.
-    [[nodiscard]] bool can_be_left_out() {
-        return std::all_of(wrong_.begin(), wrong_.end(), [&](const File* file) {
-            blocks_ = blocks_ || has_blocks(*file);
-            const bool all_known = !has_blocks(*file) || !file->has_syntax_errors;
-            return all_known && file->declarations.empty() &&
-                   std::none_of(file->csp_blocks.begin(), file->csp_blocks.end(), frontend::replaces_instantiations);
-        });
-    }
-
-    [[nodiscard]] bool is_sound(const File& file) const {
-        if (wrong_.contains(&file)) return false;
-        if (!blocks_) return true;
-        return !has_blocks(file) && std::none_of(file.assertions.begin(), file.assertions.end(), [&](const auto& each) {
-            return names_a_block(each.subject.text()) || names_a_block(each.other.text());
-        });
-    }
-
-    [[nodiscard]] bool names_a_block(const std::string& name) const {
-        const auto has = [&](const auto& file) {
-            return std::any_of(file->csp_blocks.begin(), file->csp_blocks.end(),
-                               [&](const frontend::CspBlock& block) { return block.name == name; });
-        };
-        return std::any_of(project_.model->files.begin(), project_.model->files.end(), has);
+    /// The file to the side, or sides, that it has a part on.
+    void divide(std::size_t index, const File& file, BrokenClaims& result) {
+        if (!file.is_assertions) {
+            result.sound.unit.files.push_back(index);
+            result.broken.unit.files.push_back(index);
+            return;
+        }
+        const ItemList items(file, text_of(file));
+        std::string sound(text_of(file));
+        std::string broken = sound;
+        std::size_t left = 0;
+        for (const Item& item : items.all()) {
+            const bool out = claims_.contains(item.claim) || blocks_.contains(item.block);
+            left += out ? 1 : 0;
+            some_ = some_ || (!out && item.claim != nullptr);
+            if (out) blank(sound, item.begin, item.end);
+            if (!out && item.claim != nullptr) blank(broken, item.begin, item.end);
+        }
+        items.blank_strays(sound);
+        const bool whole = whole_.contains(index) || (left == items.all().size() && errors_.contains(index));
+        if (!whole) result.sound.unit.files.push_back(index);
+        if (left == 0 && !whole) return;
+        result.broken.unit.files.push_back(index);
+        if (whole) return;
+        result.sound.texts[index] = std::move(sound);
+        result.broken.texts[index] = std::move(broken);
     }
 
     const Project& project_;
-    std::set<const File*> wrong_;  ///< never iterated in an order that matters
-    bool blocks_ = false;          ///< some of them have blocks
-    bool some_ = false;            ///< something is left to decide
+    std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by place in Model::files
+    std::set<std::size_t> whole_;                                   ///< files of which nothing can be read apart
+    std::set<const Assertion*> claims_;                             ///< that are left out; order never matters
+    std::set<const CspBlock*> blocks_;                              ///< likewise
+    std::set<std::string> declared_;                                ///< what these blocks may declare
+    bool some_ = false;                                             ///< something is left to decide
 };
 
 }  // namespace

@@ -60,6 +60,7 @@ bool lower(Project& project, const Options& options) {
 /// `wanted` without the constants that only other parts have.
 bool make_finite(Project& project, const Options& options, const ir::InstantiationOptions& wanted) {
     const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
+    project.asked = wanted;
     project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
     return project.diagnostics.ok();
 }
@@ -176,12 +177,17 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
     return names;
 }
 
-/// The part that these files are.
+/// The part that these files are, some of them with other texts.
 std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
-                                 const Options& options) {
+                                 const Options& options, const std::map<std::size_t, std::string>& other_texts = {}) {
     auto part = std::make_unique<Project>(whole.texts);
     std::vector<diagnostics::SourceId> texts;
-    for (const std::size_t file : unit.files) texts.push_back(whole.model->files[file]->source);
+    for (const std::size_t file : unit.files) {
+        const diagnostics::SourceId source = whole.model->files[file]->source;
+        const auto other = other_texts.find(file);
+        texts.push_back(other == other_texts.end() ? source
+                                                   : part->sources.add(whole.sources.path(source), other->second));
+    }
     part->name = name;
     prepare(*part, options);
     part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
@@ -255,11 +261,26 @@ void read_blocks(const Part& part, const Options& options) {
         (void)emit_csp(project, wanted, csp_emit::Time::timed);
 }
 
-/// Where claims are decided, those of other files do not wait for an assertion file with errors: a part with errors
+/// Whether some assertion file has a claim of each name.
+bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>& names) {
+    return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+        return std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
+            const auto& files = part.project->model->files;
+            return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+                return std::any_of(file->assertions.begin(), file->assertions.end(),
+                                   [&](const frontend::Assertion& claim) { return claim.name == name; });
+            });
+        });
+    });
+}
+
+/// Where claims are decided, the others do not wait for one with errors, nor for a CSP block: a part with errors
 /// becomes two where that leaves something to decide (broken_claims.hpp).
 void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
     const bool decides = decides_assertions(options.verb);
-    if (!decides || !options.print.empty() || !options.claims.empty()) return;
+    if (!decides || !options.print.empty() || !are_claimed(parts, options.claims)) return;
+    Options unnamed = options;  // what is asked for by name may be on either side
+    unnamed.claims.clear();
     std::vector<Part> result;
     for (Part& part : parts) {
         read_blocks(part, options);
@@ -270,8 +291,9 @@ void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
         }
         const Project& whole = *part.project;
         std::vector<Part> sound;
-        sound.push_back({part_of(whole, found->sound, whole.name, options), part.again});
-        complete(sound, options);
+        sound.push_back({part_of(whole, found->sound.unit, whole.name, options, found->sound.texts), part.again});
+        complete(sound, unnamed);
+        set_broken_claims_apart(sound, options);  // errors in blocks show once there are no others
         std::set<diagnostics::SourceId> wrong;
         std::string named;  // the first of them
         for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted())
@@ -279,9 +301,9 @@ void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
                 if (wrong.empty()) named = whole.sources.path(finding.span.source);
                 wrong.insert(finding.span.source);
             }
-        auto broken = part_of(whole, found->broken, project_name(named), options);
+        auto broken = part_of(whole, found->broken.unit, project_name(named), options, found->broken.texts);
         broken->diagnostics = whole.diagnostics.about(wrong);
-        result.push_back(std::move(sound.front()));
+        for (Part& each : sound) result.push_back(std::move(each));
         result.push_back({std::move(broken), true});
     }
     parts = std::move(result);

@@ -29,6 +29,7 @@ struct Project {
     diagnostics::Diagnostics diagnostics;
     std::unique_ptr<frontend::Model> model;
     ir::System system;
+    ir::InstantiationOptions asked;  ///< what the options ask of its instantiation
     ir::Instantiation instantiation;
     std::set<std::string> shared_names;  ///< that components of one kind in several of its packages have
     double seconds = 0;                  ///< reading, resolving, lowering

@@ -9,6 +9,7 @@
 
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
+#include "app/report/probability_report.hpp"
 #include "conformance/model/rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/paint.hpp"
@@ -33,7 +34,7 @@ std::string verdict(std::string_view word, Paint paint, bool color) {
 }
 
 Paint paint_of(Answer answer) {
-    if (answer == Answer::holds) return Paint::success;
+    if (answer == Answer::holds || answer == Answer::computed) return Paint::success;
     return answer == Answer::fails || answer == Answer::error ? Paint::error : Paint::warning;
 }
 
@@ -60,6 +61,7 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
                            a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
+    if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
     const std::string claimed =
         a.place.empty() ? "" : fmt::format("{} at {}; ", a.core ? "declared" : "claimed", diagnostics::shown(a.place));
@@ -82,7 +84,11 @@ std::string assertion_block(const AssertionReport& a, const std::string& subject
 /// What the verdicts are about where it is less than the model.
 void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
     if (bounds.empty()) return;
-    out += "\nbounds of the finite instantiation that were reached: the verdicts are about a smaller model\n";
+    out +=
+        "\nbounds of the finite instantiation that were met; where these states can be reached, the verdicts are about "
+        "a "
+        "smaller model\n(each part is explored with all its inputs, so they need not be reachable: docs/cli.md, The "
+        "finite instantiation)\n";
     for (const BoundReport& bound : bounds)
         out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time,
                            bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));
@@ -230,9 +236,13 @@ std::string closing(const Report& report) {
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
         const auto decisive = std::count_if(report.assertions.begin(), report.assertions.end(), [](const auto& a) {
-            return a.answer != Answer::no_check && !(a.core && a.core->information);
+            return a.answer != Answer::no_check && a.answer != Answer::computed && !(a.core && a.core->information);
         });
-        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), decisive));
+        if (decisive > 0 || count(Answer::computed) == 0)
+            parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), decisive));
+        if (count(Answer::computed) > 0)
+            parts.push_back(
+                fmt::format("{} value{} computed", count(Answer::computed), count(Answer::computed) == 1 ? "" : "s"));
         if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
         if (count(Answer::inconclusive) > 0)
             parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
@@ -248,7 +258,10 @@ std::string closing(const Report& report) {
     }
     if (!report.refused.empty()) {
         std::vector<std::string> names;
-        for (const RefusedReport& each : report.refused) names.push_back(diagnostics::shown(each.model));
+        for (const RefusedReport& each : report.refused)
+            if (std::string name = diagnostics::shown(each.model);
+                std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(std::move(name));
         parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
     }
     if (!report.unclaimed.empty()) parts.push_back(report.unclaimed);
@@ -259,8 +272,8 @@ std::string closing(const Report& report) {
 }  // namespace
 
 std::string_view answer_word(Answer answer) {
-    constexpr std::array<std::string_view, 6> words{"holds",    "FAILS", "inconclusive",
-                                                    "no check", "error", "not checked"};
+    constexpr std::array<std::string_view, 7> words{"holds", "FAILS",       "inconclusive", "no check",
+                                                    "error", "not checked", "value"};
     return words[static_cast<std::size_t>(answer)];
 }
 
@@ -307,6 +320,7 @@ std::string blocks(const Listed& listed, const std::string& subject, const Optio
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
     for (const AssertionReport* a : listed)
+        // A value is an answer: it is printed whatever is left out.
         if (!options.quiet || a->answer != Answer::holds) out += assertion_block(*a, subject, width, options, color);
     return out;
 }

@@ -9,6 +9,7 @@
 #include "app/command/options.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "conformance/check/conform.hpp"
+#include "probability/experiments/experiment.hpp"
 #include "runs/run.hpp"
 
 namespace robochart::app {
@@ -21,6 +22,7 @@ enum class Answer {
     no_check,   ///< the claim has no check in this semantics; said, not counted as holding
     error,      ///< the claim could not be evaluated: bad input
     unchecked,  ///< a claim of a kind that is not decided here: nothing is known of it
+    computed,   ///< a value was asked for, and is there
 };
 
 /// For people: "holds", "FAILS".
@@ -39,12 +41,20 @@ struct CoreReport {
     std::vector<std::string> unexercised = {};  ///< those of them that no run exercises
 };
 
+/// What a probabilistic assertion was decided on, and what was found for each combination of values of its constants.
+struct ProbabilityReport {
+    std::string encoding;   ///< "robotool"
+    std::string scheduler;  ///< "any", "urgent", "uniform"; "" where the encoding leaves no choices
+    std::vector<probability::Row> rows;
+};
+
 /// One assertion with its answer.
 struct AssertionReport {
-    std::string title;                  ///< "A1 [timed] AggregationFSM is deadlock-free"
-    std::string place;                  ///< "aggregation.assertions:12"
-    std::optional<runs::Place> region;  ///< the same with its end; a model's
-    std::optional<CoreReport> core;     ///< none: the model's or the script's own
+    std::string title;                             ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;                             ///< "aggregation.assertions:12"
+    std::optional<runs::Place> region;             ///< the same with its end; a model's
+    std::optional<CoreReport> core;                ///< none: the model's or the script's own
+    std::optional<ProbabilityReport> probability;  ///< of probabilistic assertions
     Answer answer = Answer::inconclusive;
     std::string reason;  ///< inconclusive, no_check, error
     refine::Statistics statistics;

@@ -2,6 +2,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/report/probability_report.hpp"
 #include "app/report/report.hpp"
 #include "conformance/model/rules.hpp"
 #include "diagnostics/json.hpp"
@@ -31,7 +32,8 @@ Json counterexample(const runs::Run& run) {
 }
 
 Json assertion(const AssertionReport& a) {
-    constexpr std::array<const char*, 6> words{"holds", "fails", "inconclusive", "no check", "error", "not checked"};
+    constexpr std::array<const char*, 7> words{"holds", "fails",       "inconclusive", "no check",
+                                               "error", "not checked", "value"};
     Json json{{"title", a.title},
               {"place", a.place},
               {"answer", words[static_cast<std::size_t>(a.answer)]},
@@ -41,6 +43,7 @@ Json assertion(const AssertionReport& a) {
     if (a.core)
         json["core"] = {
             {"component", a.core->component}, {"property", a.core->property}, {"information", a.core->information}};
+    if (a.probability) json["probability"] = probability_json(*a.probability);
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (a.run) json["counterexample"] = counterexample(*a.run);
     return json;

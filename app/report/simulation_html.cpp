@@ -312,7 +312,7 @@ void SimulationPage::robot() {
         const ir::Machine& definition = machine(run_, run_.emission.machines[m]);
         const std::string name =
             definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
-        const std::string svg = diagrams_.svg(name, fmt::format("m{}-", m));
+        const std::string svg = diagrams_.drawn(name, fmt::format("m{}-", m));
         if (svg.empty()) continue;
         out_ += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", m,
                             xml_text(machines_[m].name.empty() ? name : machines_[m].name + ": " + name), svg);
@@ -432,7 +432,7 @@ void SimulationPage::diagrams() {
     out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
     for (std::size_t i = 0; i < subjects.size(); ++i)
         out_ += fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xml_text(subjects[i].subject.name),
-                            diagrams_.svg(subjects[i], fmt::format("d{}-", i)));
+                            diagrams_.drawn(subjects[i], fmt::format("d{}-", i)));
     out_ += "</section>\n";
 }
 

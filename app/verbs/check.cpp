@@ -177,16 +177,9 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     const bool core = obligation.property == ir::no_id;
-    return core ? context.options.claims.empty()
+    const bool asked = context.options.core && !obligation.component.empty();
+    return core ? context.options.claims.empty() || asked
                 : asked_for(context.options, context.project.system.properties[obligation.property].name);
-}
-
-void set_place(const Project& project, diagnostics::Span span, AssertionReport& report) {
-    report.place = project.sources.place(span);
-    if (!span.known()) return;
-    const diagnostics::Position begin = project.sources.position(span.source, span.begin);
-    const diagnostics::Position end = project.sources.position(span.source, span.end);
-    report.region = runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
 }
 
 /// Of the question whether they are exercised.
@@ -269,13 +262,12 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     if (options.sizes) measure_sizes(project, *session, emission, time, options, report);
 }
 
-/// Claims of kinds that nothing here decides: each is said with its wording, and none of them is a success.
+/// Claims of other tools: each is said, and none of them is a success.
 void report_unchecked(const Project& project, const Options& options, Report& report) {
-    const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& wording,
-                               const std::string& why) {
+    const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& why) {
         if (!asked_for(options, name)) return;
         AssertionReport one;
-        one.title = project.label + name + wording;
+        one.title = project.label + name;
         set_place(project, span, one);
         one.answer = Answer::unchecked;
         one.reason = fmt::format("{}: not checked: {}", diagnostics::shown(one.place), why);
@@ -283,16 +275,23 @@ void report_unchecked(const Project& project, const Options& options, Report& re
         report.assertions.push_back(std::move(one));
     };
     for (const auto& file : project.model->files) {
-        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
-            unchecked(each.name, each.span, " " + diagnostics::shown(frontend::claim(each)), "probabilistic");
         for (const frontend::KeptPart& part : file->kept)
-            if (part.claims) unchecked(part.name, part.span, "", fmt::format("`{}` is of another tool", part.form));
+            if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is of another tool", part.form));
     }
 }
 
 }  // namespace
 
+void set_place(const Project& project, diagnostics::Span span, AssertionReport& report) {
+    report.place = project.sources.place(span);
+    if (!span.known()) return;
+    const diagnostics::Position begin = project.sources.position(span.source, span.begin);
+    const diagnostics::Position end = project.sources.position(span.source, span.end);
+    report.region = runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
+}
+
 void check_assertions(Project& project, const Options& options, Report& report) {
+    check_probabilities(project, options, report);
     report_unchecked(project, options, report);
     if (options.times != Times::timed) check_time(project, options, Time::untimed, report);
     if (options.times != Times::untimed && project.diagnostics.ok()) check_time(project, options, Time::timed, report);

@@ -1,9 +1,12 @@
 // One function for each verb, using only the public headers of the components. Each returns the exit code.
 #pragma once
 
+#include <optional>
+
 #include "app/command/options.hpp"
 #include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
+#include "prism_emit/emission.hpp"
 
 namespace robochart::app {
 
@@ -22,6 +25,12 @@ Exit run_lsp();                     ///< serves an editor on stdin and stdout un
 
 /// Decides the model's assertions in the times asked for.
 void check_assertions(Project&, const Options&, Report&);
+/// Decides the probabilistic ones.
+void check_probabilities(Project&, const Options&, Report&);
+/// Sets the place of what is claimed there.
+void set_place(const Project&, diagnostics::Span, AssertionReport&);
+/// The ranges of RoboTool's encoding; nothing, with a finding, where they cannot be read.
+[[nodiscard]] std::optional<prism_emit::Preferences> read_preferences(Project&, const Options&);
 /// Writes csp-gen/… below the output folder.
 [[nodiscard]] bool write_csp(Project&, const Options&, Report&);
 /// Writes cpp/COMPONENT/… below the output folder.

@@ -283,9 +283,6 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     return true;
 }
 
-namespace {
-
-/// The ranges asked for; nothing, with a finding, where they cannot be read.
 std::optional<prism_emit::Preferences> read_preferences(Project& project, const Options& options) {
     prism_emit::Preferences result = prism_emit::preferences(project.instantiation);
     if (options.preferences.empty()) return result;
@@ -296,6 +293,8 @@ std::optional<prism_emit::Preferences> read_preferences(Project& project, const 
     project.diagnostics.report(prism_emit::rules::bad_preferences, {}, {options.preferences, error});
     return std::nullopt;
 }
+
+namespace {
 
 /// The module that a component is.
 const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& component) {
@@ -433,6 +432,7 @@ void report_broken_claims(const Project& project, const Options& options, Report
     for (const auto& file : project.model->files) {
         if (!file->is_assertions) continue;
         for (const frontend::Assertion& claim : file->assertions) {
+            if (!asked_for(options, claim.name)) continue;
             AssertionReport one;
             one.title = claim.name;
             one.place = project.sources.place(claim.span);

@@ -74,7 +74,7 @@ void negate(refine::Verdict& verdict) {
 }  // namespace
 
 struct Session::Impl {
-    Impl(Script given, diagnostics::Budget* budget)
+    Impl(Script given, diagnostics::Budget* budget, bool whole_states)
         : script(std::move(given)),
           terms(events),
           semantics(terms, &compressor),
@@ -83,9 +83,9 @@ struct Session::Impl {
           evaluator(program, store, events, terms) {
         compressor.use(compiler);
         if (budget != nullptr) resolver.watch([budget] { budget->poll(); });
-        on_deep_stack([this] {
+        on_deep_stack([this, whole_states] {
             resolver.script(script);
-            find_unread_parameters(program);
+            if (!whole_states) find_unread_parameters(program);
         });
         resolver.watch({});
     }
@@ -107,6 +107,17 @@ struct Session::Impl {
         if (!compiled) return terms_alone;
         compiled->set_reference(std::move(terms_alone));
         return compiled;
+    }
+
+    std::unique_ptr<lts::TransitionSystem> whole_system(process::TermId term, Span span,
+                                                        const std::function<void()>& poll) {
+        machine::Bounds bounds;
+        bounds.component_states *= 10;  // nothing makes them smaller
+        bounds.minimised_states = 0;
+        bounds.region_states = 0;
+        auto compiled = machine::Compiler(semantics, bounds).compile(term, poll);
+        if (compiled) return compiled;
+        return std::make_unique<SessionSystem>(semantics, term, span);
     }
 
     std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,
@@ -252,8 +263,8 @@ struct Session::Impl {
     Memory memory;
 };
 
-Session::Session(Script script, diagnostics::Budget* budget)
-    : impl_(std::make_unique<Impl>(std::move(script), budget)) {}
+Session::Session(Script script, diagnostics::Budget* budget, bool whole_states)
+    : impl_(std::make_unique<Impl>(std::move(script), budget, whole_states)) {}
 Session::~Session() = default;
 
 const Script& Session::script() const {
@@ -331,6 +342,12 @@ std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, cons
     budget.report_by([this](refine::Progress& progress) { impl_->tell_stage(progress); });
     const Impl::Polling polling(*impl_, budget);
     return impl_->system(process(expr), expr->span, impl_->polling_within(budget, limits));
+}
+
+std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr, const refine::Limits& limits) {
+    refine::Budget budget(limits, refine::Progress::Phase::compiling);
+    const Impl::Polling polling(*impl_, budget);
+    return impl_->whole_system(process(expr), expr->span, [&budget] { budget.charge(); });
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

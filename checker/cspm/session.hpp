@@ -31,7 +31,8 @@ struct AssertionResult {
 class Session {
 public:
     /// The budget is polled while the script is made ready: instances of modules copy what they are made of.
-    explicit Session(Script script, diagnostics::Budget* budget = nullptr);
+    /// `whole_states`: processes keep also those arguments that nothing reads, for whoever asks a state for them.
+    explicit Session(Script script, diagnostics::Budget* budget = nullptr, bool whole_states = false);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -66,6 +67,9 @@ public:
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
     /// The same within limits; throws process::Interrupted where one is reached while compiling.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&, const refine::Limits&);
+    /// The same, with every component as it is: none is replaced by a smaller one that behaves like it, so that a state
+    /// tells where each component is, and hidden events keep their names.
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
     /// An expression that denotes an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
     /// An expression of any other type, printed as FDR's `print` does.

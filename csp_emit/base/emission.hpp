@@ -31,8 +31,17 @@ enum class MeaningKind {
     external_write,
     terminate,
     step,
+    memory,  ///< a value is read from the process that holds its variable, or stored there: part of the step before
     tock,
     refusal,  ///< tick-tock: its argument is the event that is refused
+};
+/// What a transition that leaves a probabilistic junction is weighed by.
+struct Draw {
+    std::string junction;                  ///< which of the machine's, with the operation that it is in: "Turn_p0"
+    const ir::Machine* machine = nullptr;  ///< that has the transition
+    ir::TransitionId transition;
+    std::vector<std::string> variables;  ///< of that machine, by VariableId: what holds them among the parameters of
+                                         ///< definitions
 };
 /// An event of the script in terms of the model.
 struct EventMeaning {
@@ -40,7 +49,8 @@ struct EventMeaning {
     std::string text;               ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
     std::vector<ir::TypeId> types;  ///< of the event's arguments, in order; empty if it has none
     ir::Origin origin;
-    std::string component = {};  ///< whose event it is: "P::C::stm_ref0"; "" if no component's
+    std::string component = {};             ///< whose event it is: "P::C::stm_ref0"; "" if no component's
+    std::shared_ptr<const Draw> draw = {};  ///< of a transition that leaves a probabilistic junction; else null
 };
 /// What a parameter of a definition holds.
 enum class ParameterKind {
@@ -69,7 +79,10 @@ struct DefinitionMeaning {
     std::vector<ParameterKind> kinds = {};   ///< of each parameter
     std::string component = {};              ///< whose definition it is: "P::C::stm_ref0"
     bool memory = false;                     ///< it holds a variable beside the process that says where the machine is
-    std::string machine = {};                ///< the machine that runs there, qualified by its package: "P::S"
+    /// Of the variables that processes beside it hold: those whose value there something still reads. Such a process
+    /// may hold an old value of the others, since a value that nothing reads is not stored.
+    std::vector<std::string> remembered = {};
+    std::string machine = {};  ///< the machine that runs there, qualified by its package: "P::S"
     /// The active states, outermost first, those of operations that are being called behind those of their callers.
     std::vector<ir::Origin> active = {};
     /// Of its triggers and of the statements that are to be done next; definitions share them.
@@ -139,6 +152,9 @@ struct Options {
     /// A machine that may have more states than this, by the sizes of its carriers, keeps its largest variables in
     /// memory processes of their own.
     double states_of_a_process = 50'000;
+    /// A machine's variables are parameters wherever it is, also where nothing reads them any more, and none is in a
+    /// memory: a state of the process tells all of them.
+    bool whole_states = false;
     bool share_modules = true;  ///< modules of equal text are written once (shared_modules.hpp)
     bool share_calls = true;    ///< one definition of an operation for its calls; otherwise each call is inlined
 };

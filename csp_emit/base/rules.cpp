@@ -59,6 +59,23 @@ const Rule inputs_hidden{
     "A hidden event happens by itself, without anybody who sends it. A state that can do one is unstable and refuses "
     "nothing, so the claim demands nothing of it, and may hold where the model is wrong. Hide only calls, outputs and "
     "writes; leave inputs visible, and let the specification say what it thinks of them."};
+const Rule definition_unread{
+    "RC-C13", Severity::warning, "nothing reads '{}', which the block Instantiations defines{}",
+    "A block Instantiations gives values to carriers, constants and functions by the names that they have in the "
+    "script. What it leaves out has the generated value. A definition of another name changes nothing, so a misspelt "
+    "one lets the claims be decided with the generated value."};
+const Rule block_of_other_time{"RC-C14", Severity::error,
+                               "assertion {0} is about the {1} csp block {2}, but not {1} alone",
+                               "A csp block with `timed` or `untimed` is part of that semantics only. An assertion "
+                               "without such a word is decided in "
+                               "both, so it and the blocks that it names agree on the word."};
+const Rule name_of_robotool{"RC-C15", Severity::error,
+                            "{} is a name of RoboTool's that this script does not have: it {}",
+                            "The names in csp blocks are those that RoboTool's generators of 2024 to 2026 show. Older "
+                            "ones had an event for the "
+                            "return of a call and one channel for all states that are entered; what is inside a "
+                            "machine is not a process of its "
+                            "own here."};
 const Rule probabilistic_choice{
     "RC-C21", Severity::note, "probabilistic junction {} counts as a free choice: CSP has no probabilities",
     "Every transition that leaves the junction may be taken, whatever its probability, as at a junction whose "
@@ -66,10 +83,11 @@ const Rule probabilistic_choice{
     "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 12> table{
-        &unsupported,      &recursive_call,          &missing_in_caller,    &reserved_name,
-        &too_many_points,  &instantiations_replaced, &constant_without_use, &name_of_another,
-        &one_name_for_two, &block_without_process,   &inputs_hidden,        &probabilistic_choice};
+    static constexpr std::array<const Rule*, 15> table{
+        &unsupported,         &recursive_call,          &missing_in_caller,    &reserved_name,
+        &too_many_points,     &instantiations_replaced, &constant_without_use, &name_of_another,
+        &one_name_for_two,    &block_without_process,   &inputs_hidden,        &definition_unread,
+        &block_of_other_time, &name_of_robotool,        &probabilistic_choice};
     return table;
 }
 

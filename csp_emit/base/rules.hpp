@@ -19,6 +19,9 @@ extern const diagnostics::Rule one_name_for_two;         // RC-C10
 extern const diagnostics::Rule probabilistic_choice;     // RC-C21
 extern const diagnostics::Rule block_without_process;    // RC-C11
 extern const diagnostics::Rule inputs_hidden;            // RC-C12
+extern const diagnostics::Rule definition_unread;        // RC-C13
+extern const diagnostics::Rule block_of_other_time;      // RC-C14
+extern const diagnostics::Rule name_of_robotool;         // RC-C15
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

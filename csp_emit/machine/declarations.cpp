@@ -39,6 +39,8 @@ DeclPtr ModuleDeclarations::module(const std::vector<DeclPtr>& points, const Exp
     declare_states(decls);
     declare_sets(decls);
     tables_.watch.declare(decls);
+    if (!tables_.context.offered.empty())
+        decls.push_back(b::channel({"inside__", "outside__", "refused__", "missed__"}));
     decls.insert(decls.end(), points.begin(), points.end());
     declare_variants(decls, initial);
     const bool operation = tables_.machine().kind == ir::MachineKind::operation;

@@ -47,7 +47,7 @@ cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {
 
 ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
     // The copy that an assertion watches is there once.
-    if (!context.watched.empty()) return machine_module(std::move(context), emitted);
+    if (context.copied()) return machine_module(std::move(context), emitted);
     const std::string path = context.path;
     const std::string name = context.name;
     const auto [found, added] = emitted.machines.try_emplace(key_of(context));

@@ -42,7 +42,23 @@ Values initial_values(MachineTables& tables) {
     return result;
 }
 
+/// Whether the branch is an input of the event.
+bool takes(const cspm::Expr& branch, const std::string& event) {
+    const cspm::Expr& prefix = branch.kind == cspm::ExprKind::guard ? *branch.args[1] : branch;
+    if (prefix.kind != cspm::ExprKind::prefix || prefix.args[0]->kind != cspm::ExprKind::dot) return false;
+    const auto& parts = prefix.args[0]->args;
+    return parts.size() > 1 && parts[0]->text == event && parts[1]->text == "in";
+}
+
 }  // namespace
+
+Processes::Processes(MachineTables& tables) : tables_(tables) {
+    if (tables.context.offered.empty()) return;
+    Cell cell;
+    cell.name = "passed__";
+    cell.kind = CellKind::frozen;
+    passed_ = tables.cells.add(std::move(cell));
+}
 
 ExprPtr Processes::initial() {
     const ir::Machine& machine = tables_.machine();
@@ -96,7 +112,8 @@ ExprPtr Processes::at(const Activation& config, const Values& values) {
 ExprPtr Processes::point(const Activation& config, const Values& values) {
     const Point* point = tables_.points.at(config);
     if (point == nullptr) return b::stop();  // too many, reported
-    const Values passed = with_monitors(tables_, config, values);
+    Values passed = with_monitors(tables_, config, values);
+    if (passed_) passed[*passed_] = b::number(passing_ ? 1 : 0);
     tables_.points.count_call(passed.size());
     return tables_.family_calls.add(point->name, tables_.cells.arguments(passed), after_tock_);
 }
@@ -150,13 +167,33 @@ void Processes::add(const std::vector<Branch>& branches, std::vector<ExprPtr>& o
     for (const Branch& branch : branches) out.push_back(of(branch));
 }
 
+/// The choice of its branches. Where it matters when an event is on offer (MachineContext::offered), the others come
+/// behind an event that says whether the machine is within; the point's parameter knows whether it has been.
+ExprPtr Processes::choice(const Activation& config) {
+    const b::Exprs all = branches(config);
+    if (!passed_) return b::choice(all);
+    const std::optional<ir::NodeId>& state = tables_.context.within;
+    const bool inside = state ? is_in(tables_, config, *state) : !is_final(tables_, config);
+    const auto with = [&](std::int64_t value) {
+        return b::binary(cspm::ExprKind::equal, tables_.cells.parameter(*passed_), b::number(value));
+    };
+    passing_ = true;
+    const ExprPtr again = point(config, {});
+    passing_ = false;
+    b::Exprs result{b::guard(with(0), b::prefix(b::name(inside ? "inside__" : "outside__"), again))};
+    b::Exprs others;
+    for (const ExprPtr& branch : all) (takes(*branch, tables_.context.offered) ? result : others).push_back(branch);
+    if (!others.empty()) result.push_back(b::guard(with(1), b::choice(others)));
+    return b::choice(result);
+}
+
 ExprPtr Processes::body(const Activation& config) {
     run_ = 0;
     branching_ = 0;
     if (returns(config)) return tables_.sharing.return_from(config.frame, {}, false);
     if (const auto next = silent(tables_, config, {}, false)) return of(*next);
     const bool ends = is_final(tables_, config) && tables_.machine().kind == ir::MachineKind::operation;
-    return tables_.watch.with_reset(ends ? b::skip() : b::choice(branches(config)));
+    return tables_.watch.with_reset(ends ? b::skip() : choice(config));
 }
 
 /// The body of a continuation.

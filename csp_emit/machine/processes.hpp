@@ -6,6 +6,7 @@
 // required variables, other threads, and the transitions that may cut a during action.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "csp_emit/machine/rules/next.hpp"
@@ -16,7 +17,7 @@ namespace robochart::csp_emit {
 /// Owns only the depth of the present recursion.
 class Processes {
 public:
-    explicit Processes(MachineTables& tables) : tables_(tables) {}
+    explicit Processes(MachineTables&);
 
     /// The machine's process at its start.
     [[nodiscard]] cspm::ExprPtr initial();
@@ -33,13 +34,16 @@ private:
     cspm::ExprPtr body(const Activation& config);
     cspm::ExprPtr behind(const Continuation&);
     std::vector<cspm::ExprPtr> branches(const Activation& config);
+    cspm::ExprPtr choice(const Activation& config);
     std::vector<cspm::ExprPtr> reading_branches(const Activation& config, const View& now, CellId clock);
     bool returns(const Activation& config) const;
 
     MachineTables& tables_;
-    std::size_t run_ = 0;        ///< statements done at once so far
-    std::size_t branching_ = 0;  ///< conditionals around the present one
-    bool after_tock_ = false;    ///< the branch of a tock is being made
+    std::size_t run_ = 0;           ///< statements done at once so far
+    std::size_t branching_ = 0;     ///< conditionals around the present one
+    bool after_tock_ = false;       ///< the branch of a tock is being made
+    std::optional<CellId> passed_;  ///< MachineContext::offered: 1 where the point has said whether it is within
+    bool passing_ = false;          ///< the call is being made that says so
 };
 
 }  // namespace robochart::csp_emit

@@ -79,6 +79,8 @@ Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, c
         number_.emplace(name, number_.size());
         read_.push_back(b::name(name));
     }
+    for (const std::string& name : candidates.kept)
+        for (std::size_t i = 0; i < functions.size(); ++i) used_[i].push_back(number_.at(name));
     for (const auto& [value, entry] : candidates.entries) returning_.insert(index_.at(entry.behind));
     for (std::size_t i = 0; i < functions.size(); ++i) survey(i, *functions[i].body);
     survey(functions.size(), *initial);

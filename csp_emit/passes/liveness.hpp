@@ -90,6 +90,7 @@ private:
 struct Candidates {
     std::vector<std::string> names;                ///< in the order in which they become parameters
     std::map<std::string, cspm::ExprPtr> ticking;  ///< what one that counts time becomes with a tock
+    std::vector<std::string> kept;                 ///< those that every function has, whether or not it reads them
     std::string returns;                           ///< the one that holds where calls return to; may be empty
     /// For a value given to it: the function that goes on behind the call, and the value before.
     struct Entry {

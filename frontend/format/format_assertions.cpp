@@ -56,9 +56,9 @@ Doc AssertionLayout::hyphenated() {
     return at("-") ? cat({word, token(Gap::none), token(Gap::none)}) : word;
 }
 
-/// `X is …`, `X does not …`, `X terminates`, `X refines Y`, `X equals Y`, `clock C is initialised`
+/// `X is …`, `X does not …`, `X terminates`, `X refines Y`, `X equals Y`, `clock C is initialised`, `event E is …`
 Doc AssertionLayout::assertion_body() {
-    const Doc subject = at("clock") ? phrase(Gap::blank) : names(Gap::blank);
+    const Doc subject = at("clock") || at("event") ? phrase(Gap::blank) : names(Gap::blank);
     if (at_word("refines") || at_word("equals")) return cat({subject, phrase(Gap::blank)});
     const bool described = at("is") || at_word("does");
     Doc result = doc_.cat(subject, token(Gap::blank));
@@ -66,8 +66,12 @@ Doc AssertionLayout::assertion_body() {
     return described ? doc_.cat(result, property()) : result;
 }
 
-/// `deadlock-free`, `reachable in X`, `equal to Y`, `refine Y`, `terminate`
+/// `deadlock-free`, `reachable in X`, `equal to Y`, `refine Y`, `terminate`, `missed in X for N time units`
 Doc AssertionLayout::property() {
+    if (at_word("missed")) {
+        const Doc missed = cat({token(Gap::blank), phrase(Gap::blank)});
+        return at_word("for") ? cat({missed, words(Gap::blank, 4)}) : missed;
+    }
     const bool refine = at_word("refine");
     const bool related = at_word("reachable") || at_word("equal");
     const Doc word = hyphenated();

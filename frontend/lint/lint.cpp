@@ -55,6 +55,7 @@ private:
         lint_loops(machine, never, out_);
         lint_arithmetic(machine, out_);
         lint_statements(machine, out_);
+        lint_missed(machine, out_);
         lint_termination(machine, out_);
     }
 

@@ -1,8 +1,6 @@
 // Slips in single statements and transitions: twice the same transition, a value assigned to itself, a wait that its
 // own deadline cuts off.
-#include <cstdlib>
 #include <map>
-#include <optional>
 
 #include "frontend/lint/lints.hpp"
 #include "frontend/rules/rules.hpp"
@@ -36,29 +34,10 @@ void check_copies(const NodeContainer& container, Diagnostics& out) {
     }
 }
 
-std::optional<double> number(const Expr& written) {
-    const Expr& expr = strip(written);
-    if (expr.kind != ExprKind::integer && expr.kind != ExprKind::real) return std::nullopt;
-    return std::strtod(expr.text.c_str(), nullptr);
-}
-
-/// The least time that a statement surely takes, as far as its literals tell.
-double least_time(const Stmt& statement) {
-    if (statement.kind == StmtKind::wait || statement.kind == StmtKind::wait_interval)
-        return statement.value ? number(*statement.value).value_or(0) : 0;
-    if (statement.kind == StmtKind::if_then_else) {
-        if (statement.body.size() < 2) return 0;
-        return std::min(least_time(*statement.body[0]), least_time(*statement.body[1]));
-    }
-    double sum = 0;
-    for (const StmtPtr& inner : statement.body) sum += least_time(*inner);
-    return sum;
-}
-
 /// RC-W16.
 void check_deadline(const Stmt& statement, Diagnostics& out) {
     if (statement.kind != StmtKind::deadline || !statement.value || statement.body.empty()) return;
-    const auto bound = number(*statement.value);
+    const auto bound = number_of(*statement.value);
     if (!bound || least_time(*statement.body.front()) <= *bound) return;
     out.report(rules::w_deadline, statement.span, {to_text(*statement.body.front()), to_text(*statement.value)});
 }

@@ -1,6 +1,10 @@
 // What the lints share: transitions by their ends, effects of actions, mentions of variables.
+#include <algorithm>
+#include <cstdlib>
+
 #include "frontend/lint/lints.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {
 
@@ -83,6 +87,24 @@ bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& de
     walk(expr,
          [&](const Expr& part) { found = found || (part.target != nullptr && declarations.contains(part.target)); });
     return found;
+}
+
+std::optional<double> number_of(const Expr& written) {
+    const Expr& expr = strip(written);
+    if (expr.kind != ExprKind::integer && expr.kind != ExprKind::real) return std::nullopt;
+    return std::strtod(expr.text.c_str(), nullptr);
+}
+
+double least_time(const Stmt& statement) {
+    if (statement.kind == StmtKind::wait || statement.kind == StmtKind::wait_interval)
+        return statement.value ? number_of(*statement.value).value_or(0) : 0;
+    if (statement.kind == StmtKind::if_then_else) {
+        if (statement.body.size() < 2) return 0;
+        return std::min(least_time(*statement.body[0]), least_time(*statement.body[1]));
+    }
+    double sum = 0;
+    for (const StmtPtr& inner : statement.body) sum += least_time(*inner);
+    return sum;
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -3,6 +3,7 @@
 // Everything is linear in the size of the project, apart from bounded searches over the guards of one node.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -59,6 +60,10 @@ void add_effects(const State& state, bool during, Effects& effects);
 [[nodiscard]] const Declaration* assigned_root(const Expr& target);
 /// Does the expression mention one of these variables or clocks (or the entry of one of these states)?
 [[nodiscard]] bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& declarations);
+/// The value of a literal.
+[[nodiscard]] std::optional<double> number_of(const Expr& expr);
+/// The least time that a statement surely takes, as far as its literals tell.
+[[nodiscard]] double least_time(const Stmt& statement);
 /// "`a`, `b` and `c`".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
@@ -79,6 +84,8 @@ void lint_arithmetic(const Machine& machine, Diagnostics& out);
 void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
 /// RC-W14, RC-W15, RC-W16.
 void lint_statements(const Machine& machine, Diagnostics& out);
+/// RC-W20.
+void lint_missed(const Machine& machine, Diagnostics& out);
 /// RC-W07, RC-W08, RC-W18: over the whole project.
 void lint_unused(const Model& model, Diagnostics& out);
 /// RC-W01, RC-W17: events that get no further than a part of a controller or module.

@@ -72,7 +72,9 @@ std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
 
 diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                          const std::vector<std::string>& candidates) {
-    const std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
+    const ForeignWord* const foreign = foreign_name(what, name);
+    std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
+    if (foreign != nullptr) key += "\n" + std::to_string(name.span.begin);  // each of them is a fix
     const bool reported = !reported_.emplace(name.span.source, key).second;
     if (reported || names_.is_lost(name)) {
         untold_ = {};
@@ -82,7 +84,6 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
         out_->report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
     if (out_->errors() > diagnostics::Diagnostics::max_kept) return finding;
     const std::string& written = name.parts.back();
-    const ForeignWord* const foreign = foreign_name(what, name);
     const std::string meant =
         foreign != nullptr ? std::string(foreign->instead) : diagnostics::nearest(written, candidates);
     if (foreign != nullptr) finding.notes.push_back({{}, std::string(foreign->reason)});

@@ -21,6 +21,7 @@ struct Reset {
         assertion.other_path = {};
         assertion.state = nullptr;
         assertion.clock = nullptr;
+        assertion.missed = nullptr;
     }
     void visit(AssertionParameter& parameter) {
         parameter.context_path = {};

@@ -205,6 +205,7 @@ public:
         add({assertion.name_span, NameKind::assertion, nullptr, assertion.name, true});
         path(assertion.subject, nullptr);
         path(assertion.other, nullptr);
+        path(assertion.event, assertion.missed);
     }
     void visit(const AssertionParameter& parameter) {
         path(parameter.context, nullptr);

@@ -1,11 +1,14 @@
 // From a path to a resolved model. A folder is a project. A single file brings the files beside it that it needs.
 #include "frontend/project/project.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
 #include "diagnostics/files.hpp"
+#include "diagnostics/spelling.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -150,12 +153,33 @@ std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& ou
     return result;
 }
 
+/// What is in the folder of a path and nearly called like it.
+std::string similar_path(const fs::path& path) {
+    std::error_code code;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::vector<std::string> names;
+    constexpr std::size_t most = 1000;
+    for (fs::directory_iterator at(folder, code), end; !code && at != end && names.size() < most; at.increment(code))
+        names.push_back(at->path().filename().string());
+    std::sort(names.begin(), names.end());
+    const std::string meant = diagnostics::nearest(path.filename().string(), names);
+    if (meant.empty()) return "";
+    return path.has_parent_path() ? (path.parent_path() / meant).string() : meant;
+}
+
 /// The files that one input stands for; what is missing is reported.
 std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagnostics& out) {
     std::error_code code;
     const bool is_folder = fs::is_directory(path, code);
     if (!is_folder && !fs::exists(path, code)) {
-        out.report(syntax::unreadable, {}, {path, "no such file or folder"});
+        const std::string meant = similar_path(path);
+        const std::string instead = meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant);
+        out.report(syntax::unreadable, {}, {path, "no such file or folder" + instead});
+        return {};
+    }
+    if (!is_folder && fs::path(path).extension() == ".csp") {
+        out.report(syntax::unreadable, {},
+                   {path, fmt::format("a CSPM script, and no model; `robochart-verify cspm {}` decides it", path)});
         return {};
     }
     const std::size_t errors = out.errors();

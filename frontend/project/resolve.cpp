@@ -46,17 +46,12 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 
 void check_probabilistic(const File& file, Diagnostics& out) {
     for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
-        const std::string_view form = each.property ? "prob property" : "prob generate path";
-        out.report(rules::probabilistic_claim, each.name_span, {each.name, std::string(form)});
+        if (!each.property && !each.broken) out.report(rules::generated_path, each.name_span, {each.name});
         if (each.property && !each.broken) check_property(*each.property, out);
     }
-    const auto passed_over = [&](std::string part, const std::string& name, Span span) {
-        out.report(rules::probabilistic_part, span, {part + (name.empty() ? "" : " " + name)});
-    };
-    for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
-        passed_over(std::string(to_text(each.kind)), each.name, each.name_span);
     for (const KeptPart& part : file.kept)
-        if (!part.claims) passed_over(part.form, part.name, part.span);
+        if (!part.claims)
+            out.report(rules::part_passed_over, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});
 }
 
 void check(const Model& model, const Names& names, Diagnostics& out) {

@@ -103,6 +103,16 @@ Way component_way(const Model& model, const Names& names, const File& file, cons
     return best;
 }
 
+void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,
+                      std::vector<std::string>& paths) {
+    for (const auto& node : container.nodes) {
+        const std::string path = above + node->name;
+        const bool state = node->kind == DeclKind::state || node->kind == DeclKind::final;
+        if (state && node->name == name) paths.push_back(path);
+        collect_paths_of(*node, name, path + "::", paths);
+    }
+}
+
 void collect_states(const NodeContainer& container, std::vector<std::string>& names) {
     for (const auto& node : container.nodes) {
         if (node->kind == DeclKind::state || node->kind == DeclKind::final) names.push_back(node->name);

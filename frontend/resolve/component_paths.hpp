@@ -1,4 +1,5 @@
-// Components along paths through references, `Module::controller_ref::machine_ref` (private to the resolver).
+// Components along paths through references, `Module::controller_ref::machine_ref`: for the resolver, and for what
+// reads the paths of probabilistic assertions once more.
 #pragma once
 
 #include <string>
@@ -32,6 +33,9 @@ struct Way {
 /// The declarations that the longest beginning of a name leads to, from the file's package, its imports, unnamed
 /// packages or a package that is written in front; else from any package, if there is one component of the name.
 [[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
+/// The paths of the states inside that are called so, for a suggestion.
+void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,
+                      std::vector<std::string>& paths);
 /// The names of all states inside, for a suggestion.
 void collect_states(const NodeContainer& container, std::vector<std::string>& names);
 

@@ -43,6 +43,8 @@ private:
     void reachable(Assertion& assertion);
     bool find_state(Assertion& assertion);
     void clock(Assertion& assertion);
+    void missed_event(Assertion& assertion);
+    void unknown_place(const Assertion& assertion, const Way& way);
     void parameter(AssertionParameter& parameter);
     [[nodiscard]] const Variable* constant(const AssertionParameter& parameter, const Declaration& context);
     void value(AssertionParameter& parameter);
@@ -103,7 +105,8 @@ ComponentPath AssertionResolver::context(const QualifiedName& name) {
 std::vector<std::string> AssertionResolver::known_names() const {
     std::vector<std::string> names = finder_.candidates(component_kinds);
     for (const auto& file : model_.files)
-        for (const CspBlock& block : file->csp_blocks) names.push_back(block.name);
+        for (const CspBlock& block : file->csp_blocks)
+            if (!block.name.starts_with('?')) names.push_back(block.name);  // not that of one without a name
     return names;
 }
 
@@ -134,7 +137,7 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
         {"component or csp process", name.text(), meant.empty() ? instead(known_names()) : std::string()});
     for (const auto& file : model_.files)
         for (const CspBlock& block : file->csp_blocks)
-            if (name.parts.size() == 1 && defines(block, name.text()))
+            if (name.parts.size() == 1 && !block.name.starts_with('?') && defines(block, name.text()))
                 finding.notes.push_back(
                     {block.name_span, fmt::format("the csp block `{}` defines it; an assertion names a block, which "
                                                   "defines a process of its own name",
@@ -190,6 +193,29 @@ bool AssertionResolver::find_state(Assertion& assertion) {
     return instances.size() == 1 && take(instances.front(), absolute.used);
 }
 
+/// The full paths of the states of the name in the machines of a component.
+void add_states_below(const Declaration* component, const std::string& name, const std::string& above,
+                      std::vector<std::string>& paths) {
+    if (const auto* machine = followed<Machine>(component))
+        return collect_paths_of(*machine, name, above + "::", paths);
+    const auto* around = followed<Component>(component);
+    if (around == nullptr) return;
+    for (const Declaration* part : around->order)
+        if (is_component(part)) add_states_below(part, name, above + "::" + part->name, paths);
+}
+
+/// The only state of the name, by its path, or a name that is near.
+void suggest_state(const Machine& machine, const QualifiedName& name, diagnostics::Diagnostic& finding) {
+    std::vector<std::string> paths;
+    collect_paths_of(machine, name.parts.back(), "", paths);
+    std::string meant = paths.size() == 1 ? paths.front() : "";
+    if (meant == name.parts.back()) meant.clear();
+    std::vector<std::string> names;
+    collect_states(machine, names);
+    if (meant.empty() && paths.empty()) meant = diagnostics::nearest(name.parts.back(), names);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+}
+
 void AssertionResolver::reachable(Assertion& assertion) {
     if (assertion.subject_path.process != nullptr) {
         finder_.out().report(rules::no_state, assertion.other.span,
@@ -199,11 +225,13 @@ void AssertionResolver::reachable(Assertion& assertion) {
     if (assertion.subject_path.steps.empty() || find_state(assertion)) return;
     auto& finding = finder_.out().report(rules::no_state, assertion.other.span,
                                          {assertion.other.text(), assertion.subject.text(), ""});
-    std::vector<std::string> candidates;
     if (const auto* machine = followed<Machine>(assertion.subject_path.steps.back()))
-        collect_states(*machine, candidates);
-    const std::string meant = diagnostics::nearest(assertion.other.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({assertion.other.spans.back(), meant, diagnostics::suggested(false)});
+        return suggest_state(*machine, assertion.other, finding);
+    std::vector<std::string> paths;
+    add_states_below(assertion.subject_path.steps.back(), assertion.other.parts.back(), assertion.subject.text(),
+                     paths);
+    if (paths.size() == 1)
+        finding.fixes.push_back({assertion.other.span, paths.front(), diagnostics::suggested(false)});
 }
 
 /// `clock X::S::C is initialised`
@@ -225,6 +253,47 @@ void AssertionResolver::clock(Assertion& assertion) {
     auto& finding = finder_.out().report(rules::no_clock, name.span, {name.text()});
     const std::string meant = diagnostics::nearest(name.parts.back(), candidates);
     if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+}
+
+/// What is written behind `in` is no machine and no state of one.
+void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way) {
+    const QualifiedName& name = assertion.other;
+    if (way.used == 0) return unknown(name, way);
+    const Declaration* behind = follow(way.end());
+    const auto* machine = dynamic_cast<const Machine*>(behind);
+    if (machine == nullptr) {
+        const std::string kind(to_text(behind->kind));
+        finder_.out().report(rules::missed_where, name.span,
+                             {fmt::format("a state machine or one of its states; `{}` is a {}", name.text(), kind)});
+        return;
+    }
+    auto& finding = finder_.out().report(rules::no_state, name.span, {name.text(), machine->name, ""});
+    suggest_state(*machine, name, finding);
+}
+
+/// `event E is missed in S`: S leads to a machine, or on to one of its states; E is an event of this machine.
+void AssertionResolver::missed_event(Assertion& assertion) {
+    const QualifiedName& name = assertion.other;
+    const Way found = way(name);
+    const auto* machine = followed<Machine>(found.end());
+    if (machine != nullptr && found.used < name.parts.size()) assertion.state = state_at(*machine, name, found.used);
+    if (machine == nullptr || (found.used < name.parts.size() && assertion.state == nullptr))
+        return unknown_place(assertion, found);
+    assertion.other_path = found.path;
+    constexpr std::int64_t most_units = 1'000'000;
+    if (assertion.time_units && (*assertion.time_units < 1 || *assertion.time_units > most_units))
+        finder_.out().report(rules::missed_where, assertion.time_units_span,
+                             {fmt::format("a number of time units from 1 to {}", most_units)});
+    const Scope scope = scope_of(*machine);
+    if (const auto event = scope.events.find(assertion.event.parts.back()); event != scope.events.end()) {
+        assertion.missed = event->second;
+        return;
+    }
+    const std::string text = assertion.event.text();
+    auto& finding = finder_.out().report(rules::missed_where, assertion.event.span,
+                                         {fmt::format("an event that `{}` has; `{}` is none", machine->name, text)});
+    const std::string meant = diagnostics::nearest(text, finder_.keys(scope.events));
+    if (!meant.empty()) finding.fixes.push_back({assertion.event.spans.back(), meant, diagnostics::suggested(false)});
 }
 
 // ---------------------------------------------------------------- constants
@@ -330,9 +399,12 @@ void AssertionResolver::assertion(Assertion& assertion) {
     assertion.other_path = {};
     assertion.state = nullptr;
     assertion.clock = nullptr;
+    assertion.missed = nullptr;
     const bool binary = assertion.kind == AssertionKind::refines || assertion.kind == AssertionKind::equals;
     if (assertion.kind == AssertionKind::clock_initialised) {
         clock(assertion);
+    } else if (assertion.kind == AssertionKind::event_missed) {
+        missed_event(assertion);
     } else {
         assertion.subject_path = component(assertion.subject, true);
         if (assertion.kind == AssertionKind::reachable) reachable(assertion);

@@ -32,13 +32,13 @@ const Rule constants_open{
     "RC-Q08", warning, "`{}` requires the constant{} {}, which this assertion leaves open",
     "What a component requires is decided outside it. Without a value in the assertion the default of the "
     "instantiation counts, or what `--const` says."};
-const Rule probabilistic_claim{"RC-Q09", warning, "`{}` is not checked: `{}` is probabilistic",
-                               "Claims about probabilities and rewards are read, and no verb decides them yet. A run "
-                               "that checks lists each of them as not checked and does not succeed."};
-const Rule probabilistic_part{"RC-Q10", warning, "`{}` is passed over: it serves probabilistic claims alone",
-                              "Constants, labels, formulas, rewards, definitions and modules of assertion files are "
-                              "there for `prob property`, which is not checked yet. They change nothing in the other "
-                              "assertions."};
+const Rule generated_path{
+    "RC-Q09", warning, "`{}` is not checked: no path is generated here",
+    "`prob generate path` asks RoboTool for a random run. It is read, with the names in it. A run "
+    "that checks lists it as not checked and does not succeed."};
+const Rule part_passed_over{"RC-Q10", warning, "`{}` is passed over: nothing here reads it",
+                            "`instantiate T as S`, and definitions whose name is in quotation marks, are kept as "
+                            "text. Types have the carriers of the finite instantiation."};
 const Rule not_a_property{
     "RC-Q11", error, "`{}` is a number; a property is true or false, or asks with `=?`",
     "`prob property P: e` claims that e holds, or asks for a probability or an expected reward: `Prob=? of [φ]`. "
@@ -49,11 +49,16 @@ const Rule path_property{
     "`Prob=? of [φ]` measures them, `Forall [φ]` and `Exists [φ]` quantify. RoboTool has this as "
     "NotPathFormulaInProbAssertion."};
 
+const Rule missed_where{
+    "RC-Q13", error, "a claim about a missed event needs {}",
+    "`event E is not missed in S` speaks of a state machine (or operation) S, or of a state S of one, by its path, and "
+    "of an event E of this machine by its name. What an event is outside the machine, a buffer may keep."};
+
 const std::vector<const Rule*>& of_assertions() {
-    static const std::vector<const Rule*> rules = {&unknown_component,  &not_a_component, &no_state,
-                                                   &no_clock,           &no_constant,     &constant_type,
-                                                   &constant_twice,     &constants_open,  &probabilistic_claim,
-                                                   &probabilistic_part, &not_a_property,  &path_property};
+    static const std::vector<const Rule*> rules = {
+        &unknown_component, &not_a_component, &no_state,       &no_clock,       &no_constant,
+        &constant_type,     &constant_twice,  &constants_open, &generated_path, &part_passed_over,
+        &not_a_property,    &path_property,   &missed_where};
     return rules;
 }
 

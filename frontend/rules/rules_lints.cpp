@@ -89,6 +89,12 @@ const Rule w_broken_promise{"RC-W19", warning, "operation `{}` is declared to te
                             "An operation ends by reaching a final state at its top. Without one every call goes on "
                             "for ever, and what callers do next never happens."};
 
+const Rule w_missed{
+    "RC-W20", warning, "nothing takes {} while {} waits for {} time units",
+    "An entry, exit or transition action is not interrupted: what the states around it await is taken only once it has "
+    "ended, and what the platform raises meanwhile is lost. Where that matters, wait in the state, with a clock and a "
+    "transition that may be taken later."};
+
 const std::vector<const Rule*>& of_lints() {
     static const std::vector<const Rule*> rules = {&w_loose_machine,  &w_loose_controller,
                                                    &w_loose_platform, &w_stuck,
@@ -101,7 +107,8 @@ const std::vector<const Rule*>& of_lints() {
                                                    &w_hidden_member,  &w_endless,
                                                    &w_copy,           &w_self,
                                                    &w_deadline,       &w_deaf,
-                                                   &w_never_reset,    &w_broken_promise};
+                                                   &w_never_reset,    &w_broken_promise,
+                                                   &w_missed};
     return rules;
 }
 

@@ -452,6 +452,7 @@ enum class AssertionKind {
     equals,
     reachable,
     clock_initialised,
+    event_missed,
 };
 /// In which semantics an assertion is decided.
 enum class AssertionTime { both, timed, untimed };
@@ -484,16 +485,20 @@ struct Assertion final {
     AssertionTime time = AssertionTime::both;
     AssertionKind kind = AssertionKind::deadlock_free;
     bool negated = false;
-    QualifiedName subject;  ///< X; for reachable: the component; for clock_initialised: empty
-    QualifiedName other;    ///< Y of refines/equals; state of reachable; clock
+    QualifiedName subject;  ///< X; for reachable: the component; clock_initialised, event_missed: empty
+    QualifiedName other;    ///< Y of refines/equals; state of reachable; clock; machine or state of event_missed
+    QualifiedName event;    ///< event_missed
+    std::optional<std::int64_t> time_units;  ///< event_missed: in how many in a row, where it is written
+    Span time_units_span;
     std::optional<AssertionModel> model;
     std::vector<AssertionParameter> parameters;
     ComponentPath subject_path;  ///< filled by resolve; of the component X
     /// Filled by resolve. refines, equals: Y; reachable: the machine with the state, through the subject;
-    /// clock_initialised: the machine with the clock.
+    /// clock_initialised: the machine with the clock; event_missed: the machine.
     ComponentPath other_path;
-    const State* state = nullptr;  ///< filled by resolve: reachable
-    const Clock* clock = nullptr;  ///< filled by resolve: clock_initialised
+    const State* state = nullptr;   ///< filled by resolve: reachable, event_missed; null there: the whole machine
+    const Clock* clock = nullptr;   ///< filled by resolve: clock_initialised
+    const Event* missed = nullptr;  ///< filled by resolve: event_missed
 };
 
 /// `csp NAME associated to X csp-begin … csp-end`.

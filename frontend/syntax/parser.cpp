@@ -330,6 +330,21 @@ std::string_view Parser::meant_word() {
     return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
 }
 
+bool Parser::correct_word(std::initializer_list<std::string_view> keywords) {
+    if (peek().kind != TokenKind::identifier || peek().escaped || at_ < quiet_until_) return false;
+    const std::vector<std::string> words(keywords.begin(), keywords.end());
+    const std::string meant = diagnostics::nearest(peek().text, words);
+    const auto* const keyword = std::find(keywords.begin(), keywords.end(), meant);
+    if (keyword == keywords.end()) return false;
+    const bool certain = diagnostics::is_certain(peek().text, meant, words);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::unexpected, peek().span, {fmt::format("`{}`", meant), found()});
+    if (finding != nullptr) finding->fixes.push_back({peek().span, meant, diagnostics::suggested(certain)});
+    tokens_.correct(at_, TokenKind::keyword, *keyword);
+    quiet_until_ = 0;
+    return true;
+}
+
 void Parser::wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places) {
     const bool replaced = state_machine_words() || typed_like_c() ||
                           std::any_of(places.begin(), places.end(), [&](ForeignPlace p) { return replace_foreign(p); });

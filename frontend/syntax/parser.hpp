@@ -7,6 +7,7 @@
 // not understood are remembered: they are not reported as unknown.
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -96,6 +97,8 @@ private:
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
+    /// A misspelt one of these words, which are all reserved, is reported and read as what was meant.
+    bool correct_word(std::initializer_list<std::string_view> keywords);
     /// Something else than a member: a misspelt word is corrected in place, so that the member is read after all.
     [[noreturn]] void wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places);
     /// A word of another notation: reported with what RoboChart has instead, which is put in its place or, where that
@@ -135,6 +138,7 @@ private:
     std::unique_ptr<Declaration> type_declaration();
     std::unique_ptr<Declaration> record_type();
     std::unique_ptr<Declaration> enumeration();
+    void pass_literal_comma();
     std::unique_ptr<Declaration> function();
     std::unique_ptr<Declaration> interface();
     std::unique_ptr<Context> platform();
@@ -171,6 +175,8 @@ private:
     void transition(NodeContainer& container);
     void transition_body(Transition& transition);
     int transition_clause(Transition& transition);
+    [[nodiscard]] diagnostics::FixIt moved_before(std::size_t clause, const std::array<std::size_t, 6>& begins,
+                                                  int kind) const;
     void trigger(Transition& transition);
     void reset(Transition& transition);
 
@@ -235,6 +241,7 @@ private:
     // Atoms (parser_atoms.cpp)
     ExprPtr atom();
     ExprPtr literal(ExprKind kind);
+    void pass_suffix();
     ExprPtr named();
     ExprPtr record(QualifiedName name);
     ExprPtr bracketed();
@@ -254,6 +261,9 @@ private:
     void assertion(File& file, AssertionTime time);
     void assertion_body(Assertion& assertion, Span time_word);
     void refuse_time(AssertionTime time, Span word);
+    void assertion_event(Assertion& assertion);
+    [[noreturn]] void unknown_property();
+    void pass_model_hyphen();
     void assertion_is(Assertion& assertion);
     void assertion_does(Assertion& assertion);
     void assertion_model(Assertion& assertion);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
+#include "diagnostics/spelling.hpp"
 #include "frontend/syntax/parser.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -172,6 +174,7 @@ void Parser::assertion_body(Assertion& assertion, Span time_word) {
         assertion.negated = accept("not");
         return expect_word("initialised");
     }
+    if (at("event")) return assertion_event(assertion);
     assertion.subject = qualified_name("the name of a component");
     if (accept("is")) return assertion_is(assertion);
     if (accept_word("does")) return assertion_does(assertion);
@@ -184,6 +187,27 @@ void Parser::assertion_body(Assertion& assertion, Span time_word) {
     advance();
     assertion.kind = refines ? AssertionKind::refines : AssertionKind::equals;
     assertion.other = qualified_name("the name of a component or CSP process");
+}
+
+/// `event E is not missed in S for N time units`
+void Parser::assertion_event(Assertion& assertion) {
+    advance();
+    assertion.kind = AssertionKind::event_missed;
+    assertion.event = simple_name("the name of an event");
+    expect("is");
+    assertion.negated = accept("not");
+    expect_word("missed");
+    expect("in");
+    assertion.other = qualified_name("the name of a state machine or state");
+    if (!accept_word("for")) return;
+    if (peek().kind != TokenKind::integer) return expected("a number of time units");
+    const Token units = advance();
+    std::int64_t value = 0;  // where the number is too large, the lexer has said so
+    std::from_chars(units.text.data(), units.text.data() + units.text.size(), value);
+    assertion.time_units = value;
+    assertion.time_units_span = units.span;
+    expect_word("time");
+    if (!accept_word("unit")) expect_word("units");
 }
 
 /// After `X is`: a property, `not equal to Y`, or `reachable in Y`.
@@ -210,8 +234,20 @@ void Parser::assertion_is(Assertion& assertion) {
         assertion.kind = AssertionKind::equals;
         assertion.other = qualified_name("the name of a component or CSP process");
     } else {
-        expected("a property such as `deadlock-free`");
+        unknown_property();
     }
+}
+
+void Parser::unknown_property() {
+    static const std::vector<std::string> words = {"deadlock",      "divergence", "timelock",
+                                                   "deterministic", "reachable",  "initialised"};
+    const std::string meant = diagnostics::nearest(peek().text, words);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::unexpected, missing_place(), {"a property such as `deadlock-free`", found()});
+    if (finding != nullptr && !meant.empty())
+        finding->fixes.push_back(
+            {peek().span, meant, diagnostics::suggested(diagnostics::is_certain(peek().text, meant, words))});
+    throw SyntaxError{};
 }
 
 /// After `X does`: `not terminate`, `not refine Y`.
@@ -252,11 +288,23 @@ void Parser::assertion_model(Assertion& assertion) {
     } else if (accept_word("traces")) {
         assertion.model = AssertionModel::traces;
     } else if (accept_word("failures")) {
+        pass_model_hyphen();
         assertion.model = accept_word("divergences") ? AssertionModel::failures_divergences : AssertionModel::failures;
     } else {
         expected("`traces`, `failures`, `failures divergences` or `tick-tock`");
     }
     expect_word("model");
+}
+
+/// `failures-divergences`
+void Parser::pass_model_hyphen() {
+    if (!at("-") || !at_word("divergences", 1)) return;
+    const Span hyphen = peek().span;
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, hyphen, {"-", "this model is written `failures divergences`"});
+    if (finding != nullptr) finding->fixes.push_back({hyphen, " ", "write a blank"});
+    quiet_until_ = 0;
+    advance();
 }
 
 /// `with P`, `with P, P and P`

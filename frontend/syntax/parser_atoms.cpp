@@ -39,7 +39,22 @@ ExprPtr Parser::missing_expression() {
 ExprPtr Parser::literal(ExprKind kind) {
     ExprPtr result = make(kind);
     result->text = std::string(advance().text);
+    if (kind == ExprKind::integer || kind == ExprKind::real) pass_suffix();
     return result;
+}
+
+/// `30.5f`
+void Parser::pass_suffix() {
+    const Token suffix = peek();
+    const bool adjacent = suffix.span.begin == previous().span.end && !suffix.escaped;
+    constexpr std::string_view letters = "fFlLuU";
+    if (suffix.kind != TokenKind::identifier || !adjacent) return;
+    if (suffix.text.find_first_not_of(letters) != std::string_view::npos) return;  // `1e5` is no 1
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, suffix.span, {std::string(suffix.text), "a number has no suffix"});
+    if (finding != nullptr) finding->fixes.push_back({suffix.span, "", "leave it out"});
+    quiet_until_ = 0;
+    advance();
 }
 
 /// `x`, `E::L`, or a record `R(| f = e |)`.

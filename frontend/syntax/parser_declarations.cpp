@@ -109,10 +109,22 @@ std::unique_ptr<Declaration> Parser::enumeration() {
         }
         entry->span = since(entry->span);
         type->literals.push_back(std::move(entry));
+        pass_literal_comma();
     };
     guarded([&] { braces(literal, 0); });
     type->span = since(type->span);
     return type;
+}
+
+/// `{ NEAR, FAR }`
+void Parser::pass_literal_comma() {
+    const Span comma = peek().span;
+    if (!at(",")) return;
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, comma, {",", "between the literals of an enumeration stands a blank"});
+    if (finding != nullptr) finding->fixes.push_back({comma, "", "leave it out"});
+    quiet_until_ = 0;
+    advance();
 }
 
 /// `( p:T, … )`
@@ -135,6 +147,7 @@ void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
     name(variable);
     list.push_back(std::move(owned));
     type_before_name(variable);
+    if (at("=") || at(")") || at(",")) expected("`:` and a type");
     expect(":");
     variable.type_expr = type();
     const bool may_have_value = kind == DeclKind::variable || kind == DeclKind::constant;

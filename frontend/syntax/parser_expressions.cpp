@@ -321,6 +321,7 @@ bool Parser::missing_comma() {
     const TokenKind kind = peek().kind;
     const bool item = kind == TokenKind::identifier || kind == TokenKind::integer || kind == TokenKind::real;
     if (!item || peek().first_on_line || peek().escaped || at_ < quiet_until_) return false;
+    if (peek().span.begin == previous().span.end) return false;  // `1e5` is no list
     const Span place{source_, previous().span.end, previous().span.end};
     diagnostics::Diagnostic* finding = report(syntax::unexpected, peek().span, {"`,`", found()});
     if (finding != nullptr) finding->fixes.push_back({place, ",", "insert"});

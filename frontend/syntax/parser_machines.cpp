@@ -134,19 +134,39 @@ void Parser::transition_body(Transition& transition) {
     }
     constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
     int last = 0;
+    std::array<std::size_t, 6> begins{};  // of each kind, the token
     while (!at("}") && !at_end()) {
         const std::size_t begin = at_;
         const int clause = transition_clause(transition);
+        std::size_t& first = begins.at(static_cast<std::size_t>(clause));
+        if (first == 0) first = begin;
         if (clause < last || (clause == last && clause != 2)) {
             const Token token = tokens_[begin];
             if (clause == last)
                 report(syntax::clause_twice, token.span, {std::string(token.text)});
-            else
-                report(syntax::clause_order, token.span,
-                       {std::string(token.text), std::string(names.at(static_cast<std::size_t>(last)))});
+            else if (diagnostics::Diagnostic* const finding =
+                         report(syntax::clause_order, token.span,
+                                {std::string(token.text), std::string(names.at(static_cast<std::size_t>(last)))}))
+                finding->fixes.push_back(moved_before(begin, begins, clause));
         }
         last = std::max(last, clause);
     }
+}
+
+/// The clause from this token to the last one that was read, in front of the first one of a later kind.
+diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std::size_t, 6>& begins, int kind) const {
+    std::size_t later = clause;
+    for (std::size_t i = static_cast<std::size_t>(kind) + 1; i < begins.size(); ++i)
+        if (begins.at(i) != 0) later = std::min(later, begins.at(i));
+    const std::uint32_t from = tokens_[later].span.begin;
+    const std::uint32_t own = tokens_[clause].span.begin;
+    const std::uint32_t end = previous().span.end;
+    const std::string_view text = sources_.text(source_);
+    std::string between(text.substr(from, own - from));
+    const std::size_t last = between.find_last_not_of(" \t\r\n");
+    const std::string gap = between.substr(last + 1);
+    between.resize(last + 1);
+    return {{source_, from, end}, std::string(text.substr(own, end - own)) + gap + between, "write"};
 }
 
 /// Reads a clause and says which place in the order it has.
@@ -173,6 +193,7 @@ int Parser::transition_clause(Transition& transition) {
     }
     if (at("[")) return bracketed_guard(transition), 4;
     if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
+    if (correct_word({"trigger", "probability", "condition", "action"})) return transition_clause(transition);
     expected("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
 

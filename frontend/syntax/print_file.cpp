@@ -253,6 +253,10 @@ std::string claim(const Assertion& assertion) {
             return subject + (negated ? " is not equal to " : " equals ") + other;
         case AssertionKind::reachable:
             return fmt::format("{} is {}reachable in {}", other, negated ? "not " : "", subject);
+        case AssertionKind::event_missed:
+            return fmt::format("event {} is {}missed in {}{}", written_name(assertion.event), negated ? "not " : "",
+                               other,
+                               assertion.time_units ? fmt::format(" for {} time units", *assertion.time_units) : "");
         case AssertionKind::clock_initialised:
             break;
     }

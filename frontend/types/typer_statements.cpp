@@ -157,6 +157,11 @@ void Typer::unknown_event(const Communication& communication, Surroundings& arou
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("of `{}`", component->name) : "here";
     auto& finding = finder_.unknown(communication.event, "event", where, finder_.keys(around.scope->events));
+    const std::string& name = communication.event.parts.back();
+    if (around.scope->operations.contains(name)) {
+        finding.notes.push_back({{}, fmt::format("`{0}` is an operation: it is called by `{0}()`", name)});
+        return;
+    }
     const auto* outer = component != nullptr ? dynamic_cast<const Context*>(component->parent) : nullptr;
     if (outer == nullptr) return;
     for (const Event* event : visible_events(*outer))

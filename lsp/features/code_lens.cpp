@@ -19,6 +19,8 @@ public:
         for (const frontend::Assertion& each : target_.project.tree(target_.document).assertions)
             // The parser gives a name to those that have none.
             if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
+        for (const auto& each : target_.project.tree(target_.document).probabilistic_assertions)
+            if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
         for (const diagrams::Subject& each : diagrams::subjects(target_.project.model(), target_.project.sources())) {
             if (!is_component(each)) continue;
             add("draw", draw_command, each.component->name_span, each.name);

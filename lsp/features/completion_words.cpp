@@ -122,8 +122,9 @@ const Words& statement_words() {
 }
 
 const Words& property_words() {
-    static const Words words = {"deadlock-free", "divergence-free", "timelock-free", "deterministic", "not",
-                                "reachable in",  "initialised",     "equal to",      "terminate",     "refine"};
+    static const Words words = {"deadlock-free", "divergence-free", "timelock-free", "deterministic",
+                                "not",           "reachable in",    "initialised",   "missed in",
+                                "equal to",      "terminate",       "refine"};
     return words;
 }
 

@@ -164,6 +164,9 @@ constexpr std::array assertion_meanings = {
     WordMeaning{"equals", "Each of the two components refines the other."},
     WordMeaning{"initialised",
                 "`clock C is initialised`: some run resets the clock, and no run reads it before its first reset."},
+    WordMeaning{"missed",
+                "`event E is missed in S for N time units`: some run stays in S and refuses E before N time units in a "
+                "row, while calls and outputs are taken at once. Without `for`: before one."},
     WordMeaning{"reachable", "`S is reachable in M`: there is a behaviour of `M` that enters the state `S`."},
     WordMeaning{"refine", "`does not refine`: the first component has a behaviour that the second has not."},
     WordMeaning{"refines", "Every behaviour of the first component is one of the second."},

@@ -50,9 +50,9 @@ std::string kind_text(NodeKind kind) {
 }
 
 std::string kind_text(PropertyKind kind) {
-    constexpr const char* words[] = {"deadlock-free", "divergence-free", "deterministic",
-                                     "timelock-free", "terminates",      "refines",
-                                     "equals",        "reachable",       "clock-initialised"};
+    constexpr const char* words[] = {"deadlock-free",     "divergence-free", "deterministic", "timelock-free",
+                                     "terminates",        "refines",         "equals",        "reachable",
+                                     "clock-initialised", "event-missed"};
     return words[static_cast<std::size_t>(kind)];
 }
 
@@ -241,10 +241,11 @@ void Dump::block(const CspBlock& block) {
 }
 
 void Dump::property(const Property& property) {
-    line("property {}{}{}: {}{} {} [{}]{}{}", property.name, property.timed ? " timed" : "",
+    const std::string missed = property.event.empty() ? "" : fmt::format(" {} {}", property.event, property.time_units);
+    line("property {}{}{}: {}{} {} [{}]{}{}{}", property.name, property.timed ? " timed" : "",
          property.untimed ? " untimed" : "", reference(property.subject), property.negated ? " not" : "",
          kind_text(property.kind), model_text(property.model), property.state.empty() ? "" : " " + property.state,
-         property.other.path.empty() ? "" : " " + reference(property.other));
+         missed, property.other.path.empty() ? "" : " " + reference(property.other));
     for (const auto& [name, value] : property.constants)
         line("  with {} = {}", name, expression_text(system_, nullptr, *value));
 }

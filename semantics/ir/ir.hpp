@@ -448,7 +448,8 @@ enum class PropertyKind {
     refines,
     equals,
     reachable,
-    clock_initialised
+    clock_initialised,
+    event_missed
 };
 /// The model of CSP in which a property is decided.
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
@@ -463,8 +464,11 @@ struct Property {
     PropertyModel model = PropertyModel::failures_divergences;
     ComponentRef subject;
     ComponentRef other;  ///< refines, equals
-    std::string
-        state;  ///< reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock
+    /// reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock;
+    /// event_missed: the state of the subject, "" for the whole machine.
+    std::string state;
+    std::string event;            ///< event_missed
+    std::int64_t time_units = 1;  ///< event_missed: in how many in a row
     /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's
     /// for a required one). `with parameter p of O`: the same with "param_" for "const_".
     std::vector<std::pair<std::string, ExprPtr>> constants;

@@ -32,6 +32,8 @@ PropertyKind kind_of(ast::AssertionKind kind) {
             return PropertyKind::equals;
         case ast::AssertionKind::reachable:
             return PropertyKind::reachable;
+        case ast::AssertionKind::event_missed:
+            return PropertyKind::event_missed;
         case ast::AssertionKind::clock_initialised:
             break;
     }
@@ -76,6 +78,7 @@ private:
     std::optional<FoundComponent> component(const ast::ComponentPath& path, const ast::QualifiedName& name);
     void reachable(const ast::Assertion& source, Property& property);
     void clock(const ast::Assertion& source, Property& property);
+    void missed_event(const ast::Assertion& source, Property& property);
     void parameter(const ast::AssertionParameter& source, Property& property);
     void constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
     void operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
@@ -124,6 +127,16 @@ void Properties::clock(const ast::Assertion& source, Property& property) {
     if (!machine || source.clock == nullptr) return;
     property.subject = machine->ref;
     property.state = source.clock->name;
+}
+
+/// `event E is missed in S`: the subject is the machine.
+void Properties::missed_event(const ast::Assertion& source, Property& property) {
+    const auto machine = component(source.other_path, source.other);
+    if (!machine || source.missed == nullptr) return;
+    property.subject = machine->ref;
+    property.event = source.missed->name;
+    if (source.state != nullptr) property.state = node_path(*source.state);
+    property.time_units = source.time_units.value_or(1);
 }
 
 ExprPtr Properties::value(const ast::AssertionParameter& source, TypeId type) {
@@ -192,6 +205,8 @@ void Properties::assertion(const ast::Assertion& source) {
     property.origin = origin_of(source.name, source.span);
     if (property.kind == PropertyKind::clock_initialised) {
         clock(source, property);
+    } else if (property.kind == PropertyKind::event_missed) {
+        missed_event(source, property);
     } else if (const auto subject = component(source.subject_path, source.subject)) {
         property.subject = subject->ref;
         if (property.kind == PropertyKind::reachable) reachable(source, property);

@@ -135,9 +135,8 @@ private:
         for (std::size_t c = 0; c < judges_.size(); ++c) {
             if (judges_[c].done()) continue;
             const Answer& answer = done.trial.answers.at(c);
-            const bool stopped = done.trial.stop && answer.step >= done.trial.steps;
             const double time = static_cast<double>(answer.step) * scenario_.world.control_step;
-            judges_[c].add({answer.holds.value(), time, stopped}, answer.step);
+            judges_[c].add({answer.holds.value(), time, answer.taken}, answer.step);
             done.needed = std::max(done.needed, answer.step);
         }
     }

@@ -29,7 +29,7 @@ const char* described(const std::vector<Carried>& arguments) {
         case Carried::enumeration:
             break;
     }
-    return "a literal";
+    return "a literal of an enumeration";
 }
 
 std::string described(const Feed& feed) {

@@ -40,7 +40,9 @@ const Rule unknown_name{
 const Rule wrong_type{
     "RC-M08", Severity::error, "'{}' carries {}, which {} cannot {}",
     "A reading that is there or not feeds an event without value, a truth value an event of type boolean, a "
-    "measured quantity an event of type real; an actuator is driven by reals."};
+    "measured quantity an event of type real; an actuator is driven by reals. Nothing feeds an event of an "
+    "enumeration: "
+    "declare an event for each literal."};
 const Rule no_space{
     "RC-M09", Severity::error, "{} robots of radius {} cm do not fit in the region",
     "Robots are placed without overlap. Where they would cover more than two fifths of the region, or two "
@@ -72,7 +74,7 @@ const Rule not_there{
     "everything that scenarios can say."};
 
 const Rule wrong_instant{
-    "RC-M16", Severity::error, "{} takes conditions at an instant",
+    "RC-M16", Severity::error, "{}",
     "`way <= 50 cm` holds or not at an instant; `way <= 50 cm within 60 s` and `always ...` hold or not of a whole "
     "trial. "
     "`within`, `until`, `always`, `stays for`, `at` and `first` are about conditions at an instant, and `and` and `or` "

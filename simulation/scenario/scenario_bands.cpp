@@ -103,7 +103,8 @@ Dimension ScenarioReader::statistic(Statistic& statistic) {
         const diagnostics::Span begin = in_.token().span;
         statistic.condition = either();
         if (statistic.condition.of_trial())
-            in_.report(rules::wrong_instant, diagnostics::join(begin, in_.last_span()), {"'first'"});
+            in_.report(rules::wrong_instant, diagnostics::join(begin, in_.last_span()),
+                       {"'first' takes a condition at an instant"});
         in_.expect(")");
         return Dimension::time;
     }

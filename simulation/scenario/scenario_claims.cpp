@@ -62,7 +62,8 @@ Formula ScenarioReader::both() {
 
 Formula ScenarioReader::joined(Formula::Kind kind, std::string_view word, Formula left, Formula right) {
     if (left.of_trial() != right.of_trial() && !in_.failed()) {
-        in_.report(rules::wrong_instant, in_.last_span(), {fmt::format("'{}' on both sides or on none", word)});
+        in_.report(rules::wrong_instant, in_.last_span(),
+                   {fmt::format("'{}' joins a condition at an instant and a property of a trial", word)});
         return left;
     }
     // A chain is one formula: its depth is what parentheses make it.
@@ -79,7 +80,7 @@ Formula ScenarioReader::joined(Formula::Kind kind, std::string_view word, Formul
 
 Formula ScenarioReader::over(Formula::Kind kind, std::string_view word, Formula part, double time) {
     if (part.of_trial() && !in_.failed()) {
-        in_.report(rules::wrong_instant, in_.last_span(), {fmt::format("'{}'", word)});
+        in_.report(rules::wrong_instant, in_.last_span(), {fmt::format("'{}' takes a condition at an instant", word)});
         return part;
     }
     Formula formula;
@@ -117,7 +118,8 @@ Formula ScenarioReader::timed() {
             in_.expect("until");
             formula = over(Formula::Kind::until, "until", std::move(formula), INFINITY);
             Formula end = simple();
-            if (end.of_trial()) in_.report(rules::wrong_instant, in_.last_span(), {"'until'"});
+            if (end.of_trial())
+                in_.report(rules::wrong_instant, in_.last_span(), {"'until' takes conditions at an instant"});
             if (in_.take("within")) formula.time = time_limit("the time");
             formula.parts.push_back(std::move(end));
         }

@@ -135,7 +135,7 @@ std::optional<bool> Property::value(const Formula& formula, std::size_t& timed) 
 }
 
 void Property::end(std::uint64_t step, bool holds) {
-    if (!answer_.holds) answer_ = {holds, step};
+    if (!answer_.holds) answer_ = {holds, step, true};
 }
 
 }  // namespace robochart::simulation

@@ -38,6 +38,7 @@ private:
 struct Answer {
     std::optional<bool> holds;
     std::uint64_t step = 0;  ///< after how many it was known
+    bool taken = false;      ///< it was not: the trial was stopped, and it is taken for this
 
     friend bool operator==(const Answer&, const Answer&) = default;
 };

@@ -274,32 +274,45 @@ TEST(Project, WithErrorsDoesNotStopTheOthers) {
     EXPECT_EQ(nlohmann::json::parse(valid.out)["errors"], 1);
 }
 
-// Claims about probabilities are not decided yet. None of them may pass for one that holds, or be passed over.
-TEST(Project, ProbabilisticClaimsAreSaidNotChecked) {
+// What has no answer may neither pass for something that holds, nor be passed over.
+TEST(Project, ProbabilisticClaimsAreDecidedOrSaidNotChecked) {
     const Folder folder({{"m.rct",
                           "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
                           "A trigger e } }"},
                          {"m.assertions",
-                          "const C1 : core::nat\nlabel going = S is in S::A\n"
+                          "label going = S is in S::A\n"
                           "prob property P_soon: Prob>0.5 of [Finally #going]\n"
+                          "prob property P_never: Prob=? of [Globally not #going]\n"
                           "untimed assertion A : S is deadlock-free\n"
-                          "prob generate path P_run: using simulation for 10 steps\n"
-                          "pmodules M: pmodule n { v: bool; [] @v -> skip; }\n"}});
+                          "prob generate path P_run: using simulation for 10 steps\n"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("not checked  P_soon Prob>0.5 of [Finally #going]"));
-    EXPECT_THAT(ran.out, HasSubstr("m.assertions:3: not checked: probabilistic"));
+    EXPECT_THAT(ran.out, HasSubstr("holds        P_soon Prob>0.5 of [Finally #going]"));
+    EXPECT_THAT(ran.out, HasSubstr("value        P_never Prob=? of [Globally not #going]"));
+    EXPECT_THAT(ran.out, HasSubstr("least 0, greatest 0"));
     EXPECT_THAT(ran.out, HasSubstr("not checked  P_run using simulation for 10 steps"));
-    EXPECT_THAT(ran.out, HasSubstr("holds        A"));
-    EXPECT_THAT(ran.out, HasSubstr("1 of 3 checks hold, 2 not checked"));
-    for (const char* part : {"const C1", "label going", "pmodules M"})
-        EXPECT_THAT(ran.err, HasSubstr("`" + std::string(part) + "` is passed over"));
+    EXPECT_THAT(ran.out, HasSubstr("m.assertions:5: not checked: the generation of paths"));
+    EXPECT_THAT(ran.out, HasSubstr("2 of 3 checks hold, 1 value computed, 1 not checked"));
     const auto json = nlohmann::json::parse(run({"check", "--format", "json", folder.path()}).out);
     EXPECT_EQ(json["exit"], 3);
-    EXPECT_EQ(json["assertions"].at(0)["answer"], "not checked");
-    EXPECT_EQ(run({"check", folder.path(), "--assertion", "A"}).exit, 0);
-    EXPECT_EQ(run({"check", folder.path(), "--assertion", "P_soon"}).exit, 3);
+    EXPECT_EQ(json["assertions"].at(1)["answer"], "value");
+    EXPECT_EQ(json["assertions"].at(1)["probability"]["encoding"], "csp");
+    EXPECT_EQ(json["assertions"].at(1)["probability"]["scheduler"], "any");
+    EXPECT_EQ(json["assertions"].at(1)["probability"]["rows"].at(0)["greatest"]["high"], 0.0);
+    EXPECT_EQ(json["assertions"].at(2)["answer"], "not checked");
+    EXPECT_EQ(run({"check", folder.path(), "--assertion", "P_soon"}).exit, 0);
+    EXPECT_EQ(run({"check", folder.path(), "--assertion", "P_run"}).exit, 3);
     EXPECT_EQ(run({"check", folder.path(), "--assertion", "P_other"}).exit, 4);
+    const auto chain = run({"check", folder.path(), "--encoding", "robotool", "--assertion", "P_soon"});
+    EXPECT_EQ(chain.exit, 3);
+    EXPECT_THAT(chain.out, HasSubstr("RoboTool's encoding is one of modules, and `S` is none"));
+    EXPECT_EQ(run({"check", folder.path(), "--encoding", "robotool", "--scheduler", "urgent"}).exit, 4);
+    const auto junit = run({"check", "--format", "junit", folder.path(), "--assertion", "P_never"});
+    EXPECT_EQ(junit.exit, 0);
+    EXPECT_THAT(junit.out, HasSubstr("failures=\"0\""));
+    const auto sarif =
+        nlohmann::json::parse(run({"check", "--format", "sarif", folder.path(), "--assertion", "P_never"}).out);
+    EXPECT_TRUE(sarif["runs"].at(0)["results"].empty());
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ untimed assertion A18 : Quick refines Slow in the traces model
 untimed assertion A19 : Slow refines Quick
 timed assertion A20 : Waits refines Slow in the traces model
 timed assertion A21 : Waits is deadlock-free
+timed assertion A22 : event b is not missed in Choices for 2 time units
 untimed csp Quick associated to Slow csp-begin
 Quick = Slow::a.in?x -> (Slow::c.out!x -> Quick [] mine -> STOP)
 channel mine
@@ -106,7 +107,7 @@ TEST(Replay, OfEveryFormOfClaim) {
     show("forms", sum);
     expect_no_faults(sum);
     for (const char* kind : {"forbidden", "refusal", "divergence", "deadlock", "nondeterminism", "reached",
-                             "terminated", "timelock", "clockNotInitialised", "clockInitialised"})
+                             "terminated", "timelock", "clockNotInitialised", "clockInitialised", "missed"})
         EXPECT_GT(sum.endings[kind], 0U) << kind;
 }
 

@@ -12,6 +12,7 @@ constexpr std::array rows{
     Advice{"", "<-", "`<-` draws values from a set, in comprehensions and renamings; a prefix is written `a -> P`"},
     Advice{"'->'", "=>", "a prefix is written `a -> P`"},
     Advice{"'->'", "=", "a prefix is written `a -> P`"},
+    Advice{"'->'", ";", "a prefix is written `a -> P`; `;` stands between two processes: `a -> SKIP; Q`"},
     Advice{"'<-'", "->", "a variable is drawn from a set by `x <- S`"},
     Advice{"'then'", "=", "values are compared with `==`; `=` stands in definitions"},
     Advice{"'then'", "<>", "values that differ are compared with `!=`; `<>` is the empty sequence"},
@@ -29,6 +30,8 @@ constexpr std::array rows{
     Advice{"the end of the line", "||",
            "processes run side by side by `P ||| Q`, together on the events of A by `P [|A|] Q`"},
     Advice{"'<->'", "]", "processes run together on the events of A by `P [|A|] Q`"},
+    Advice{"the end of the line", "|",
+           "a choice is written `P [] Q`; `|` stands between the constructors of a `datatype`"},
     Advice{"the end of the line", ",", "each `channel` line gives one type to all of its names"},
 };
 

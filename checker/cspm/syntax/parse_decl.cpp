@@ -5,6 +5,7 @@
 
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
+#include "diagnostics/spelling.hpp"
 
 namespace robochart::cspm {
 
@@ -348,10 +349,19 @@ DeclPtr Parser::assertion() {
     return finish(std::move(result), from);
 }
 
+void Parser::unknown_property(Span span, const std::string& words) {
+    std::vector<std::string> names;
+    for (const PropertyName& each : property_names) names.emplace_back(each.text);
+    diagnostics::Diagnostic& finding = diagnostics_.report(rules::bad_property, span, {words});
+    if (const std::string meant = diagnostics::nearest(words, names); !meant.empty())
+        finding.notes.push_back({span, "did you mean '" + meant + "'?"});
+    throw SyntaxError{};
+}
+
 void Parser::assertion_property(Assertion& assertion, const Token& property) {
     const PropertyText text = split_property(property.text);
     const auto* found = std::ranges::find(property_names, text.words, &PropertyName::text);
-    if (found == property_names.end()) fail(rules::bad_property, property.span, {text.words});
+    if (found == property_names.end()) unknown_property(property.span, text.words);
     assertion.kind = found->kind;
     if (!text.model.empty()) {
         const auto* model = std::ranges::find(model_names, text.model, &ModelName::text);

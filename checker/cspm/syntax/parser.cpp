@@ -4,6 +4,7 @@
 
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
+#include "diagnostics/spelling.hpp"
 
 namespace robochart::cspm {
 
@@ -29,6 +30,18 @@ std::string described(Tok kind) {
     const bool spelt = kind > Tok::include || kind == Tok::print || kind == Tok::include;
     return spelt ? "'" + text + "'" : text;
 }
+
+/// The word that a misspelt one was probably meant to be: what is expected there, or the word for a declaration in
+/// front of it. "" if none is near.
+std::string meant_word(std::string_view expected, const Token& found, const Token* before) {
+    if (found.kind == Tok::identifier && expected.size() > 3 && expected.front() == '\'') {
+        const std::string word(expected.substr(1, expected.size() - 2));
+        if (const std::string near = diagnostics::nearest(found.text, {word}); !near.empty()) return near;
+    }
+    if (expected != "'='" || before == nullptr || before->kind != Tok::identifier) return "";
+    return diagnostics::nearest(before->text, {"assert", "channel", "datatype", "external", "include", "instance",
+                                               "module", "nametype", "subtype", "transparent"});
+}
 }  // namespace
 
 const Token& Parser::expect(Tok kind) {
@@ -42,6 +55,9 @@ void Parser::fail(std::string_view expected) {
     if (found.kind == Tok::identifier) what = "'" + std::string(found.text.substr(0, 60)) + "'";
     diagnostics::Diagnostic& finding =
         diagnostics_.report(rules::unexpected_token, found.span, {std::string(expected), what});
+    const Token* const before = at_ > 0 ? &tokens_[at_ - 1] : nullptr;
+    if (const std::string meant = meant_word(expected, found, before); !meant.empty())
+        finding.notes.push_back({found.span, "did you mean '" + meant + "'?"});
     if (const std::string_view advice = advice_on(expected, found.text); !advice.empty())
         finding.notes.push_back({found.span, std::string(advice)});
     throw SyntaxError{};

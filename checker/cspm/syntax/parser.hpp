@@ -141,6 +141,7 @@ private:
     DeclPtr print();
     DeclPtr include();
     DeclPtr assertion();
+    [[noreturn]] void unknown_property(Span span, const std::string& words);
     void assertion_property(Assertion& assertion, const Token& property);
     void assertion_options(Assertion& assertion);
     ExprPtr trace();

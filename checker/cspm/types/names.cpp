@@ -117,9 +117,40 @@ std::vector<std::string> members_of(const Module& module, std::string_view prefi
 
 }  // namespace
 
+/// The name behind a module that is left out in front of it.
+std::string NameResolver::in_a_module(std::string_view name) {
+    for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)
+        for (const auto& [known, entry] : scope->names) {
+            if (entry.module == nullptr || (entry.module->parametrised && entry.module->original == nullptr)) continue;
+            std::string full = fmt::format("{}::{}", known, name);
+            if (find(full).entry.symbol != nullptr) return full;
+        }
+    return "";
+}
+
+/// Of a name in modules: the last part where it is known without them, a member that only ends in addition (the channel
+/// `moveCall` for `move`), or the nearest member.
+std::string NameResolver::member_suggestion(std::string_view name) {
+    const std::size_t colons = name.rfind("::");
+    if (colons == std::string_view::npos) return "";
+    const std::string last(name.substr(colons + 2));
+    const Lookup inside = find(name.substr(0, colons));
+    if (inside.entry.module == nullptr) return in_a_module(name);
+    const std::vector<std::string> members = members_of(*inside.entry.module, name.substr(0, colons));
+    if (const Entry* const plain = find_plain(last); plain != nullptr && plain->symbol != nullptr) return last;
+    std::string longer;
+    for (const std::string& member : members) {
+        if (!member.starts_with(name)) continue;
+        if (!longer.empty()) return diagnostics::nearest(name, members);
+        longer = member;
+    }
+    return longer.empty() ? diagnostics::nearest(name, members) : longer;
+}
+
 // A name of the same spelling in a module, then the nearest of those in scope: locals, members, predefined ones.
-std::string NameResolver::suggestion(std::string_view name) const {
+std::string NameResolver::suggestion(std::string_view name) {
     if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
+    if (std::string member = member_suggestion(name); !member.empty()) return member;
     std::vector<std::string> candidates;
     const std::string ending = "::" + std::string(name);
     for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)

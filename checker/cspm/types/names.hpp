@@ -105,7 +105,9 @@ private:
     Symbol* value_named(std::string_view name, Span span);
     void use(Symbol* symbol);
     void not_found(std::string_view name, Span span, const std::string& hint);
-    [[nodiscard]] std::string suggestion(std::string_view name) const;
+    [[nodiscard]] std::string in_a_module(std::string_view name);
+    [[nodiscard]] std::string member_suggestion(std::string_view name);
+    [[nodiscard]] std::string suggestion(std::string_view name);
     Symbol& new_symbol(const std::string& name, Span span, SymbolKind kind);
     Scope* new_scope(Scope* parent);
     diagnostics::Diagnostic& report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments);

@@ -63,7 +63,7 @@ const Rule too_many_fields{
     "CSPM-T13", Severity::error, "too many fields: {} takes no more, yet {} follows",
     "A channel or constructor takes the fields of its declaration and then is an event or a value: "
     "with `channel c : Int`, c.1 is an event, so c.1.2 is not typed."};
-const Rule too_few_fields{"CSPM-T14", Severity::error, "too few fields: this is a {} only when followed by {}",
+const Rule too_few_fields{"CSPM-T14", Severity::error, "too few fields: this is {} only when followed by {}",
                           "A channel or constructor is an event or a value only with all its fields. In `{| c |}`, in "
                           "renamings and links it may stand without its last ones."};
 const Rule open_fields{

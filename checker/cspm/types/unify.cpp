@@ -2,6 +2,8 @@
 // extendable types; the rules were read off tomgr/libcspm, which is FDR's own type checker).
 #include "checker/cspm/types/unify.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -272,7 +274,13 @@ TypeFault Unifier::fault(TypeWriter& writer, TypeId expected, TypeId actual) {
     if (right == TypeKind::dotable && (left == TypeKind::event || left == TypeKind::datatype)) {
         const TypeId end = store_.split(actual, parts);
         if (store_.head(end) == store_.head(expected)) {
-            return {&rules::too_few_fields, {writer.text(end), writer.text(store_.dot(parts))}, {}, here_};
+            const std::string fields = writer.text(store_.dot(parts));
+            const std::string whole =
+                left == TypeKind::event ? "an event" : fmt::format("a value of {}", writer.text(end));
+            TypeFault few{&rules::too_few_fields, {whole, fields}, {}, here_};
+            few.notes.push_back(
+                {here_, fmt::format("behind it stands `.` and a value of {}, in a prefix also `?x`", fields)});
+            return few;
         }
     }
     return {&rules::mismatch, {writer.text(expected), writer.text(actual)}, {}, here_};

@@ -37,6 +37,8 @@ struct Model {
     std::vector<Rational> exact;              ///< parallel to numbers; empty unless asked for
     std::vector<std::uint32_t> action;        ///< of each choice: index into actions (0: no label); empty for a dtmc
     std::vector<std::string> actions;
+    /// Of each choice, whether bounds on steps count it: time passes. Empty: they count every choice.
+    std::vector<bool> counted;
 
     [[nodiscard]] std::size_t states() const { return first_choice.empty() ? 0 : first_choice.size() - 1; }
     [[nodiscard]] std::size_t choices() const { return first_branch.empty() ? 0 : first_branch.size() - 1; }

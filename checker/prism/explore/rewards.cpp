@@ -17,9 +17,9 @@ public:
         : space_(space),
           exact_(exact),
           code_(space.code({})),
-          commands_(space.model_, space.layout_, code_, numbers_, unused_),
-          values_(space.layout_.fields().size()),
-          by_action_(commands_.actions().size()) {
+          commands_(space.model(), space.layout(), code_, numbers_, unused_),
+          values_(space.layout().fields().size()),
+          by_action_(space.chain_.actions.size()) {
         result_.name = structure.name.text;
         for (const RewardItem& item : structure.items) {
             Item coded{&item, code_.compile(item.guard), code_.compile(item.value)};
@@ -27,7 +27,7 @@ public:
                 of_states_.push_back(coded);
                 continue;
             }
-            const auto& actions = commands_.actions();
+            const auto& actions = space.chain_.actions;
             const auto found = std::find(actions.begin(), actions.end(), item.action.text);
             if (found != actions.end()) by_action_[static_cast<std::size_t>(found - actions.begin())].push_back(coded);
             on_transitions_ = true;
@@ -42,7 +42,7 @@ public:
                 if (!of_states_.empty()) add(sum(of_states_), result_.state, result_.exact_state);
                 if (on_transitions_) choices(state);
             } catch (EvaluationError& error) {
-                error.state = space_.layout_.text(values_.data());
+                error.state = space_.layout().text(values_.data());
                 throw;
             }
         }
@@ -79,7 +79,8 @@ private:
 
     void choices(markov::State state) {
         const markov::Model& chain = space_.chain_;
-        const bool deadlock = space_.deadlocks_[state];  // the loop that was added earns nothing
+        // The loop that was added earns nothing; of given states none was.
+        const bool deadlock = space_.deadlocks_[state] && !space_.given_;
         if (chain.kind == markov::Kind::dtmc)
             return add(deadlock ? NumberTable::zero : mean(), result_.choice, result_.exact_choice);
         for (std::size_t choice = chain.first_choice[state]; choice < chain.first_choice[state + 1]; ++choice)
@@ -120,7 +121,7 @@ private:
 };
 
 markov::Rewards StateSpace::rewards(std::size_t structure, bool exact) const {
-    return RewardTable(*this, model_.rewards[structure], exact)();
+    return RewardTable(*this, model().rewards[structure], exact)();
 }
 
 }  // namespace robochart::prism

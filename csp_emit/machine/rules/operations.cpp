@@ -16,7 +16,8 @@ namespace {
 
 /// Whether nothing runs concurrently with the call, so that the return address describes its caller.
 bool shares(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
-    if (!tables.project().options.share_calls) return false;
+    // A shared operation runs in a configuration of its own, which does not show the state of its caller.
+    if (!tables.project().options.share_calls || tables.context.within) return false;
     if (running.during || returned.frame != running.frame()) return false;
     if (!returned.durings.empty() || returned.control.callee) return false;
     for (const Link* link = returned.control.rest.get(); link != nullptr; link = link->tail.get())

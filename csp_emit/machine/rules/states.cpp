@@ -22,6 +22,12 @@ std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activat
     return result;
 }
 
+/// Whether the node is the state or inside it.
+bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
+    while (node.valid() && node != state) node = machine.nodes[node.index].parent;
+    return node.valid();
+}
+
 /// The running machine of that frame: a thread that has changed finds its owner again.
 const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
     const auto found = std::find_if(view.machines.begin(), view.machines.end(),
@@ -53,6 +59,19 @@ bool is_final(const MachineTables& tables, const Activation& activation) {
     if (!settled(activation)) return false;
     const ir::Node& node = tables.frames[activation.frame].machine->nodes[activation.at.index];
     return node.kind == NodeKind::final && !node.parent.valid();
+}
+
+bool is_in(const MachineTables& tables, const Activation& activation, NodeId state) {
+    const ir::Machine& machine = *tables.frames[activation.frame].machine;
+    const auto& entered = activation.entered;
+    if (std::find(entered.begin(), entered.end(), state) != entered.end()) return true;
+    if (is_within(machine, activation.at, state)) return true;
+    // A transition from its initial node: it is entered with the first state inside.
+    for (const Link* link = activation.control.rest.get(); link != nullptr; link = link->tail.get())
+        if (link->head.kind == ItemKind::enter && link->head.node != state &&
+            is_within(machine, link->head.node, state))
+            return true;
+    return false;
 }
 
 Next enter(const MachineTables& tables, const RunningThread& running, const Values& values) {

@@ -8,6 +8,8 @@ namespace robochart::csp_emit {
 
 /// Whether the machine or operation has reached its own final state.
 [[nodiscard]] bool is_final(const MachineTables&, const Activation&);
+/// Whether the machine is in the state: from the beginning of its entry action until a transition leaves it.
+[[nodiscard]] bool is_in(const MachineTables&, const Activation&, ir::NodeId state);
 /// The thread enters a node: what it has to do then, innermost last.
 [[nodiscard]] Next enter(const MachineTables&, const RunningThread&, const Values&);
 /// Puts a state among those entered, outermost first, starts its during action and its clock.

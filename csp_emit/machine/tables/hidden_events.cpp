@@ -25,10 +25,21 @@ ExprPtr HiddenEvents::transition(std::uint32_t frame, ir::TransitionId id) {
         meaning.kind = MeaningKind::transition;
         meaning.text = ir::text_of(owner, transition);
         meaning.origin = transition.origin;
+        if (owner.nodes[transition.source.index].kind == ir::NodeKind::probabilistic) meaning.draw = draw(frame, id);
         // Constructors are printed with the module they belong to.
         mean(provenance_, context_.path, "internal__." + context_.path + "::" + found->second, meaning);
     }
     return b::dot({b::name("internal__"), b::name(found->second)});
+}
+
+std::shared_ptr<const Draw> HiddenEvents::draw(std::uint32_t frame, ir::TransitionId id) const {
+    const ir::Machine& owner = *frames_[frame].machine;
+    auto result = std::make_shared<Draw>();
+    result->junction = frames_[frame].prefix + owner.nodes[owner.transitions[id.index].source.index].path;
+    result->machine = &owner;
+    result->transition = id;
+    for (const CellId cell : frames_[frame].variables) result->variables.push_back(cells_[cell].meaning);
+    return result;
 }
 
 void HiddenEvents::declare(std::vector<cspm::DeclPtr>& decls) const {

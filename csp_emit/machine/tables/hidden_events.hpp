@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +14,9 @@ namespace robochart::csp_emit {
 /// Owns the numbers of steps and the names of transitions, and records what each means.
 class HiddenEvents {
 public:
-    HiddenEvents(MachineContext& context, const ActivationRecords& frames, Provenance& provenance)
-        : context_(context), frames_(frames), provenance_(provenance) {}
+    HiddenEvents(MachineContext& context, const ActivationRecords& frames, const ParameterTable& cells,
+                 Provenance& provenance)
+        : context_(context), frames_(frames), cells_(cells), provenance_(provenance) {}
 
     /// `step__.n`; equal keys are the same step.
     [[nodiscard]] cspm::ExprPtr step(const std::string& key, const EventMeaning&);
@@ -27,8 +29,11 @@ public:
     [[nodiscard]] std::vector<cspm::ExprPtr> channels() const;
 
 private:
+    [[nodiscard]] std::shared_ptr<const Draw> draw(std::uint32_t frame, ir::TransitionId) const;
+
     MachineContext& context_;
     const ActivationRecords& frames_;
+    const ParameterTable& cells_;
     Provenance& provenance_;
     std::map<std::string, std::size_t> steps_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> transitions_;  ///< by frame and transition

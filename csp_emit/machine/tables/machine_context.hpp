@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "csp_emit/base/names.hpp"
@@ -21,6 +22,13 @@ struct MachineContext {
     /// A clock whose first reset matters: the machine remembers whether it has been, and offers `unset__` where a guard
     /// reads it before that, `reset__` wherever it has been.
     std::string watched = {};
+    /// An event of which it matters when it is on offer: before the machine does anything else it performs `inside__`
+    /// or `outside__`, as it is in `within` or not, so that priority can tell where the event is refused.
+    std::string offered = {};
+    std::optional<ir::NodeId> within = {};  ///< a state; none: everywhere but at the end
+
+    /// Whether it is a copy for one assertion.
+    [[nodiscard]] bool copied() const { return !offered.empty() || !watched.empty(); }
 };
 
 }  // namespace robochart::csp_emit

@@ -36,7 +36,7 @@ struct MachineTables {
     DefaultValues defaults{project()};
     ClockLimits limits{project(), calls, context.names};
     ActivationRecords frames{context, calls, cells, limits};
-    HiddenEvents events{context, frames, provenance};
+    HiddenEvents events{context, frames, cells, provenance};
     ClockWatch watch{context, frames, cells, provenance};
     PointTable points{context, frames};
     CallSharing sharing{cells, points, family_calls};

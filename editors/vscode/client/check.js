@@ -4,7 +4,7 @@
 const { execFile } = require("node:child_process");
 
 /** From the best to the worst: an assertion is as good as the worst of its checks. */
-const answers = ["holds", "not checked", "no check", "inconclusive", "error", "fails"];
+const answers = ["holds", "value", "not checked", "no check", "inconclusive", "error", "fails"];
 
 /** The worst answer of a report of `check --format json`; undefined if it answers nothing. */
 function verdictOf(report) {
@@ -14,11 +14,19 @@ function verdictOf(report) {
     return found.reduce((worst, answer) => (rank(answer) > rank(worst) ? answer : worst));
 }
 
+/** "  k=5: 0.25", "  k=5: from 0 to 0.25": a row of a probabilistic assertion. */
+function valueOf(row) {
+    const constants = Object.entries(row.constants ?? {}).map(([name, value]) => `${name}=${value}`);
+    const value = row.least ? `from ${row.least.value} to ${row.greatest.value}` : (row.value ?? row.answer);
+    return `  ${constants.join(", ")}${constants.length > 0 ? ": " : ""}${value}`;
+}
+
 /** What is shown of a report: each check with its answer, and the text of its counterexample. */
 function linesOf(report) {
     return (report.assertions ?? []).flatMap((each) => {
         const text = each.counterexample?.story;
-        return [`${each.answer}: ${each.title}`, ...(text === undefined ? [] : [text.trimEnd()])];
+        const values = (each.probability?.rows ?? []).map(valueOf);
+        return [`${each.answer}: ${each.title}`, ...values, ...(text === undefined ? [] : [text.trimEnd()])];
     });
 }
 

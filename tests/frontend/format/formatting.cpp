@@ -56,7 +56,7 @@ assertion A1:X is deadlock-free timed assertion A2 : X is not divergence-free.
 untimed assertion A3 : X is deterministic in the failures divergences model assertion A4:X is timelock-free in the tick-tock model
 assertion A5 : X terminates assertion A6 : X does not terminate assertion A7: X refines Y in the traces model
 assertion A8 : X does not refine Y assertion A9 : X equals Y assertion A10 : X is not equal to Y
-assertion A11: A::B::S is not reachable in X assertion A12 : clock C is not initialised assertion A13 : clock X::C is initialised
+assertion A11: A::B::S is not reachable in X assertion A12 : clock C is not initialised assertion A13 : clock X::C is initialised assertion A14 : event e is not missed in X::S   for 3  time units
 assertion A14: X is deadlock-free in the traces model with constant a of X set to 1+2, parameter p of X::op assigned f(1), and constant z of Q with value R.x.
 assertion A15: X is deterministic with constant a of X set to 1 and constant b of X assigned 2 .
 timed csp P csp-begin

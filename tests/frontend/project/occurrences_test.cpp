@@ -158,7 +158,8 @@ bool is_assertion_word(std::string_view word) {
         "assertion", "csp",       "timed",     "untimed",  "associated",  "deadlock", "divergence", "timelock",
         "free",      "terminate", "does",      "refine",   "refines",     "equals",   "equal",      "deterministic",
         "reachable", "model",     "traces",    "failures", "divergences", "tick",     "tock",       "initialised",
-        "with",      "constant",  "parameter", "of",       "set",         "value",    "assigned",   "and"};
+        "with",      "constant",  "parameter", "of",       "set",         "value",    "assigned",   "and",
+        "missed",    "for",       "time",      "unit",     "units"};
     return words.contains(word);
 }
 

@@ -277,6 +277,8 @@ const std::vector<Row>& assertions() {
         {"assertion A: S::s is not reachable in M::c::S.", "A: M::c::S not reachable S::s"},
         {"assertion A: clock S::C is initialised", "A: clock S::C"},
         {"assertion A: clock S::C is not initialised", "A: not clock S::C"},
+        {"assertion A: event e is not missed in S::s", "A: not event e S::s"},
+        {"timed assertion A: event e is missed in S for 3 time units.", "timed A: event e S for 3"},
         {"assertion A: X terminates with constant k of S assigned 1", "A: X terminates c:k@S=1"},
         {"assertion A: X terminates with constant k of S set to 1 + 2.", "A: X terminates c:k@S=(+ 1 2)"},
         {"assertion A: X terminates with parameter p of O with value E::L.", "A: X terminates p:p@O=E::L"},
@@ -389,7 +391,7 @@ const std::vector<Row>& refused() {
         // declarations
         {"type A package P", "RC-P16@1"},
         {"package P package Q", "RC-P16@1"},
-        {"enumeration E { A, B }", "RC-P01@1"},
+        {"enumeration E { A, B }", "RC-P34@1"},
         {"datatype R { a:nat, b:nat }", "RC-P01@1"},
         {"datatype R { a:nat = 1 }", "RC-P01@1"},
         {"stm end { }", "RC-P11@1"},

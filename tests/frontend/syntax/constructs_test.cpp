@@ -109,13 +109,15 @@ class Assertions : public ::testing::TestWithParam<Row> {};
 
 std::string shown(const Assertion& a) {
     constexpr std::array kinds = {"deadlock-free", "divergence-free", "deterministic", "timelock-free", "terminates",
-                                  "refines",       "equals",          "reachable",     "clock"};
+                                  "refines",       "equals",          "reachable",     "clock",         "event"};
     constexpr std::array times = {"", "timed ", "untimed "};
     constexpr std::array models = {"FD", "T", "F", "TT"};
     std::string out = times.at(static_cast<std::size_t>(a.time)) + a.name + ": " + a.subject.text();
     out += std::string(a.subject.empty() ? "" : " ") + (a.negated ? "not " : "") +
            kinds.at(static_cast<std::size_t>(a.kind));
+    if (!a.event.empty()) out += " " + a.event.text();
     if (!a.other.empty()) out += " " + a.other.text();
+    if (a.time_units) out += " for " + std::to_string(*a.time_units);
     if (a.model) out += std::string(" in ") + models.at(static_cast<std::size_t>(*a.model));
     for (const AssertionParameter& p : a.parameters)
         out += (p.constant ? " c:" : " p:") + p.name.text() + "@" + p.context.text() + "=" + tree(*p.value);

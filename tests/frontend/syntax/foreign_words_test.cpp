@@ -146,6 +146,42 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
     }
 }
 
+/// What the certain fixes make of a text, and that nothing is wrong with it any more.
+std::string fixed(const std::string& text, const std::string& code) {
+    const auto reading = read(text, text.starts_with("assertion"));
+    std::vector<diagnostics::FixIt> fixes;
+    for (const diagnostics::Diagnostic& each : reading->findings.sorted()) {
+        EXPECT_EQ(each.rule->code, code) << text;
+        fixes.insert(fixes.end(), each.fixes.begin(), each.fixes.end());
+    }
+    const std::string result = diagnostics::apply_fixes(text, fixes);
+    const auto again = read(result, text.starts_with("assertion"));
+    EXPECT_TRUE(again->findings.ok()) << result << again->report();
+    return result;
+}
+
+TEST(ForeignForms, OfNumbersListsAndOrdersAreFixed) {
+    EXPECT_EQ(fixed("enumeration Z { NEAR, FAR }", "RC-P34"), "enumeration Z { NEAR FAR }");
+    EXPECT_EQ(fixed("stm S { const k : real = 30.5f const n : nat = 3ul }", "RC-P34"),
+              "stm S { const k : real = 30.5 const n : nat = 3 }");
+    EXPECT_EQ(fixed("stm S { transition t { from a to b condition x > 0 #C } }", "RC-P18"),
+              "stm S { transition t { from a to b #C condition x > 0 } }");
+    EXPECT_EQ(fixed("stm S { transition t { from a to b condition x action skip trigger e } }", "RC-P18"),
+              "stm S { transition t { from a to b trigger e condition x action skip } }");
+    EXPECT_EQ(fixed("stm S { transition t { from a to b triger e conditon x } }", "RC-P01"),
+              "stm S { transition t { from a to b trigger e condition x } }");
+    EXPECT_EQ(fixed("assertion A : S is determinstic", "RC-P01"), "assertion A : S is deterministic");
+    EXPECT_EQ(fixed("assertion A : S refines T in the failures-divergences model", "RC-P34"),
+              "assertion A : S refines T in the failures divergences model");
+}
+
+/// `1e5` is no 1 with a suffix, and no list of two.
+TEST(ForeignForms, AnExponentIsNotLeftOut) {
+    const auto reading = read("stm S { initial i state A { entry f(1e5) } transition t { from i to A } }");
+    ASSERT_FALSE(reading->findings.ok());
+    for (const diagnostics::Diagnostic& each : reading->findings.sorted()) EXPECT_TRUE(each.fixes.empty());
+}
+
 TEST(ForeignForms, StateMachineIsStm) {
     const auto reading = read("state machine S { initial i state A { } transition t0 { from i to A } }");
     ASSERT_EQ(reading->findings.sorted().size(), 1U) << reading->report();

@@ -34,9 +34,9 @@ constexpr std::array<std::string_view, 28> decl_words = {
     "signature", "parameter", "var",         "const",      "event",         "clock",      "interface",
     "platform",  "operation", "stm",         "controller", "module",        "reference",  "connection",
     "state",     "initial",   "final",       "junction",   "probabilistic", "transition", "bound"};
-constexpr std::array<std::string_view, 9> assertion_words = {"deadlock-free", "divergence-free", "deterministic",
-                                                             "timelock-free", "terminates",      "refines",
-                                                             "equals",        "reachable",       "clock-initialised"};
+constexpr std::array<std::string_view, 10> assertion_words = {
+    "deadlock-free", "divergence-free", "deterministic", "timelock-free",     "terminates",
+    "refines",       "equals",          "reachable",     "clock-initialised", "event-missed"};
 constexpr std::array<std::string_view, 4> model_words = {"failures-divergences", "traces", "failures", "tick-tock"};
 constexpr std::array<std::string_view, 3> time_words = {"both", "timed", "untimed"};
 constexpr std::array<std::string_view, 3> action_words = {"entry", "during", "exit"};

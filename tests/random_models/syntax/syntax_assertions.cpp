@@ -20,7 +20,7 @@ AssertionParameter SyntaxBuilder::assertion_parameter() {
 }
 
 Assertion SyntaxBuilder::assertion() {
-    constexpr std::size_t kinds = 9;
+    constexpr std::size_t kinds = 10;
     Assertion result;
     result.name = name();
     result.time = time();
@@ -28,9 +28,15 @@ Assertion SyntaxBuilder::assertion() {
     result.negated = random_.chance(40);
     const bool binary = result.kind == AssertionKind::refines || result.kind == AssertionKind::equals ||
                         result.kind == AssertionKind::reachable;
+    const bool of_machine =
+        result.kind == AssertionKind::clock_initialised || result.kind == AssertionKind::event_missed;
     if (result.kind == AssertionKind::clock_initialised) result.time = AssertionTime::both;
-    if (result.kind != AssertionKind::clock_initialised) result.subject = qualified();
-    if (binary || result.kind == AssertionKind::clock_initialised) result.other = qualified();
+    if (!of_machine) result.subject = qualified();
+    if (binary || of_machine) result.other = qualified();
+    if (result.kind == AssertionKind::event_missed) {
+        result.event = simple();
+        if (random_.chance(50)) result.time_units = static_cast<std::int64_t>(random_.between(1, 50));
+    }
     const std::size_t model = random_.below(6);
     if (model < 4) result.model = static_cast<AssertionModel>(model);
     if (random_.chance(30))

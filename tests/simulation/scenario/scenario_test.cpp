@@ -155,7 +155,7 @@ TEST(Scenario, FindingsInClaims) {
     };
     const std::string tail = " >= 50 % with confidence 90 %";
     EXPECT_THAT(findings("probability near >= 1 % and way <= 1 cm within 1 s" + tail),
-                HasSubstr("RC-M16 'and' on both sides or on none takes conditions"));
+                HasSubstr("RC-M16 'and' joins a condition at an instant and a property of a trial"));
     EXPECT_THAT(findings("probability (always near >= 1 %) within 1 s" + tail), HasSubstr("RC-M16 'within' takes"));
     EXPECT_THAT(findings("each first(near >= 1 % within 1 s) <= 1 s"), HasSubstr("RC-M16 'first' takes"));
     EXPECT_THAT(findings("probability not near >= 1 % within 1 s" + tail),

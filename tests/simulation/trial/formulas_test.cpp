@@ -93,11 +93,11 @@ TEST(Formulas, WhatATrialThatStopsLeavesOpenIsTaken) {
     Property watched(scenario.claims.front().property, 1, 5);
     watched.look(0, at(up_and_down, 0));
     watched.end(1, false);
-    EXPECT_EQ(watched.answer(), (Answer{false, 1}));
+    EXPECT_EQ(watched.answer(), (Answer{false, 1, true}));
     Property decided(scenario.claims.front().property, 1, 5);
     for (std::uint64_t step = 0; step <= 2; ++step) decided.look(step, at(up_and_down, step));
     decided.end(3, false);
-    EXPECT_EQ(decided.answer(), (Answer{true, 2})) << "what is known stays";
+    EXPECT_EQ(decided.answer(), (Answer{true, 2, false})) << "what is known stays";
 }
 
 // ---------------------------------------------------------------- against the definitions

@@ -1,0 +1,195 @@
+// The verb `check`: probabilistic assertions to values and verdicts, in the encoding asked for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "diagnostics/escape.hpp"
+#include "frontend/syntax/print.hpp"
+#include "probability/process/process_encoding.hpp"
+#include "probability/robotool/robotool_encoding.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::app {
+namespace {
+
+using prism::Result;
+using probability::NotExpressed;
+using probability::Row;
+
+/// An assertion with its file, which its names are looked up from.
+struct Claim {
+    const frontend::File* file = nullptr;
+    const frontend::ProbabilisticAssertion* assertion = nullptr;
+};
+
+std::vector<Claim> claims_of(const Project& project, const Options& options) {
+    std::vector<Claim> result;
+    for (const auto& file : project.model->files)
+        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
+            if (asked_for(options, each.name)) result.push_back({file.get(), &each});
+    return result;
+}
+
+/// Of a row: an error before a failure, that before what is not known.
+Answer answer_of(const Row& row) {
+    if (!row.error.empty()) return Answer::error;
+    Answer answer = Answer::holds;
+    for (const Result& each : row.results) {
+        if (each.kind == Result::Kind::unknown) return Answer::inconclusive;
+        if (each.kind != Result::Kind::truth) answer = Answer::computed;
+        if (each.kind == Result::Kind::truth && !each.truth) return Answer::fails;
+    }
+    return answer;
+}
+
+Answer answer_of(const std::vector<Row>& rows) {
+    Answer answer = rows.empty() ? Answer::inconclusive : answer_of(rows.front());
+    for (const Answer worse : {Answer::inconclusive, Answer::fails, Answer::error})
+        if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return answer_of(row) == worse; }))
+            answer = worse;
+    return answer;
+}
+
+std::string subject_list(const std::vector<std::string>& subjects) {
+    std::string text;
+    for (const std::string& each : subjects) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", each);
+    return text;
+}
+
+/// What a property is about: its names begin with it. One that names nothing is about the only component of the highest
+/// level.
+ir::ComponentRef subject_of(const Project& project, const std::vector<std::string>& subjects) {
+    if (subjects.size() > 1)
+        throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
+    const std::string wanted = subjects.empty() ? "" : subjects.front();
+    const std::vector<ir::ComponentRef> found = code_components(project.system, wanted);
+    if (found.size() != 1)
+        throw NotExpressed(subjects.empty() ? "it names no component, and the model has several"
+                           : found.empty()  ? fmt::format("`{}` has no process of its own", wanted)
+                                            : fmt::format("there are several components `{}`", wanted));
+    return found.front();
+}
+
+probability::Scheduler scheduler_of(const Options& options) {
+    if (options.scheduler == "urgent") return probability::Scheduler::urgent;
+    return options.scheduler == "uniform" ? probability::Scheduler::uniform : probability::Scheduler::any;
+}
+
+class Decider {
+public:
+    Decider(Project& project, const Options& options) : project_(project), options_(options), all_(*project.model) {}
+
+    void operator()(const Claim& claim, AssertionReport& report) {
+        try {
+            const probability::Question question = this->question(claim);
+            if (question.simulation != nullptr)
+                throw NotExpressed("`using sim`: properties are not decided by simulation here");
+            report.reason.clear();
+            probability::decide(*encoding_, question, {options_.epsilon, options_.exact}, options_.run->budget(),
+                                [&](Row row) { take(std::move(row), report); });
+        } catch (const NotExpressed& why) {
+            report.answer = Answer::unchecked;
+            report.reason = fmt::format("{}: not checked: {}", diagnostics::shown(report.place), why.what());
+        } catch (const probability::Wrong& wrong) {
+            report.answer = Answer::error;
+            report.reason = wrong.what();
+        }
+    }
+
+private:
+    probability::Question question(const Claim& claim) {
+        const ir::ComponentRef subject =
+            subject_of(project_, probability::subjects(all_, *claim.file, *claim.assertion));
+        const auto functions = probability::functions(all_, *claim.file, *claim.assertion);
+        // Functions are written into RoboTool's models; without any they stay the same for the next property.
+        const bool same = encoding_ && ir::qualified(subject) == ir::qualified(subject_);
+        if (!same || (robotool() && (!functions.empty() || with_functions_))) {
+            encoding_.reset();
+            subject_ = subject;
+            encoding_ = robotool() ? robotool(functions) : process();
+            with_functions_ = !functions.empty();
+        }
+        return probability::translate(all_, *claim.file, *claim.assertion, encoding_->elements());
+    }
+
+    [[nodiscard]] bool robotool() const { return options_.encoding == "robotool"; }
+
+    std::unique_ptr<probability::Encoding> robotool(const std::map<std::string, probability::Function>& functions) {
+        if (subject_.kind != ir::ComponentKind::module)
+            throw NotExpressed(fmt::format("RoboTool's encoding is one of modules, and `{}` is none", subject_.path));
+        probability::RoboToolOptions wanted;
+        const auto preferences = read_preferences(project_, options_);
+        if (!preferences) throw probability::Wrong("the preferences cannot be read");
+        wanted.preferences = *preferences;
+        wanted.constants = project_.asked.constants;
+        wanted.max_states = options_.max_states;
+        wanted.exact = options_.exact;
+        wanted.budget = &options_.run->budget();
+        return std::make_unique<probability::RoboToolEncoding>(
+            project_.system, project_.system.modules[subject_.definition], wanted, functions);
+    }
+
+    std::unique_ptr<probability::Encoding> process() {
+        probability::ProcessOptions wanted;
+        wanted.scheduler = scheduler_of(options_);
+        wanted.instantiation = project_.asked;
+        wanted.max_states = options_.max_states;
+        wanted.exact = options_.exact;
+        wanted.budget = &options_.run->budget();
+        return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, wanted);
+    }
+
+    static void take(Row row, AssertionReport& report) {
+        ProbabilityReport& found = *report.probability;
+        report.searched = true;
+        report.statistics.states = std::max(report.statistics.states, row.states);
+        report.statistics.transitions = std::max(report.statistics.transitions, row.transitions);
+        report.statistics.seconds += row.seconds;
+        found.rows.push_back(std::move(row));
+        report.answer = answer_of(found.rows);
+    }
+
+    Project& project_;
+    const Options& options_;
+    probability::Assertions all_;
+    std::unique_ptr<probability::Encoding> encoding_;
+    ir::ComponentRef subject_;
+    bool with_functions_ = false;
+};
+
+}  // namespace
+
+void check_probabilities(Project& project, const Options& options, Report& report) {
+    const std::vector<Claim> claims = claims_of(project, options);
+    if (claims.empty()) return;
+    const std::string scheduler = options.scheduler.empty() ? "any" : options.scheduler;
+    if (options.encoding == "robotool" && scheduler != "any")
+        throw UsageError("--scheduler is about decision processes: RoboTool's encoding has no choices");
+    std::size_t at = report.assertions.size();
+    {
+        const auto edit = options.run->edit();
+        for (const Claim& claim : claims) {
+            AssertionReport one;
+            one.title = fmt::format("{}{} {}", project.label, claim.assertion->name,
+                                    diagnostics::shown(frontend::claim(*claim.assertion)));
+            set_place(project, claim.assertion->span, one);
+            one.reason = not_decided;
+            one.probability = ProbabilityReport{options.encoding, options.encoding == "csp" ? scheduler : "", {}};
+            report.assertions.push_back(std::move(one));
+        }
+    }
+    Decider decide(project, options);
+    for (const Claim& claim : claims) {
+        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + claim.assertion->name);
+        AssertionReport one = report.assertions[at];
+        decide(claim, one);
+        const auto edit = options.run->edit();
+        report.assertions[at++] = std::move(one);
+    }
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,86 @@
+// Events that come while an action waits (semantics 3.3, 3.10): an entry, exit or transition action is not interrupted,
+// so what the states around it await is not taken before it ends.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/lint/lints.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// An event that is raised in a control cycle of one time unit is kept to its end, and so loses nothing to a wait of
+/// one.
+constexpr double least_that_loses = 2;
+
+using Events = std::vector<const Declaration*>;
+
+class MissedEvents {
+public:
+    MissedEvents(const Machine& machine, Diagnostics& out) : machine_(machine), out_(out) {}
+
+    void run() { container(machine_, {}); }
+
+private:
+    /// `around`: what the states around await.
+    void container(const NodeContainer& inside, const Events& around) {
+        const Graph graph(inside);
+        for (const auto& transition : inside.transitions) {
+            if (!transition->action || transition->target == nullptr) continue;
+            action(*transition->action, with(around, *transition->target, graph),
+                   fmt::format("the action of transition `{}`", transition->name));
+        }
+        for (const auto& node : inside.nodes) {
+            if (node->kind != DeclKind::state) continue;
+            const Events own = with(around, *node, graph);
+            for (const Action& each : node->actions) {
+                if (!each.statement || each.kind == ActionKind::during) continue;
+                const bool entry = each.kind == ActionKind::entry;
+                action(*each.statement, entry ? own : around,
+                       fmt::format("the {} action of `{}`", entry ? "entry" : "exit", node->name));
+            }
+            container(*node, own);
+        }
+    }
+
+    static Events with(Events events, const State& node, const Graph& graph) {
+        for (const Transition* transition : graph.out(node)) {
+            const Declaration* event = transition->trigger ? transition->trigger->event_target : nullptr;
+            if (event != nullptr && std::find(events.begin(), events.end(), event) == events.end())
+                events.push_back(event);
+        }
+        return events;
+    }
+
+    void action(const Stmt& action, const Events& awaited, const std::string& name) {
+        const double time = least_time(action);
+        if (time < least_that_loses) return;
+        std::vector<std::string> missed;
+        for (const Declaration* event : awaited)
+            if (!uses(action, *event)) missed.push_back(event->name);
+        if (missed.empty()) return;
+        out_.report(rules::w_missed, action.span, {listed(missed), name, fmt::format("{}", time)});
+    }
+
+    static bool uses(const Stmt& action, const Declaration& event) {
+        bool found = false;
+        walk(action, [&](const Stmt& statement) {
+            found = found || (statement.communication && statement.communication->event_target == &event);
+        });
+        return found;
+    }
+
+    const Machine& machine_;
+    Diagnostics& out_;
+};
+
+}  // namespace
+
+void lint_missed(const Machine& machine, Diagnostics& out) {
+    MissedEvents(machine, out).run();
+}
+
+}  // namespace robochart::frontend

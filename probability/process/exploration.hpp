@@ -1,0 +1,45 @@
+// The states of a process with the names of its hidden events, and whether another process behaves like it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "checker/lts/graph.hpp"
+#include "checker/lts/transition_system.hpp"
+
+namespace robochart::probability {
+
+/// A transition; `revealed`: for tau, the event that hiding made invisible.
+struct Step {
+    lts::Event event;
+    lts::Event revealed;
+    lts::StateIndex target;
+};
+
+/// All states that are reachable, breadth first.
+class Exploration {
+public:
+    /// Throws LimitReached beyond `most_states`; `poll` is called for each state and may throw.
+    Exploration(lts::TransitionSystem& system, std::uint64_t most_states, const std::function<void()>& poll);
+
+    [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
+    [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
+    [[nodiscard]] std::span<const Step> steps(lts::StateIndex index) const {
+        return std::span(steps_).subspan(first_[index], first_[index + 1U] - first_[index]);
+    }
+
+private:
+    class Sink;
+    lts::StateStore states_;
+    std::vector<std::uint64_t> first_{0};
+    std::vector<Step> steps_;
+};
+
+/// Whether the first states of both are branching bisimilar with respect to divergence, every hidden event a tau.
+/// `events`: those of `explored`.
+[[nodiscard]] bool agrees(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
+                          const std::function<void()>& poll);
+
+}  // namespace robochart::probability

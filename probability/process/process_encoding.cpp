@@ -1,0 +1,278 @@
+// See process_encoding.hpp.
+#include "probability/process/process_encoding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "checker/cspm/session.hpp"
+#include "checker/prism/checks/check.hpp"
+#include "csp_emit/emit.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::probability {
+namespace {
+
+std::string first_error(const diagnostics::Diagnostics& diagnostics) {
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+        if (each.rule->severity == diagnostics::Severity::error) return each.message();
+    return "";
+}
+
+const cspm::ExprPtr& process_of(const csp_emit::Emission& emission, const std::string& path) {
+    const auto found = std::find_if(emission.components.begin(), emission.components.end(),
+                                    [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
+    if (found == emission.components.end()) throw Wrong(fmt::format("{} has no process of its own", path));
+    return found->process;
+}
+
+std::string magnitude(const boost::multiprecision::cpp_int& value) {
+    std::string digits = value.str();
+    return value < 0 ? digits.substr(1) : digits;
+}
+
+/// A number as a literal of RoboChart.
+std::string literal_of(const ir::System& system, const ir::Constant& constant, const prism::Value& value) {
+    const ir::Type& type = system.type(constant.type);
+    if (type.kind == ir::TypeKind::boolean) return value.integer != 0 ? "true" : "false";
+    if (type.kind == ir::TypeKind::enumeration) {
+        if (value.integer < 0 || static_cast<std::size_t>(value.integer) >= type.labels.size())
+            throw Wrong(fmt::format("{} is no literal of {}", value.text(), type.name));
+        return type.name + "::" + type.labels[static_cast<std::size_t>(value.integer)];
+    }
+    if (value.type != prism::Type::real) return value.text();
+    // A decimal, or none: thirds are no literals.
+    Rational rest = value.real.value();
+    constexpr unsigned most_places = 18;
+    for (unsigned places = 0; places <= most_places; ++places, rest *= 10)
+        if (denominator(rest) == 1) {
+            std::string digits = magnitude(numerator(rest));
+            if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+            if (places > 0) digits.insert(digits.size() - places, ".");
+            return (rest < 0 ? "-" : "") + digits;
+        }
+    throw Wrong(fmt::format("the value {} of {} is no decimal number", value.text(), constant.name));
+}
+
+prism::ExprPtr number(const Rational& value) {
+    const auto whole = [](const boost::multiprecision::cpp_int& part) {
+        return prism::make_expr(prism::Op::real, {}, {}, magnitude(part) + ".0");
+    };
+    const prism::ExprPtr fraction =
+        prism::make_expr(prism::Op::divide, {}, {whole(numerator(value)), whole(denominator(value))});
+    return value < 0 ? prism::make_expr(prism::Op::minus, {}, {fraction}) : fraction;
+}
+
+}  // namespace
+
+/// The process for values of the constants, explored.
+struct ProcessEncoding::Explored {
+    std::string constants;  ///< the values, as text
+    ir::Instantiation instantiation;
+    csp_emit::Emission emission;
+    std::unique_ptr<cspm::Session> session;
+    std::unique_ptr<lts::TransitionSystem> system;
+    std::unique_ptr<Exploration> exploration;
+    std::unique_ptr<runs::Context> context;
+    std::unique_ptr<runs::StepReader> steps;
+    std::unique_ptr<StateReader> reader;
+    std::uint64_t compared = 0;
+};
+
+/// A question's states.
+struct ProcessEncoding::Answered {
+    std::optional<prism::CheckedModel> model;
+    diagnostics::Diagnostics findings;
+    std::unique_ptr<prism::StateSpace> space;
+};
+
+ProcessEncoding::ProcessEncoding(const ir::System& system, const ir::ComponentRef& subject,
+                                 diagnostics::SourceManager& sources, ProcessOptions options)
+    : system_(system),
+      subject_(subject),
+      sources_(sources),
+      options_(std::move(options)),
+      names_(std::make_unique<ProcessNames>(system, subject_)) {}
+
+ProcessEncoding::~ProcessEncoding() = default;
+
+Elements& ProcessEncoding::elements() {
+    return *names_;
+}
+
+std::uint64_t ProcessEncoding::compared() const {
+    return explored_ ? explored_->compared : 0;
+}
+
+prism::Constant ProcessEncoding::constant(const std::string& path) {
+    const ConstantHere found = names_->find_constant(path);
+    const ir::Type& type = system_.type(found.seat->machine->constants[found.id.index].type);
+    return {type.kind == ir::TypeKind::boolean ? prism::Type::boolean
+            : found.real                       ? prism::Type::real
+                                               : prism::Type::integer,
+            {path, {}},
+            nullptr};
+}
+
+const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& constants) {
+    ir::InstantiationOptions wanted = options_.instantiation;
+    std::string text;
+    for (const auto& [path, value] : constants) {
+        if (path.find("::") == std::string::npos) continue;  // of an assertion file
+        const ConstantHere found = names_->find_constant(path);
+        const ir::Constant& declared = found.seat->machine->constants[found.id.index];
+        const ir::ConstantSource source = ir::constant_source(system_, found.seat->module, found.seat->controller,
+                                                              found.seat->part, *found.seat->machine, found.id);
+        for (const ir::NamedConstant& each : ir::named_constants(system_))
+            if (each.name == source.name) wanted.constants[each.path] = literal_of(system_, declared, value);
+        text += fmt::format("{}={};", path, value.text());
+    }
+    if (explored_ && explored_->constants == text) return *explored_;
+    answered_.reset();
+    explored_.reset();  // its memory is needed
+    auto made = std::make_unique<Explored>();
+    made->constants = text;
+    diagnostics::Diagnostics findings;
+    if (options_.budget != nullptr) findings.within(options_.budget);
+    made->instantiation = ir::instantiate(system_, wanted, findings);
+    if (!findings.ok()) throw Wrong(first_error(findings));
+    made->instantiation.budget = options_.budget;
+    explore(*made);
+    if (made->exploration->size() <= options_.compared_states) compare(*made);
+    explored_ = std::move(made);
+    return *explored_;
+}
+
+namespace {
+
+/// The semantics in time. Throws Wrong where there is none.
+csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
+                           diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
+    diagnostics::Diagnostics findings;
+    if (budget != nullptr) findings.within(budget);
+    csp_emit::Options options;
+    options.whole_states = whole_states;
+    csp_emit::Emission result =
+        csp_emit::emit(system, instantiation, csp_emit::Time::timed, options, sources, findings);
+    if (!findings.ok()) throw Wrong(first_error(findings));
+    return result;
+}
+
+}  // namespace
+
+void ProcessEncoding::explore(Explored& made) const {
+    made.emission = emitted(system_, made.instantiation, true, sources_, options_.budget);
+    try {
+        made.session = std::make_unique<cspm::Session>(made.emission.script, options_.budget, true);
+        refine::Limits limits;
+        if (options_.budget != nullptr) static_cast<diagnostics::Limits&>(limits) = options_.budget->limits();
+        made.system = made.session->whole_system(process_of(made.emission, ir::qualified(subject_)), limits);
+        const auto poll = [budget = options_.budget] {
+            if (budget != nullptr) budget->poll();
+        };
+        made.exploration = std::make_unique<Exploration>(*made.system, options_.max_states, poll);
+    } catch (const cspm::EvaluationError& error) {
+        throw Wrong(error.what());
+    }
+    made.context.reset(
+        new runs::Context{made.emission.provenance, system_, made.instantiation, sources_, *made.session});
+    made.steps = std::make_unique<runs::StepReader>(*made.context);
+    made.reader = std::make_unique<StateReader>(*made.system, *made.steps);
+}
+
+/// What was explored has to be the process that assertions are decided on: branching bisimilar to it.
+void ProcessEncoding::compare(Explored& made) const {
+    const csp_emit::Emission usual = emitted(system_, made.instantiation, false, sources_, options_.budget);
+    cspm::Session session(usual.script, options_.budget);
+    refine::Limits limits;
+    if (options_.budget != nullptr) static_cast<diagnostics::Limits&>(limits) = options_.budget->limits();
+    const auto other = session.system(process_of(usual, ir::qualified(subject_)), limits);
+    const auto poll = [budget = options_.budget] {
+        if (budget != nullptr) budget->poll();
+    };
+    if (!agrees(*made.exploration, made.session->event_table(), *other, poll))
+        throw std::logic_error(
+            fmt::format("the states of {} with all values are not bisimilar to its process", ir::qualified(subject_)));
+    made.compared = made.exploration->size();
+}
+
+/// What PRISM's language is to know of the process: names of what is asked for, rewards.
+prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question) const {
+    const Weights weights(system_, found.instantiation);
+    prism::ModelFile file;
+    file.kind = prism::ModelKind::mdp;
+    file.kind_given = true;
+    file.constants = question.model_constants;
+    file.constants.push_back({prism::Type::real, {ProcessNames::units, {}}, number(found.instantiation.scale)});
+    for (const ConstantHere& each : names_->constants())
+        file.constants.push_back(
+            {prism::Type::real, {each.name, {}}, number(weights.constant(*each.seat->machine, each.id, *each.seat))});
+    for (const Observable& each : names_->observables())
+        file.globals.push_back(
+            {{each.name, {}}, each.boolean ? prism::Type::boolean : prism::Type::integer, nullptr, nullptr, nullptr});
+    // PRISM asks for a variable and a module.
+    if (file.globals.empty()) file.globals.push_back({{"nothing__", {}}, prism::Type::boolean, {}, {}, {}});
+    file.modules.push_back({{"process__", {}}, {}, {}, {}, {}});
+    file.rewards = question.rewards;
+    return file;
+}
+
+/// The value of something that is asked for, in a state. Throws Wrong where it has none.
+std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const {
+    const std::vector<std::size_t>& parts = found.reader->parts(found.exploration->state(state));
+    for (const std::size_t number : parts) {
+        const Part& part = found.reader->part(number);
+        if (asked.variable.empty()) {
+            if (part.in_state(asked.component, asked.state)) return 1;
+            continue;
+        }
+        const auto held = part.variable(asked.component, asked.variable);
+        const auto value = held ? number_of(system_, found.instantiation, *held) : std::nullopt;
+        if (!value) continue;
+        if (*value < std::numeric_limits<std::int32_t>::min() || *value > std::numeric_limits<std::int32_t>::max())
+            throw Wrong(fmt::format("a value of {} has more than 32 bits", asked.variable));
+        return static_cast<std::int32_t>(*value);
+    }
+    if (asked.variable.empty()) return 0;
+    throw Wrong(fmt::format("{} of {} has no value in the state {}", asked.variable, asked.component,
+                            found.system->describe(found.exploration->state(state))));
+}
+
+prism::GivenSpace ProcessEncoding::states(const Explored& found) const {
+    const auto poll = [budget = options_.budget] {
+        if (budget != nullptr) budget->poll();
+    };
+    DecisionProcess process = decision_process(*found.exploration, *found.reader,
+                                               {system_, found.instantiation, found.emission.provenance,
+                                                found.session->event_table(), names_->seats(), names_->actions()},
+                                               options_.scheduler, poll);
+    prism::GivenSpace result{std::move(process.model), std::move(process.deadlocks), {}};
+    for (const lts::StateIndex origin : process.origins) {
+        poll();
+        for (const Observable& each : names_->observables()) result.values.push_back(value_in(found, origin, each));
+        if (names_->observables().empty()) result.values.push_back(0);
+    }
+    return result;
+}
+
+const prism::StateSpace& ProcessEncoding::space(const Question& question, const prism::Values& constants) {
+    if (!question.modules.empty())
+        throw NotExpressed(
+            "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");
+    const Explored& found = explored(constants);
+    auto made = std::make_unique<Answered>();
+    made->model = prism::check_model(declarations(found, question), made->findings);
+    if (!made->model) throw Wrong(first_error(made->findings));
+    prism::Values of_file;
+    for (const auto& [name, value] : constants)
+        if (name.find("::") == std::string::npos) of_file.emplace(name, value);
+    made->space = std::make_unique<prism::StateSpace>(
+        *made->model, of_file, states(found),
+        prism::ExploreOptions{options_.max_states, options_.exact, options_.budget}, made->findings);
+    answered_ = std::move(made);
+    return *answered_->space;
+}
+
+}  // namespace robochart::probability

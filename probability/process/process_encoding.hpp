@@ -1,0 +1,63 @@
+// The timed CSP semantics of a component as a Markov decision process: the encoding of RoboChart in which nothing is
+// decided that the model leaves open, and bounds count time units.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "diagnostics/source.hpp"
+#include "probability/experiments/encoding.hpp"
+#include "probability/process/decision_process.hpp"
+#include "probability/process/process_names.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+struct ProcessOptions {
+    Scheduler scheduler = Scheduler::any;
+    /// What the user asked for; values that assertions give to constants are added to it.
+    ir::InstantiationOptions instantiation;
+    std::uint64_t max_states = 500'000'000;
+    /// Up to so many states the process is compared with the one that is checked for refinement.
+    std::uint64_t compared_states = 1'000'000;
+    bool exact = false;
+    diagnostics::Budget* budget = nullptr;
+};
+
+class ProcessEncoding final : public Encoding {
+public:
+    /// All outlive it. `subject`: a module, a controller or a machine.
+    ProcessEncoding(const ir::System& system, const ir::ComponentRef& subject, diagnostics::SourceManager& sources,
+                    ProcessOptions options);
+    ~ProcessEncoding() override;
+
+    [[nodiscard]] Elements& elements() override;
+    [[nodiscard]] prism::Constant constant(const std::string& path) override;
+    [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
+    /// How many states the comparison with the process that is checked for refinement had; 0: none was made.
+    [[nodiscard]] std::uint64_t compared() const;
+
+private:
+    struct Explored;
+    struct Answered;
+
+    const Explored& explored(const prism::Values&);
+    void explore(Explored& made) const;
+    void compare(Explored& made) const;
+    [[nodiscard]] prism::ModelFile declarations(const Explored& found, const Question& question) const;
+    [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const;
+    [[nodiscard]] prism::GivenSpace states(const Explored& found) const;
+
+    const ir::System& system_;
+    const ir::ComponentRef& subject_;
+    diagnostics::SourceManager& sources_;
+    ProcessOptions options_;
+    std::unique_ptr<ProcessNames> names_;
+    std::unique_ptr<Explored> explored_;  ///< the latest: questions of one model come one after the other
+    std::unique_ptr<Answered> answered_;
+};
+
+}  // namespace robochart::probability

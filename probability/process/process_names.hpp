@@ -1,0 +1,68 @@
+// What the names of properties are in the states of a process.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "probability/process/seats.hpp"
+#include "probability/properties/elements.hpp"
+
+namespace robochart::probability {
+
+/// Something that the states of a process are asked for: a variable of the model in PRISM's language.
+struct Observable {
+    std::string name;       ///< in PRISM
+    std::string component;  ///< of the machine, in the CSP semantics
+    std::string variable;   ///< "": a state is asked for
+    std::string state;      ///< its element
+    bool boolean = false;
+};
+
+/// A constant of the model with the machine that reads it.
+struct ConstantHere {
+    std::string name;  ///< in PRISM
+    const Seat* seat = nullptr;
+    ir::ConstantId id;
+    bool real = false;
+};
+
+class ProcessNames final : public Elements {
+public:
+    ProcessNames(const ir::System& system, const ir::ComponentRef& subject);
+
+    [[nodiscard]] prism::ExprPtr variable(const std::string& path) override;
+    [[nodiscard]] prism::ExprPtr constant(const std::string& path) override;
+    [[nodiscard]] prism::ExprPtr in_state(const std::string& machine, const std::string& state) override;
+    [[nodiscard]] std::string action(const std::string& path, const std::string& direction) override;
+    [[nodiscard]] prism::ExprPtr value(const std::string& path, const std::string& direction) override;
+    /// Rewards of states are earned by time: once for each time unit that begins there.
+    [[nodiscard]] prism::RewardItem of_state(prism::RewardItem item) override;
+    [[nodiscard]] bool taken(const std::string& name) const override;
+
+    [[nodiscard]] const std::vector<Seat>& seats() const { return seats_; }
+    [[nodiscard]] const std::vector<Observable>& observables() const { return observables_; }
+    [[nodiscard]] const std::vector<ConstantHere>& constants() const { return constants_; }
+    /// By channel of the CSP semantics.
+    [[nodiscard]] const std::map<std::string, std::string>& actions() const { return actions_; }
+    /// The machine's constant that a path leads to; throws NotExpressed.
+    [[nodiscard]] ConstantHere find_constant(const std::string& path) const;
+
+    /// The name of the constant that is the scale of reals.
+    static constexpr const char* units = "units__";
+
+private:
+    [[nodiscard]] const Seat* seat(const std::string& path) const;
+    [[nodiscard]] std::string free_name(const std::string& path) const;
+    [[nodiscard]] prism::ExprPtr observed(Observable observable);
+    [[nodiscard]] prism::ExprPtr shared_variable(const std::string& path, const std::string& name);
+
+    const ir::System& system_;
+    const ir::ComponentRef& subject_;
+    std::vector<Seat> seats_;
+    std::vector<Observable> observables_;
+    std::vector<ConstantHere> constants_;
+    std::map<std::string, std::string> actions_;
+};
+
+}  // namespace robochart::probability

@@ -1,0 +1,52 @@
+// How likely the ways of probabilistic junctions are: their expressions as fractions, exactly. Other than in the CSP
+// semantics nothing is clipped or rounded here: a probability is the number that the model says.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/markov/model/model.hpp"
+#include "csp_emit/base/emission.hpp"
+#include "probability/process/seats.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+using markov::Rational;
+
+/// The value of a variable, in the units of the CSP semantics; throws where it is not known.
+using ValueOf = std::function<std::int64_t(const std::string& name)>;
+
+class Weights {
+public:
+    Weights(const ir::System& system, const ir::Instantiation& instantiation)
+        : system_(system), instantiation_(instantiation) {}
+
+    /// Of a way, with those that are alike, where its machine has this seat. Throws Wrong where it is no fraction that
+    /// can be computed, or not from 0 to 1.
+    [[nodiscard]] Rational of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const;
+    /// The value of a constant of a machine with this seat.
+    [[nodiscard]] Rational constant(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const;
+
+private:
+    struct Scope {
+        const ir::Machine& machine;
+        const Seat& seat;
+        const csp_emit::Draw* draw;
+        const ValueOf* value_of;
+        unsigned depth = 0;
+    };
+    [[nodiscard]] Rational value(const Scope& scope, const ir::Expr& expr) const;
+    [[nodiscard]] Rational constant(const Scope& scope, ir::ConstantId id) const;
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+};
+
+/// The ways that no step tells apart: from one junction to one place, without actions and resets. Itself among them.
+[[nodiscard]] std::vector<std::uint32_t> alike(const csp_emit::Draw& draw);
+
+}  // namespace robochart::probability

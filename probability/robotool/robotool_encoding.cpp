@@ -1,0 +1,199 @@
+// See robotool_encoding.hpp.
+#include "probability/robotool/robotool_encoding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "checker/prism/checks/check.hpp"
+#include "checker/prism/experiment.hpp"
+#include "checker/prism/syntax/printer.hpp"
+
+namespace robochart::probability {
+namespace {
+
+using prism::ExprPtr;
+
+std::string first_error(const diagnostics::Diagnostics& diagnostics) {
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+        if (each.rule->severity == diagnostics::Severity::error) return each.message();
+    return "";
+}
+
+ExprPtr named(const std::string& name) {
+    return prism::make_expr(prism::Op::name, {}, {}, name);
+}
+
+std::set<std::string> names_of(const prism::ModelFile& model) {
+    std::set<std::string> result;
+    for (const prism::Constant& each : model.constants) result.insert(each.name.text);
+    for (const prism::Variable& each : model.globals) result.insert(each.name.text);
+    for (const prism::Module& module : model.modules)
+        for (const prism::Variable& each : module.variables) result.insert(each.name.text);
+    return result;
+}
+
+}  // namespace
+
+/// Elements by the names that the emission notes (R1).
+class RoboToolEncoding::Names final : public Elements {
+public:
+    Names(const prism_emit::Emission& emission, const ir::Module& module)
+        : taken_(names_of(emission.model)), module_(module.name), platform_(module.platform.name) {
+        for (const prism_emit::NameOf& each : emission.names) names_[{each.kind, each.element}] = each.name;
+    }
+
+    ExprPtr variable(const std::string& path) override {
+        // What a machine requires is the platform's (R3).
+        const std::string shared = module_ + "::" + platform_ + "::" + last(path);
+        for (const std::string& element : {path, shared})
+            if (const std::string* name = find("variable", element)) return named(*name);
+        absent("variable", path);
+    }
+
+    ExprPtr constant(const std::string& path) override { return named(constant_name(path)); }
+
+    const std::string& constant_name(const std::string& path) const {
+        for (const std::string& element : {path, module_ + "::" + last(path)})
+            if (const std::string* name = find("constant", element)) return *name;
+        absent("constant", path);
+    }
+
+    /// R3, R4: the counter of the state's region is at the state. It is at no state where the region is not active.
+    ExprPtr in_state(const std::string& machine, const std::string& state) override {
+        const std::size_t inner = state.rfind("::");
+        const std::string region = inner == std::string::npos ? machine : machine + "::" + state.substr(0, inner);
+        const std::string* const counter = find("variable", region + "::scpc_8");
+        const std::string* const place = find("node", machine + "::" + state);
+        if (counter == nullptr || place == nullptr) absent("state", machine + "::" + state);
+        return prism::make_expr(prism::Op::equal, {}, {named(*counter), named(*place)});
+    }
+
+    std::string action(const std::string& path, const std::string& direction) override {
+        if (const std::string* name = find("event", path + (direction == "in" ? "::IN" : "::OUT"))) return *name;
+        absent("event", path + "." + direction);
+    }
+
+    /// R13: the variable of the value is named after the label.
+    ExprPtr value(const std::string& path, const std::string& direction) override {
+        const std::string name = "EVT__" + action(path, direction);
+        if (!taken_.contains(name)) absent("value", path + "." + direction);
+        return named(name);
+    }
+
+    [[nodiscard]] bool taken(const std::string& name) const override { return taken_.contains(name); }
+
+private:
+    [[nodiscard]] static std::string last(const std::string& path) { return path.substr(path.rfind(':') + 1); }
+    [[nodiscard]] const std::string* find(const std::string& kind, const std::string& element) const {
+        const auto found = names_.find({kind, element});
+        return found == names_.end() ? nullptr : &found->second;
+    }
+    [[noreturn]] static void absent(const std::string& what, const std::string& path) {
+        throw NotExpressed(fmt::format("RoboTool's encoding has no {} `{}`", what, path));
+    }
+
+    std::map<std::pair<std::string, std::string>, std::string> names_;
+    std::set<std::string> taken_;
+    std::string module_, platform_;
+};
+
+struct RoboToolEncoding::Explored {
+    std::string text;
+    std::optional<prism::CheckedModel> model;
+    diagnostics::Diagnostics findings;
+    std::unique_ptr<prism::StateSpace> space;
+};
+
+namespace {
+
+prism_emit::Emission emitted(const ir::System& system, const ir::Module& module, const RoboToolOptions& options,
+                             const std::map<std::string, Function>& functions) {
+    diagnostics::Diagnostics findings;
+    if (options.budget != nullptr) findings.within(options.budget);
+    auto result = prism_emit::emit(system, module, options.preferences, findings, functions);
+    if (!result) throw NotExpressed("RoboTool's encoding: " + first_error(findings));
+    return std::move(*result);
+}
+
+}  // namespace
+
+RoboToolEncoding::RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
+                                   const std::map<std::string, Function>& functions)
+    : options_(std::move(options)),
+      emission_(emitted(system, module, options_, functions)),
+      names_(std::make_unique<Names>(emission_, module)) {}
+
+RoboToolEncoding::~RoboToolEncoding() = default;
+
+Elements& RoboToolEncoding::elements() {
+    return *names_;
+}
+
+prism::Constant RoboToolEncoding::constant(const std::string& path) {
+    const std::string& name = names_->constant_name(path);
+    const auto& all = emission_.model.constants;
+    prism::Constant found =
+        *std::find_if(all.begin(), all.end(), [&](const prism::Constant& each) { return each.name.text == name; });
+    found.value = nullptr;
+    return found;
+}
+
+/// A constant that is given values loses the one of the model.
+prism::ModelFile RoboToolEncoding::model(const Question& question) const {
+    prism::ModelFile result = emission_.model;
+    for (const Setting& each : question.settings) {
+        if (each.path.empty()) continue;
+        const std::string& name = names_->constant_name(each.path);
+        for (prism::Constant& constant : result.constants)
+            if (constant.name.text == name) constant.value = nullptr;
+    }
+    result.constants.insert(result.constants.end(), question.model_constants.begin(), question.model_constants.end());
+    result.rewards = question.rewards;
+    result.modules.insert(result.modules.end(), question.modules.begin(), question.modules.end());
+    return result;
+}
+
+/// With those that the user gave for what is still open.
+prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const prism::Values& given) const {
+    prism::Values result = given;
+    for (const prism::Constant& constant : prism::open_constants(model.constants)) {
+        const std::string& name = constant.name.text;
+        if (result.contains(name)) continue;
+        std::string element = name;
+        for (const prism_emit::NameOf& each : emission_.names)
+            if (each.kind == "constant" && each.name == name) element = each.element;
+        const auto meant = std::find_if(options_.constants.begin(), options_.constants.end(), [&](const auto& option) {
+            return element == option.first || element.ends_with("::" + option.first);
+        });
+        if (meant == options_.constants.end())
+            throw Wrong(
+                fmt::format("the constant {} has no value: give it one `with constants` or by --const", element));
+        try {
+            result[name] = prism::read_series(name + "=" + meant->second, {constant}).front().values.front();
+        } catch (const prism::BadValue& error) {
+            throw Wrong(fmt::format("--const {}={}: {}", meant->first, meant->second, error.what()));
+        }
+    }
+    return result;
+}
+
+const prism::StateSpace& RoboToolEncoding::space(const Question& question, const prism::Values& constants) {
+    const prism::ModelFile whole = model(question);
+    const prism::Values values = all_values(whole, constants);
+    std::string text = prism::print(whole);
+    for (const auto& [name, value] : values) text += fmt::format("{}={}\n", name, value.text());
+    if (explored_ && explored_->space && explored_->text == text) return *explored_->space;
+    explored_.reset();  // its memory is needed
+    explored_ = std::make_unique<Explored>();
+    explored_->text = std::move(text);
+    explored_->model = prism::check_model(whole, explored_->findings);
+    if (!explored_->model) throw Wrong(first_error(explored_->findings));
+    explored_->space = std::make_unique<prism::StateSpace>(
+        *explored_->model, values, prism::ExploreOptions{options_.max_states, options_.exact, options_.budget},
+        explored_->findings);
+    return *explored_->space;
+}
+
+}  // namespace robochart::probability

@@ -1,0 +1,54 @@
+// RoboTool's encoding of a module (prism_emit) as what properties are asked of. What properties add to the model is
+// added to a copy of it, as RoboTool does for each assertion: rewards, modules, functions in the places of calls.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prism_emit/emit.hpp"
+#include "probability/experiments/encoding.hpp"
+#include "probability/properties/translate.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+struct RoboToolOptions {
+    prism_emit::Preferences preferences;
+    /// Values for constants that the model leaves open: the name or the end of its path, and a literal.
+    std::map<std::string, std::string> constants;
+    std::uint64_t max_states = 500'000'000;
+    bool exact = false;
+    diagnostics::Budget* budget = nullptr;
+};
+
+class RoboToolEncoding final : public Encoding {
+public:
+    /// The system outlives it. `functions`: those of assertions, for calls in the model. Throws NotExpressed where the
+    /// encoding has nothing for the module.
+    RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
+                     const std::map<std::string, Function>& functions);
+    ~RoboToolEncoding() override;
+
+    [[nodiscard]] Elements& elements() override;
+    [[nodiscard]] prism::Constant constant(const std::string& path) override;
+    [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    [[nodiscard]] bool one_value() const override { return false; }
+    /// The model with what the question adds to it.
+    [[nodiscard]] prism::ModelFile model(const Question&) const;
+
+private:
+    class Names;
+    struct Explored;
+
+    [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
+
+    RoboToolOptions options_;
+    prism_emit::Emission emission_;
+    std::unique_ptr<Names> names_;
+    std::unique_ptr<Explored> explored_;  ///< the latest: questions of one model come one after the other
+};
+
+}  // namespace robochart::probability

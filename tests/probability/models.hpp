@@ -1,0 +1,52 @@
+// Models with probabilistic assertions for tests.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "probability/experiments/experiment.hpp"
+#include "probability/process/process_encoding.hpp"
+#include "probability/properties/translate.hpp"
+#include "probability/robotool/robotool_encoding.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability::testing {
+
+/// A project by the paths of its files, resolved and lowered.
+struct Loaded {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    frontend::Model model;
+    ir::System system;
+
+    [[nodiscard]] std::string report() const;
+};
+
+[[nodiscard]] std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files);
+
+/// An assertion of this name, with its file.
+struct Claim {
+    const frontend::File* file = nullptr;
+    const frontend::ProbabilisticAssertion* assertion = nullptr;
+};
+[[nodiscard]] Claim claim(const Loaded&, const std::string& name);
+
+/// Ranges of nat, int and real 0..2, a dtmc.
+[[nodiscard]] RoboToolOptions small_ranges();
+
+/// The rows of an assertion in RoboTool's encoding of the only module. Why it is not decided is the error of a row.
+[[nodiscard]] std::vector<Row> robotool(const Loaded&, const std::string& assertion,
+                                        const RoboToolOptions& options = small_ranges(), const Accuracy& accuracy = {});
+
+/// The rows of an assertion on the decision process of a component: of the only module, else of the first controller or
+/// machine. `compared`: the states that were compared with the process that is checked for refinement.
+[[nodiscard]] std::vector<Row> process(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
+                                       std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000);
+
+/// "k=1: 0.5": the constants with the value, the truth or the error.
+[[nodiscard]] std::string text(const Row& row);
+/// One line for each row.
+[[nodiscard]] std::string text(const std::vector<Row>& rows);
+
+}  // namespace robochart::probability::testing

@@ -1,0 +1,216 @@
+// Probabilistic assertions decided on the timed CSP semantics. The models are so small that their values are worked out
+// by hand; each says how.
+#include <gtest/gtest.h>
+
+#include "tests/probability/models.hpp"
+
+namespace robochart::probability {
+namespace {
+
+using testing::load;
+using testing::process;
+using testing::text;
+
+std::string decided(const std::string& model, const std::string& assertions, Scheduler scheduler = Scheduler::any) {
+    const auto loaded = load({{"m.rct", model}, {"m.assertions", assertions}});
+    std::uint64_t compared = 0;
+    const auto rows = process(*loaded, "P", scheduler, &compared);
+    // Every model here is small enough to be compared with the process that is checked for refinement.
+    const bool answered = !rows.empty() && rows.front().error.empty();
+    EXPECT_TRUE(!answered || compared > 0);
+    return text(rows);
+}
+
+std::string property(const std::string& of) {
+    return "prob property P : " + of;
+}
+
+/// A machine that leaves Ready for a junction; `leaving` is its trigger, `ways` the transitions from the junction p.
+std::string thrower(const std::string& leaving, const std::string& ways, const std::string& declarations = "",
+                    const std::string& states = "") {
+    return "stm S { event go " + declarations + " initial i state Ready { } state A { } state B { } " + states +
+           "probabilistic p transition t0 { from i to Ready } transition t1 { from Ready to p " + leaving + " } " +
+           ways + " }";
+}
+
+const char* const coin_ways =
+    "transition a { from p to A probability 0.25 } transition b { from p to B probability 0.75 }";
+
+TEST(Process, ACoinThatIsThrownAtOnce) {
+    const std::string coin = thrower("", coin_ways);
+    for (const Scheduler each : {Scheduler::any, Scheduler::urgent})
+        EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A]"), each), "0.25 to 0.25");
+    EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A]"), Scheduler::uniform), "0.25");
+    EXPECT_EQ(decided(coin, property("Prob max=? of [Finally S is in S::B]")), "0.75");
+    EXPECT_EQ(decided(coin, property("Prob>=0.25 of [Finally S is in S::A]")), "true");
+    EXPECT_EQ(decided(coin, property("Prob>0.25 of [Finally S is in S::A]")), "false");
+    EXPECT_EQ(decided(coin, property("Forall [Finally S is in S::A \\/ S is in S::B]")), "true");
+    EXPECT_EQ(decided(coin, property("Prob=? of [Finally deadlock]")), "1 to 1") << "nothing leaves A and B";
+}
+
+/// Nobody has to press: the least probability is that of a platform that never does. Where all steps are equally likely
+/// somebody does in the end.
+TEST(Process, AnInputNeedNotCome) {
+    const std::string coin = thrower("trigger go", coin_ways);
+    const std::string asked = property("Prob=? of [Finally S is in S::A]");
+    EXPECT_EQ(decided(coin, asked), "0 to 0.25");
+    EXPECT_EQ(decided(coin, asked, Scheduler::urgent), "0 to 0.25") << "time and inputs wait for nothing here";
+    EXPECT_EQ(decided(coin, asked, Scheduler::uniform), "0.25");
+}
+
+/// p to A, q to B, else again: p / (p + q).
+TEST(Process, ALoopThatTriesAgain) {
+    const std::string loop = thrower("",
+                                     "transition a { from p to A probability 0.2 } "
+                                     "transition b { from p to B probability 0.3 } "
+                                     "transition c { from p to Ready probability 0.5 }");
+    EXPECT_EQ(decided(loop, property("Prob=? of [Finally S is in S::A]")), "0.4 to 0.4");
+    EXPECT_EQ(decided(loop, property("Prob=? of [Globally not S is in S::B]")), "0.4 to 0.4");
+}
+
+/// A throw at once and one in each time unit: done after n units with probability 1 - 0.5^(n+1), after 1 on average.
+TEST(Process, TimeIsCountedInTocks) {
+    const std::string geometric = thrower("",
+                                          "transition a { from p to A probability 0.5 } "
+                                          "transition c { from p to W probability 0.5 } "
+                                          "transition r { from W to Ready }",
+                                          "", "state W { entry wait(1) } ");
+    const auto within = [&](const std::string& bound) {
+        return decided(geometric, property("Prob=? of [Finally " + bound + " S is in S::A]"));
+    };
+    EXPECT_EQ(within("<=0"), "0.5 to 0.5");
+    EXPECT_EQ(within("<=1"), "0.75 to 0.75");
+    EXPECT_EQ(within("<3"), "0.875 to 0.875");
+    EXPECT_EQ(within(">=2"), "1 to 1") << "it stays there";
+    EXPECT_EQ(decided(geometric, property("Prob=? of [S is in S::W Until [2, 3] S is in S::A]")), "0 to 0");
+    EXPECT_EQ(decided(geometric, property("Prob=? of [(not S is in S::A) Until [2, 3] S is in S::A]")),
+              "0.1875 to 0.1875")
+        << "done after 2 or 3 units: 0.125 + 0.0625";
+    const std::string time = "rewards time = true : 1; endrewards ";
+    EXPECT_EQ(decided(geometric, time + property("Reward {time} =? of [Reachable S is in S::A]")), "1 to 1");
+    EXPECT_EQ(decided(geometric, time + property("Reward {time} =? of [Cumul 3]")), "3 to 3");
+    EXPECT_EQ(decided(geometric,
+                      "rewards waiting = S is in S::W : 1; endrewards " + property("Reward {waiting} =? of [Cumul 2]")),
+              "0.75 to 0.75")
+        << "in W during the first unit with 0.5, during the second with 0.25";
+    EXPECT_EQ(decided(geometric, property("Prob max=? of [Next S is in S::A]")),
+              "not decided: X is about one step, and steps are not counted in this model");
+}
+
+/// Two machines throw a coin at the same time. Whether the first is done and the second not depends on who is first:
+/// 0.5 where the first is, else 0.5 * 0.5.
+TEST(Process, ARaceIsOpen) {
+    const std::string race =
+        "stm S { initial i state Ready { entry wait(1) } state A { } state B { } probabilistic p "
+        "transition t0 { from i to Ready } transition t1 { from Ready to p } "
+        "transition a { from p to A probability 0.5 } transition b { from p to B probability 0.5 } } "
+        "controller C { sref one = S sref two = S }";
+    const std::string asked = property("Prob=? of [Finally C::one is in S::A /\\ not C::two is in S::A]");
+    EXPECT_EQ(decided(race, asked), "0.25 to 0.5");
+    EXPECT_EQ(decided(race, asked, Scheduler::uniform), "0.375");
+    EXPECT_EQ(decided(race, property("Prob=? of [Finally C::one is in S::A /\\ C::two is in S::A]")), "0.25 to 0.25");
+}
+
+/// x is read by nothing but the probabilities, so the processes that are checked for refinement do not hold it.
+TEST(Process, ProbabilitiesReadVariables) {
+    const std::string learning = thrower("",
+                                         "transition a { from p to A probability if x == 0 then 0.5 else 1 - 0 end } "
+                                         "transition c { from p to W probability if x == 0 then 0.5 else 0 end "
+                                         "action x = x + 1 } transition r { from W to Ready }",
+                                         "var x : nat = 0", "state W { entry wait(1) } ");
+    EXPECT_EQ(decided(learning, property("Prob=? of [Finally <=0 S is in S::A]")), "0.5 to 0.5");
+    EXPECT_EQ(decided(learning, property("Prob=? of [Finally <=1 S is in S::A]")), "1 to 1");
+    EXPECT_EQ(decided(learning, property("Prob=? of [Finally S is in S::A /\\ S::x == 1]")), "0.5 to 0.5");
+    EXPECT_EQ(decided(learning, property("Prob=? of [Finally S::x > 1]")), "0 to 0");
+}
+
+TEST(Process, WaysToOnePlaceAddUp) {
+    EXPECT_EQ(decided(thrower("",
+                              "transition a { from p to A probability 0.3 } transition b { from p to B probability 0.5 "
+                              "} transition c { from p to A probability 0.2 }"),
+                      property("Prob=? of [Finally S is in S::A]")),
+              "0.5 to 0.5");
+}
+
+TEST(Process, ConstantsAreTriedForEveryValue) {
+    const std::string coin = thrower("",
+                                     "transition a { from p to A probability q } "
+                                     "transition b { from p to B probability 1 - q }",
+                                     "const q : real");
+    EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A] with constants S::q from set {0.1 to 0.3 by "
+                                     "step 0.1}")),
+              "S::q=0.1: 0.1 to 0.1\nS::q=0.2: 0.2 to 0.2\nS::q=0.3: 0.3 to 0.3");
+    EXPECT_EQ(decided(coin, property("Prob>=S::q of [Finally S is in S::A] with constants S::q set to 0.7")),
+              "S::q=0.7: true");
+    EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A] with constants S::q set to 2")),
+              "S::q=2: the probability of a: p -> A is 2");
+    EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A] with constants S::q set to 1/3")),
+              "S::q=1/3: the value 1/3 of q is no decimal number");
+}
+
+TEST(Process, ProbabilitiesSumToOne) {
+    EXPECT_EQ(decided(thrower("",
+                              "transition a { from p to A probability 0.3 } "
+                              "transition b { from p to B probability 0.6 }"),
+                      property("Prob=? of [Finally S is in S::A]")),
+              "the probabilities at p sum to 9/10");
+}
+
+const char* const module_text = R"(
+	interface Moves { left() right() }
+	stm Walker {
+		requires Moves
+		event go
+		var steps : nat = 0
+		initial i
+		state Ready { }
+		state Left { entry left() }
+		state Right { entry right() }
+		probabilistic p
+		transition t0 { from i to Ready }
+		transition t1 { from Ready to p trigger go action steps = steps + 1 }
+		transition l { from p to Left probability 0.3 }
+		transition r { from p to Right probability 0.7 }
+	}
+	robotic platform Robot { provides Moves event go }
+	controller Mind { requires Moves event go sref walker = Walker connection Mind on go to walker on go }
+	module World { rref robot = Robot cref mind = Mind connection robot on go to mind on go ( _async ) }
+)";
+
+TEST(Process, OfAModule) {
+    const auto asked = [](const std::string& of, Scheduler scheduler = Scheduler::any) {
+        return decided(module_text, property(of), scheduler);
+    };
+    EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker is in Walker::Left]"), "0 to 0.3");
+    EXPECT_EQ(asked("Prob max=? of [Finally <=0 World::mind::walker is in Walker::Right /\\ "
+                    "World::mind::walker::steps == 1]"),
+              "0.7");
+    EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
+}
+
+TEST(Process, StepsEarnRewardsByTheirEvents) {
+    for (const std::string event : {"World::robot::go.out", "World::mind::walker::go.in"})
+        EXPECT_EQ(decided(module_text, "rewards goes = [" + event + "] true : 1; endrewards " +
+                                           property("Reward {goes} max=? of [Reachable World::mind::walker is in "
+                                                    "Walker::Left]")),
+                  "Infinity")
+            << "the walker may go right, and never come there";
+    EXPECT_EQ(decided(module_text, "rewards goes = [World::mind::walker::go.in] true : 1; endrewards " +
+                                       property("Reward {goes} max=? of [Total]")),
+              "1")
+        << "it takes one";
+}
+
+TEST(Process, WhatHasNoCounterpartIsRefusedByName) {
+    const std::string coin = thrower("", coin_ways);
+    EXPECT_EQ(decided(coin, property("Prob=? of [Finally S::go.in.val == 0]")),
+              "the value of `S::go.in`: states hold variables, not what was communicated last");
+    EXPECT_EQ(decided(coin, "rewards r = [S::go.out] true : 1; endrewards " + property("Reward {r} =? of [Total]")),
+              "the process has no event `S::go.out`");
+    EXPECT_EQ(
+        decided(coin, "pmodules M: pmodule N { x : bool; } " + property("Prob=? of [Finally @M::N::x] with modules M")),
+        "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");
+}
+
+}  // namespace
+}  // namespace robochart::probability
