@@ -105,8 +105,6 @@ private:
     void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
              const std::vector<runs::Machine>& after);
     [[nodiscard]] std::vector<std::set<std::string>> marked(const runs::Run& run) const;
-    void operations(const std::string& id, std::size_t i, const std::set<std::string>& marked,
-                    const PartDiagrams::Classes& classes);
     void figures(const std::string& id, const runs::Run& run);
     void figure(const std::string& attributes, const std::string& caption, const std::string& svg);
     void code();
@@ -361,22 +359,6 @@ std::vector<std::set<std::string>> ReportPage::marked(const runs::Run& run) cons
     return result;
 }
 
-/// The diagrams of the operations that machine `i` is in at some time.
-void ReportPage::operations(const std::string& id, std::size_t i, const std::set<std::string>& marked,
-                            const PartDiagrams::Classes& classes) {
-    std::size_t number = 0;
-    for (const PartSubject& each : diagrams_.subjects()) {
-        const frontend::Declaration* const declared = each.subject.component;
-        if (declared == nullptr || declared->kind != frontend::DeclKind::operation) continue;
-        const std::string drawn = diagrams_.drawn(each, fmt::format("{}-{}-{}-", id, i, number++), classes);
-        if (std::any_of(marked.begin(), marked.end(), [&](const std::string& element) {
-                return drawn.find(fmt::format("data-element=\"{}\"", element)) != std::string::npos;
-            }))
-            figure(fmt::format(" data-machine=\"{}\"", i),
-                   fmt::format("{}: operation {}", machines_[i].first, declared->name), drawn);
-    }
-}
-
 /// Each machine's diagram as it is after the last step, so that it is read without script; and those of the operations
 /// that it calls.
 void ReportPage::figures(const std::string& id, const runs::Run& run) {
@@ -394,7 +376,9 @@ void ReportPage::figures(const std::string& id, const runs::Run& run) {
         if (!svg.empty())
             figure(fmt::format(" data-machine=\"{}\"", i), machines_[i].first,
                    fmt::format("<p class=\"values\">{}</p>\n{}", xml_text(values), svg));
-        operations(id, i, marks[i], classes[i]);
+        for (const auto& [name, drawn] : diagrams_.operations(marks[i], fmt::format("{}-{}-", id, i), classes[i]))
+            figure(fmt::format(" data-machine=\"{}\"", i), fmt::format("{}: operation {}", machines_[i].first, name),
+                   drawn);
     }
     out_ += "</div>\n";
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "diagnostics/escape.hpp"
@@ -110,6 +111,21 @@ std::string PartDiagrams::drawn(const std::string& component, const std::string&
     for (const PartSubject& each : subjects_)
         if (each.subject.component != nullptr && each.subject.name == component) return drawn(each, prefix, classes);
     return "";
+}
+
+std::vector<PartDiagrams::Drawn> PartDiagrams::operations(const std::set<std::string>& elements,
+                                                          const std::string& prefix, const Classes& classes) const {
+    std::vector<Drawn> result;
+    for (const PartSubject& each : subjects_) {
+        const frontend::Declaration* const declared = each.subject.component;
+        if (declared == nullptr || declared->kind != frontend::DeclKind::operation) continue;
+        std::string diagram = drawn(each, fmt::format("{}{}-", prefix, result.size()), classes);
+        if (std::any_of(elements.begin(), elements.end(), [&](const std::string& id) {
+                return diagram.find(fmt::format("data-element=\"{}\"", id)) != std::string::npos;
+            }))
+            result.push_back({declared->name, std::move(diagram)});
+    }
+    return result;
 }
 
 std::optional<PartDiagrams::Position> PartDiagrams::position(const diagnostics::SourceManager& sources,

@@ -56,6 +56,12 @@ public:
     [[nodiscard]] std::string drawn(const PartSubject& subject, const std::string& prefix, const Classes& = {}) const;
     /// The same of a component by its qualified name; "" if it has none.
     [[nodiscard]] std::string drawn(const std::string& component, const std::string& prefix, const Classes& = {}) const;
+    /// Those of the operations that show one of these elements, by id.
+    struct Drawn {
+        std::string name, diagram;
+    };
+    [[nodiscard]] std::vector<Drawn> operations(const std::set<std::string>& elements, const std::string& prefix,
+                                                const Classes& = {}) const;
 
 private:
     using Position = std::tuple<std::string, std::uint32_t, std::uint32_t>;

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "app/command/options.hpp"
@@ -222,13 +223,25 @@ private:
     const Exploration::State first_ = space_.states.empty() ? Exploration::State() : space_.states.front();
 };
 
-std::string figures_of(const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
+std::string figure(std::size_t machine, const std::string& caption, const std::string& drawn) {
+    return fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", machine,
+                       xml_text(caption), drawn);
+}
+
+/// The machines' diagrams, each with those of the operations that it may be in.
+std::string figures_of(const Exploration& space, const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
     std::string text;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-        const std::string svg = diagrams.drawn(instances[i].machine, fmt::format("m{}-", i));
-        if (svg.empty()) continue;
-        text += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", i,
-                            xml_text(instances[i].component), svg);
+        const std::string& component = instances[i].component;
+        const std::string prefix = fmt::format("m{}-", i);
+        if (const std::string drawn = diagrams.drawn(instances[i].machine, prefix); !drawn.empty())
+            text += figure(i, component, drawn);
+        std::set<std::string> active;
+        for (const runs::Machine& each : space.machines)
+            if (each.component == component)
+                for (const std::string& state : each.active) active.insert(diagrams.named(state));
+        for (const auto& [name, drawn] : diagrams.operations(active, prefix))
+            text += figure(i, fmt::format("{}: operation {}", component, name), drawn);
     }
     return text;
 }
@@ -249,7 +262,7 @@ std::string step_page(const Exploration& space, const Stepped& stepped, const st
     const Json data = Data(space, stepped, instances, diagrams).write();
     return page_text({stepped.name, "explorer.js",
                       fmt::format("<style>{}</style>\n{}{}", page_part("explorer.css"),
-                                  Body(space, stepped).write(figures_of(instances, diagrams)),
+                                  Body(space, stepped).write(figures_of(space, instances, diagrams)),
                                   page_data("space", diagnostics::json_text(data)))});
 }
 

@@ -208,10 +208,9 @@
     fill(part("machines"), items);
   }
   function mark(instance, ids, name) {
-    const figure = document.querySelector('figure[data-machine="' + instance + '"]');
-    if (!figure) return;
     for (const id of ids)
-      for (const each of figure.querySelectorAll('[data-element="' + text(id) + '"]')) each.classList.add(name);
+      for (const each of document.querySelectorAll('figure[data-machine="' + instance + '"] [data-element="' + text(id) + '"]'))
+        each.classList.add(name);
   }
   function showFigures() {
     for (const each of document.querySelectorAll("figure .on, figure .fired")) each.classList.remove("on", "fired");
