@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace robochart::diagnostics {
+namespace robochart::prism {
 
 /// As many threads as asked for; 0: one a core.
 [[nodiscard]] unsigned threads_wanted(unsigned asked);
@@ -15,4 +15,4 @@ namespace robochart::diagnostics {
 void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t number, unsigned thread)>& work);
 
-}  // namespace robochart::diagnostics
+}  // namespace robochart::prism

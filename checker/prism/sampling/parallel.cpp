@@ -1,5 +1,5 @@
 // See parallel.hpp.
-#include "diagnostics/parallel.hpp"
+#include "checker/prism/sampling/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace robochart::diagnostics {
+namespace robochart::prism {
 
 unsigned threads_wanted(unsigned asked) {
     return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
@@ -44,4 +44,4 @@ void in_parallel(std::size_t count, unsigned threads,
     if (exception) std::rethrow_exception(exception);
 }
 
-}  // namespace robochart::diagnostics
+}  // namespace robochart::prism

@@ -1,5 +1,5 @@
 // Work by several threads: every number once, the exception of the least.
-#include "diagnostics/parallel.hpp"
+#include "checker/prism/sampling/parallel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace robochart::diagnostics {
+namespace robochart::prism {
 namespace {
 
 TEST(Parallel, EveryNumberIsDoneOnce) {
@@ -57,4 +57,4 @@ TEST(Parallel, AsManyThreadsAsAskedFor) {
 }
 
 }  // namespace
-}  // namespace robochart::diagnostics
+}  // namespace robochart::prism
