@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""The six sets of constants of the UVC case study, nineteen values each, by `robochart-verify prism`: compares the values with the reference,
-and prints seconds beside those that PRISM 4.6 took (shared/suite/prism/uvc/EXPECTED.tsv).
+"""The six sets of constants of the UVC case study, nineteen values each, and its deadlock check, by `robochart-verify prism`: compares states,
+transitions and values with the reference, and prints seconds beside those that PRISM 4.6 took (shared/suite/prism/uvc/EXPECTED.tsv).
 
-Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N]   (scripts/bench_uvc.sh)
+Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N] [--usual]   (scripts/bench_uvc.sh)
+--usual: the usual width of intervals, and PRISM's own results to compare with.
 """
 import argparse
 import csv
+import json
 import resource
 import subprocess
 import sys
@@ -14,21 +16,29 @@ from concurrent.futures import ThreadPoolExecutor
 
 PROPERTY = ("const int t; P=? [ F shuman=SHuman_inRed & srobot=SRobot_transitionRow & "
             "modUVC_ctrlUVC_stm_ref3_ticks=t ]")
-MOST_RELATIVE_DIFFERENCE = 1e-10
+NO_DEADLOCK = '! E [ F "deadlock" ]'
 
 
 def decide(options, name, rows):
-    """One set: seconds, and the table that the program prints."""
+    """One set: seconds, and what the program says."""
     constants = [each for each in rows[0]["constants"].split(",") if not each.startswith("t=")]
     times = [int(row["t"]) for row in rows]
     command = [options.program, "prism", options.folder + "/prism-gen/system.prism", "--property", PROPERTY,
-               "--const", ",".join(constants + [f"t={min(times)}:{max(times)}"]), "--epsilon", "1e-11"]
+               "--const", ",".join(constants + [f"t={min(times)}:{max(times)}"]), "--threads", "1"]
+    if not options.usual:
+        command += ["--epsilon", "1e-11"]
     begin = time.monotonic()
-    ran = subprocess.run(command + ["--format", "csv", "-q"], capture_output=True, text=True)
+    ran = subprocess.run(command + ["--format", "json", "-q"], capture_output=True, text=True)
     seconds = time.monotonic() - begin
     if ran.returncode != 0:
         raise SystemExit(f"{name}: exit {ran.returncode}: {ran.stderr}")
-    return seconds, list(csv.DictReader(ran.stdout.splitlines()))
+    return seconds, json.loads(ran.stdout)["runs"][0]
+
+
+def deadlock_free(options, row):
+    command = [options.program, "prism", options.folder + "/prism-gen/system.prism", "--property", NO_DEADLOCK,
+               "--const", ",".join(each for each in row["constants"].split(",") if not each.startswith("t="))]
+    return subprocess.run(command, capture_output=True).returncode == 0
 
 
 def main():
@@ -36,30 +46,40 @@ def main():
     parser.add_argument("--program", required=True)
     parser.add_argument("--folder", required=True)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--usual", action="store_true")
     options = parser.parse_args()
+    wanted, most = ("prism_result", 1e-5) if options.usual else ("reference", 1e-10)
     sets = {}
+    deadlock = []
     with open(options.folder + "/EXPECTED.tsv", newline="") as table:
         for row in csv.DictReader(table, delimiter="\t"):
             if row["t"].isdigit():
                 sets.setdefault(row["constant_set"], []).append(row)
+            else:
+                deadlock.append(row)
     begin = time.monotonic()
     with ThreadPoolExecutor(options.jobs) as jobs:
         answers = list(jobs.map(lambda item: decide(options, *item), sets.items()))
     wall = time.monotonic() - begin
-    worst = 0.0
+    worst, right = 0.0, 0
     print(f"{'constants':<24} {'states':>10} {'seconds':>8} {'PRISM 4.6, seconds':>19}")
     for (name, rows), (seconds, found) in zip(sets.items(), answers):
-        values = {int(row["t"]): float(row["value"]) for row in found}
+        values = {int(answer["constants"]["t"]): answer["value"] for answer in found["answers"]}
         for row in rows:
-            reference = float(row["reference"])
-            difference = abs(values[int(row["t"])] - reference)
-            worst = max(worst, difference / abs(reference) if reference else difference)
+            reference = float(row[wanted])
+            difference = abs(values[int(row["t"])] - reference) / (abs(reference) or 1)
+            worst = max(worst, difference)
+            right += (difference <= most and found["states"] == int(row["states"])
+                      and found["transitions"] == int(row["transitions"]))
         prism = sum(float(row["prism_build_s"]) + float(row["prism_check_s"]) for row in rows)
         print(f"{name:<24} {int(rows[0]['states']):>10,} {seconds:>8.1f} {prism:>19,.0f}")
+    right += sum(deadlock_free(options, row) == (row["prism_result"] == "true") for row in deadlock)
+    total = sum(map(len, sets.values())) + len(deadlock)
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(f"all: {wall:.1f} s with {options.jobs} programs at a time, {used.ru_utime:.1f} CPU s, at most "
-          f"{used.ru_maxrss // 1024} MB each; values differ from the reference by at most {worst:.1e}")
-    return 0 if worst <= MOST_RELATIVE_DIFFERENCE else 1
+          f"{used.ru_maxrss // 1024} MB each; {right} of {total} answers with equal states and transitions, values within "
+          f"{most:.0e} of {wanted} (at most {worst:.1e})")
+    return 0 if right == total else 1
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-// Exploration of PRISM models, interpreted: states a second, for a chain whose commands act alone, and for a decision
-// process whose commands act together.
+// Exploration of PRISM models, interpreted: states a second, and bytes a state beyond the matrix, for a chain whose
+// commands act alone, and for a decision process whose commands act together; steps a second of random paths.
 #include <benchmark/benchmark.h>
 
 #include <optional>
@@ -7,7 +7,9 @@
 
 #include "checker/prism/checks/check.hpp"
 #include "checker/prism/explore/state_space.hpp"
+#include "checker/prism/simulation.hpp"
 #include "checker/prism/syntax/reader.hpp"
+#include "diagnostics/budget.hpp"
 
 namespace {
 
@@ -38,11 +40,30 @@ std::string ring(int parts) {
     return text;
 }
 
-void explore(benchmark::State& state, const std::string& text) {
+std::optional<prism::CheckedModel> checked(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const prism::ModelFile file = prism::read_model(sources, sources.add("model", text), diagnostics);
-    const std::optional<prism::CheckedModel> model = prism::check_model(file, diagnostics);
+    return prism::check_model(file, diagnostics);
+}
+
+/// What the process has more in memory while there is a state space, less its matrix (targets, numbers, rows), a state.
+double bytes_beyond_matrix(const prism::CheckedModel& model) {
+    diagnostics::Diagnostics diagnostics;
+    const std::uint64_t before = diagnostics::resident_bytes();
+    const prism::StateSpace space(model, {}, {}, diagnostics);
+    const markov::Model& chain = space.chain();
+    const std::size_t matrix = chain.target.size() * (sizeof chain.target[0] + sizeof chain.number[0]) +
+                               chain.choices() * (sizeof chain.first_branch[0] + sizeof(std::uint32_t)) +
+                               chain.states() * sizeof chain.first_choice[0];
+    return (static_cast<double>(diagnostics::resident_bytes()) - static_cast<double>(before + matrix)) /
+           static_cast<double>(chain.states());
+}
+
+void explore(benchmark::State& state, const std::string& text) {
+    const std::optional<prism::CheckedModel> model = checked(text);
+    state.counters["bytes/state"] = bytes_beyond_matrix(*model);
+    diagnostics::Diagnostics diagnostics;
     std::size_t states = 0;
     for (auto unused : state) {
         const prism::StateSpace space(*model, {}, {}, diagnostics);
@@ -56,11 +77,28 @@ void explore(benchmark::State& state, const std::string& text) {
 void independent_counters(benchmark::State& state) {
     explore(state, counters(static_cast<int>(state.range(0))));
 }
-BENCHMARK(independent_counters)->Arg(4)->Arg(5)->Unit(benchmark::kMillisecond);
+BENCHMARK(independent_counters)->Arg(4)->Arg(6)->Unit(benchmark::kMillisecond);
 
 void synchronised_ring(benchmark::State& state) {
     explore(state, ring(static_cast<int>(state.range(0))));
 }
-BENCHMARK(synchronised_ring)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond);
+BENCHMARK(synchronised_ring)->Arg(6)->Arg(9)->Unit(benchmark::kMillisecond);
+
+void random_paths(benchmark::State& state) {
+    const std::optional<prism::CheckedModel> model = checked(counters(static_cast<int>(state.range(0))));
+    const prism::Instance instance(*model, {});
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const prism::PropertyFile file =
+        prism::read_properties(sources, sources.add("question", "P=? [ G<=999 true ]"), diagnostics);
+    const prism::CheckedProperties properties = prism::check_properties(*model, file, diagnostics);
+    prism::SamplingOptions options;
+    options.threads = 1;
+    constexpr double steps = 1000 * 999;
+    for (auto unused : state)
+        benchmark::DoNotOptimize(prism::simulate(instance, properties, 0, {}, options, diagnostics));
+    state.counters["steps/s"] = benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(random_paths)->Arg(6)->Unit(benchmark::kMillisecond);
 
 }  // namespace

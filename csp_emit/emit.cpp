@@ -23,6 +23,7 @@
 #include "csp_emit/passes/safe_names.hpp"
 #include "csp_emit/passes/shared_modules.hpp"
 #include "csp_emit/robotool_names.hpp"
+#include "csp_emit/unread_definitions.hpp"
 #include "diagnostics/escape.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -193,17 +194,28 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
 }
 
 /// The generated instantiations of all names that the user's leave out; of these the functions whose values are the
-/// finite instantiation's choice.
+/// finite instantiation's choice, and all of these names.
 void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
-                        std::set<std::string>& bounded) {
+                        std::set<std::string>& bounded, std::vector<std::string>& left_out) {
     for (const DeclPtr& decl : instantiations(project)) {
         const std::string name = !decl->names.empty() ? decl->names.front() : decl->patterns.front().front()->text;
         if (given.count(name) != 0) continue;
+        left_out.push_back(name);
         decls.push_back(decl);
         if (decl->kind == cspm::DeclKind::function) bounded.insert(name);
     }
     for (const ir::Function& function : project.system.functions)  // what a postcondition says is the model's
         if (!function.postconditions.empty()) bounded.erase(function_name(function));
+}
+
+/// What a block may give another meaning or speak of.
+std::set<std::string> names_for_blocks(const Project& project, const std::vector<DeclPtr>& core,
+                                       const std::vector<DeclPtr>& generated, const NamesForBlocks& of_model) {
+    std::set<std::string> result = user_names(core).all;
+    result.merge(user_names(generated).all);
+    result.merge(user_names(instantiations(project)).all);
+    for (const auto& [before, after] : of_model.data) result.insert(before);
+    return result;
 }
 
 /// Every word of the blocks: a name of ours is none of them.
@@ -275,7 +287,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     reserve(project, names);
     std::vector<DeclPtr> generated = data_definitions(project);
     append(generated, record_functions(project, theirs.all));
-    add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded);
+    std::vector<std::string> left_out;
+    add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded, left_out);
+    check_instantiations_read(project, files, names_for_blocks(project, core, generated, safe.for_blocks), left_out);
     Emitted emitted;
     emit_components(project, names, emitted, generated);
     std::vector<DeclPtr> ours = core;

@@ -33,6 +33,9 @@ private:
     bool read_apart();
     void read_whole();
     void add_step(std::size_t raw, bool shown, Event event, std::vector<Event> with, std::vector<Machine> machines);
+    [[nodiscard]] bool belongs_to_last(std::size_t raw, const std::string& name, const Event& event) const;
+    void complete_last(bool shown, std::vector<Machine> machines);
+    [[nodiscard]] const Machine* last_known(const std::string& component, std::size_t steps) const;
     void add_times();
     void fold_tocks();
     void add_offers();
@@ -49,7 +52,7 @@ private:
     [[nodiscard]] const std::string& name(process::Event event) const { return reader_.name(event); }
     std::vector<ComponentStep> moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before);
     std::vector<Machine> machines_at(const std::vector<std::optional<TermId>>& leaves);
-    static std::vector<Change> changes(const std::vector<Machine>& before, const std::vector<Machine>& after);
+    [[nodiscard]] std::vector<Change> changes(std::size_t steps, const std::vector<Machine>& after) const;
     std::vector<Event> offers_at(TermId term);
     void add_offers(std::size_t raw, Step& step);
 
@@ -82,13 +85,23 @@ std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<Te
     return reader_.machines_of(calls);
 }
 
-/// Clocks and countdowns change with time, and what is temporary is nobody's variable.
-std::vector<Change> Interpreter::changes(const std::vector<Machine>& before, const std::vector<Machine>& after) {
+/// Behind so many steps of the run. Between an event and what a memory is told of it, a machine is in no definition.
+const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
+    for (std::size_t i = steps + 1; i-- > 0;) {
+        const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
+        const auto found = std::find_if(machines.begin(), machines.end(),
+                                        [&](const Machine& each) { return each.component == component; });
+        if (found != machines.end()) return &*found;
+    }
+    return nullptr;
+}
+
+/// Since so many steps of the run. Clocks and countdowns change with time, and what is temporary is nobody's variable.
+std::vector<Change> Interpreter::changes(std::size_t steps, const std::vector<Machine>& after) const {
     std::vector<Change> result;
     for (const Machine& now : after) {
-        const auto was = std::find_if(before.begin(), before.end(),
-                                      [&](const Machine& each) { return each.component == now.component; });
-        if (was == before.end()) continue;
+        const Machine* was = last_known(now.component, steps);
+        if (was == nullptr) continue;
         for (const Variable& variable : now.variables) {
             if (variable.kind != VariableKind::variable || !variable.value) continue;
             const auto old = std::find_if(was->variables.begin(), was->variables.end(),
@@ -121,10 +134,28 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     step.units = event.kind == Kind::tock ? 1 : 0;
     step.event = std::move(event);
     step.with = std::move(with);
-    step.changes = changes(run_.steps.empty() ? run_.initial : run_.steps.back().machines, machines);
+    step.changes = changes(run_.steps.size(), machines);
     step.machines = std::move(machines);
     if (raw >= counterexample_.steps.size() && !run_.loop_start) run_.loop_start = run_.steps.size();
     run_.steps.push_back(std::move(step));
+}
+
+/// What a machine reads from memories and stores there says nothing that the step in front of it does not say.
+bool Interpreter::belongs_to_last(std::size_t raw, const std::string& name, const Event& event) const {
+    if (!reader_.meanings().is_memory(name)) return false;
+    const bool loop_begins = raw >= counterexample_.steps.size() && !run_.loop_start;
+    return !loop_begins && (run_.steps.empty() || run_.steps.back().event.component == event.component);
+}
+
+void Interpreter::complete_last(bool shown, std::vector<Machine> machines) {
+    if (run_.steps.empty()) {
+        run_.initial = std::move(machines);
+        return;
+    }
+    Step& last = run_.steps.back();
+    if (shown) ++last.count;
+    last.changes = changes(run_.steps.size() - 1, machines);
+    last.machines = std::move(machines);
 }
 
 /// From the movers; false where the states of the run are not terms.
@@ -138,9 +169,13 @@ bool Interpreter::read_apart() {
         const bool none = counterexample_.steps.empty() && counterexample_.loop.empty();
         if (none) break;
         const refine::Step& raw = raw_step(moment.raw);
-        auto [event, with] = reader_.happens(
-            moves_of(moment, *before), moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau));
-        add_step(moment.raw, moment.shown, std::move(event), std::move(with), machines_at(moment.leaves));
+        const std::vector<ComponentStep> moves = moves_of(moment, *before);
+        auto [event, with] =
+            reader_.happens(moves, moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau));
+        if (!moves.empty() && belongs_to_last(moment.raw, moves.front().name, event))
+            complete_last(moment.shown, machines_at(moment.leaves));
+        else
+            add_step(moment.raw, moment.shown, std::move(event), std::move(with), machines_at(moment.leaves));
         before = &moment.leaves;
     }
     return true;
@@ -150,8 +185,13 @@ void Interpreter::read_whole() {
     run_.initial = reader_.machines_of({reader_.meanings().calls(counterexample_.initial)});
     for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
-        add_step(raw, true, reader_.meanings().event(reader_.name_of(step.event, step.revealed)), {},
-                 reader_.machines_of({reader_.meanings().calls(step.state)}));
+        const std::string& name = reader_.name_of(step.event, step.revealed);
+        Event event = reader_.meanings().event(name);
+        std::vector<Machine> machines = reader_.machines_of({reader_.meanings().calls(step.state)});
+        if (belongs_to_last(raw, name, event))
+            complete_last(true, std::move(machines));
+        else
+            add_step(raw, true, std::move(event), {}, std::move(machines));
     }
 }
 
@@ -347,6 +387,8 @@ std::string Interpreter::why() const {
     const End& end = run_.end;
     switch (end.kind) {
         case EndKind::forbidden:
+            if (end.event && end.event->kind == Kind::tock)
+                return fmt::format("the last time unit is not allowed to pass; allowed: {}", list(end.allowed));
             return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step",
                                list(end.allowed));
         case EndKind::timelock:

@@ -41,6 +41,7 @@ Kind kind_of(MeaningKind kind) {
         case MeaningKind::refusal:
             return Kind::refusal;
         case MeaningKind::step:
+        case MeaningKind::memory:
             break;
     }
     return Kind::internal;
@@ -105,19 +106,32 @@ Call common(const std::vector<Call>& alternatives) {
             if (!equal) merged->parameters[i].clear();
         }
     }
+    std::erase_if(merged->remembered, [&](const std::string& name) {
+        return std::any_of(alternatives.begin(), alternatives.end(), [&](const Call& each) {
+            const auto& others = each.definition->remembered;
+            return std::find(others.begin(), others.end(), name) == others.end();
+        });
+    });
     merged->text = fmt::format("{}", fmt::join(texts, " or "));
     merged->offers.clear();
     result.definition = std::move(merged);
     return result;
 }
 
-/// Whether `text` has the word "transition NAME".
+/// Whether a part of `text`, behind an operation's name, is `words` and what is done there.
+bool has_part(const std::string& text, const std::string& words) {
+    for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+        const std::string_view before(text.data(), at);
+        const std::size_t end = at + words.size();
+        const bool begins = before.empty() || before.ends_with(": ") || before.ends_with(" or ");
+        if (begins && (end == text.size() || text[end] == ',' || text[end] == ' ')) return true;
+    }
+    return false;
+}
+
+/// Whether a definition of this text is inside the transition.
 bool is_in_transition(const std::string& text, const std::string& name) {
-    const std::string words = "transition " + name;
-    const auto at = text.find(words);
-    if (at == std::string::npos) return false;
-    const std::size_t end = at + words.size();
-    return end == text.size() || text[end] == ',' || text[end] == ' ';
+    return has_part(text, "transition " + name) || has_part(text, "action of " + name);
 }
 
 /// Whether the process may have got there by this transition or statement.
@@ -149,6 +163,12 @@ const EventMeaning* Meanings::meaning(const std::string& name, std::string& argu
 bool Meanings::knows(const std::string& name) const {
     std::string arguments;
     return meaning(name, arguments) != nullptr;
+}
+
+bool Meanings::is_memory(const std::string& name) const {
+    std::string arguments;
+    const EventMeaning* found = meaning(name, arguments);
+    return found != nullptr && found->kind == MeaningKind::memory;
 }
 
 Event Meanings::event(const std::string& name) const {

@@ -29,6 +29,8 @@ public:
 
     /// Whether the provenance knows the event.
     [[nodiscard]] bool knows(const std::string& name) const;
+    /// Whether it is between a machine and the process that holds one of its variables.
+    [[nodiscard]] bool is_memory(const std::string& name) const;
     /// The event by its whole name; one that is not known keeps it, as Kind::event.
     [[nodiscard]] Event event(const std::string& name) const;
     /// The same, done where the process is in this definition: which transition or statement does it, if one alone can.

@@ -12,6 +12,16 @@ namespace {
 
 constexpr std::size_t most_unfoldings = 20;
 
+/// What the machine itself has of the variable is no older than what the memory holds. What the memory holds counts
+/// only where something still reads it.
+void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
+    const auto& read = owner.remembered;
+    const auto known = std::find_if(machine.variables.begin(), machine.variables.end(),
+                                    [&](const Variable& each) { return each.name == variable.name; });
+    if (known == machine.variables.end() && std::find(read.begin(), read.end(), variable.name) != read.end())
+        machine.variables.push_back(std::move(variable));
+}
+
 }  // namespace
 
 std::string element_in(const std::string& component, const std::string& element) {
@@ -42,29 +52,20 @@ const std::vector<Call>& StepReader::calls_of(TermId term) {
 
 std::vector<Machine> StepReader::machines_of(const std::vector<std::vector<Call>>& components) const {
     std::vector<Machine> result;
-    std::vector<Call> memories;
+    std::vector<const Call*> owners;
+    std::vector<const Call*> memories;
     for (const std::vector<Call>& component : components)
         for (const Call& call : component) {
-            if (call.definition->memory)
-                memories.push_back(call);
-            else
-                result.push_back(meanings_.machine(call));
+            (call.definition->memory ? memories : owners).push_back(&call);
+            if (!call.definition->memory) result.push_back(meanings_.machine(call));
         }
-    for (const Call& memory : memories) {
-        const auto owner = std::find_if(result.begin(), result.end(), [&](const Machine& machine) {
-            return machine.component == memory.definition->component;
-        });
-        if (owner == result.end()) continue;
-        for (Variable& variable : meanings_.variables(memory)) {
-            // What the machine has read is what the memory holds.
-            const auto known = std::find_if(owner->variables.begin(), owner->variables.end(),
-                                            [&](const Variable& each) { return each.name == variable.name; });
-            if (known == owner->variables.end())
-                owner->variables.push_back(std::move(variable));
-            else
-                *known = std::move(variable);
-        }
-    }
+    for (const Call* memory : memories)
+        for (std::size_t i = 0; i < owners.size(); ++i)
+            if (owners[i]->definition->component == memory->definition->component) {
+                for (Variable& variable : meanings_.variables(*memory))
+                    add_remembered(*owners[i]->definition, std::move(variable), result[i]);
+                break;
+            }
     return result;
 }
 

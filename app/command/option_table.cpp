@@ -179,6 +179,25 @@ const std::vector<OptionRow>& option_table() {
          "how wide the interval around a value may be, relative to the value",
          [](Options& o, const std::string& word) { o.epsilon = std::strtod(word.c_str(), nullptr); }, "--exact"},
 
+        {"--sim", Group::checking, of(Verb::prism),
+         {.kind = Kind::text, .name = "METHOD"},
+         "answer by random paths: ci, aci, apmc or sprt, with ,samples=N ,width=W ,confidence=ALPHA ,path=STEPS behind it",
+         [](Options& o, const std::string& word) {
+             try {
+                 o.sampling = prism::read_method(word);
+             } catch (const prism::BadMethod& error) {
+                 throw UsageError(std::string("--sim ") + error.what());
+             }
+         },
+         "--exact"},
+        {"--scheduler", Group::checking, of(Verb::prism),
+         {.kind = Kind::choice, .name = "WHO", .choices = "uniform"},
+         "who makes the choices of an mdp: uniform draws among the enabled commands, as in a dtmc",
+         [](Options& o, const std::string& word) { o.scheduler = word; }},
+        {"--seed", Group::checking, of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = any_number},
+         "seed of the random paths of --sim",
+         [](Options& o, const std::string& word) { o.seed = number(word); }},
+
         {"--const", Group::model, of(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant left open, or values to try: LOW:HIGH, LOW:STEP:HIGH; several with commas",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
@@ -322,6 +341,9 @@ const std::vector<OptionRow>& option_table() {
         {"--html", Group::output, of(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
          "also write the run as one page: the trials to play through, each robot's active states, plots over time",
          [](Options& o, const std::string& word) { o.html = word; }},
+        {"--plot", Group::output, of(Verb::prism), {.kind = Kind::file, .name = "FILE"},
+         "also draw the answers over the constant that takes most values, as SVG",
+         [](Options& o, const std::string& word) { o.plot = word; }},
         {"--color", Group::output, limited | of(Verb::explain),
          {.kind = Kind::choice, .name = "WHEN", .usual = "auto", .choices = "auto,always,never"},
          "colours of the text; auto: on a terminal, unless NO_COLOR is set",
@@ -349,8 +371,9 @@ const std::vector<OptionRow>& option_table() {
          "write all states of a process, any expression of the script, and stop",
          [](Options& o, const std::string& word) { o.exported.push_back(word); }},
         {"--export", Group::output, of(Verb::prism),
-         {.kind = Kind::choice, .name = "FORMAT", .choices = "tra,sta,lab,dot"},
-         "write the transitions, states or labels, or a graph, instead of answers",
+         {.kind = Kind::choice, .name = "FORMAT", .choices = "tra,sta,lab,dot,strategy,counterexample"},
+         "instead of answers, write the transitions, states or labels, a graph, or of one property the scheduler that "
+         "attains its value, or the paths that violate its bound as a graph",
          [](Options& o, const std::string& word) { o.exported_space = word; }},
         {"--progress", Group::output, searching | of(Verb::simulate),
          {.kind = Kind::choice, .name = "HOW", .usual = "auto", .choices = "auto,json,never"},
@@ -375,6 +398,8 @@ const std::vector<OptionRow>& option_table() {
          "threads of a check at most, used where its state space is wide; 0 for one for each core", take_threads},
         {"--threads", Group::limits, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "parallel trials at most; 0 for one for each core", take_threads},
+        {"--threads", Group::limits, of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
+         "sets of constants, answers or random paths at once at most; 0 for one for each core", take_threads},
         {"--max-states", Group::limits, of(Verb::prism),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "bound on states of the model",

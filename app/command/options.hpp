@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "checker/prism/sampling/method.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "semantics/ir/instantiation.hpp"
 
@@ -87,23 +88,26 @@ struct Options {
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
     bool core = false;
-    bool sizes = false;                   ///< check: how large the components' processes are
-    bool check = false;                   ///< format: write nothing, tell what would change
-    bool diff = false;                    ///< format: write nothing, show what would change
-    bool assertions = false;              ///< format: standard input is an assertion file
-    std::vector<std::string> claims;      ///< only these, by name or number in a script; empty: all
-    bool typecheck = false;               ///< cspm: names and types only
-    bool types = false;                   ///< cspm: print the types of the script's names and stop
-    bool brief = false;                   ///< cspm: no counterexamples
-    bool reveal_taus = false;             ///< cspm: hidden events by their names
-    bool split = false;                   ///< cspm: what each part did, however many they are
-    std::vector<std::string> exported;    ///< cspm: format and process to write out; empty: none
-    std::string picture = "svg";          ///< draw: the format of diagrams
-    std::string theme = "auto";           ///< draw: their colours
-    std::vector<std::string> properties;  ///< prism: questions beside those of the files
-    bool exact = false;                   ///< prism: fractions
-    double epsilon = 1e-6;                ///< prism: relative width of enclosures
-    std::string exported_space;           ///< prism: format of the state space to write out; "": none
+    bool sizes = false;                     ///< check: how large the components' processes are
+    bool check = false;                     ///< format: write nothing, tell what would change
+    bool diff = false;                      ///< format: write nothing, show what would change
+    bool assertions = false;                ///< format: standard input is an assertion file
+    std::vector<std::string> claims;        ///< only these, by name or number in a script; empty: all
+    bool typecheck = false;                 ///< cspm: names and types only
+    bool types = false;                     ///< cspm: print the types of the script's names and stop
+    bool brief = false;                     ///< cspm: no counterexamples
+    bool reveal_taus = false;               ///< cspm: hidden events by their names
+    bool split = false;                     ///< cspm: what each part did, however many they are
+    std::vector<std::string> exported;      ///< cspm: format and process to write out; empty: none
+    std::string picture = "svg";            ///< draw: the format of diagrams
+    std::string theme = "auto";             ///< draw: their colours
+    std::vector<std::string> properties;    ///< prism: questions beside those of the files
+    bool exact = false;                     ///< prism: fractions
+    double epsilon = 1e-6;                  ///< prism: relative width of enclosures
+    std::string exported_space;             ///< prism: what to write out of the state space; "": nothing
+    std::optional<prism::Method> sampling;  ///< prism: answer by random paths
+    std::string scheduler;                  ///< prism: who makes the choices of an mdp; "": all possible schedulers
+    std::string plot;                       ///< prism: file for a picture of the answers; "": none
     ProgressMode progress = ProgressMode::automatic;
     std::string component;  ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
@@ -116,7 +120,7 @@ struct Options {
     std::vector<std::string> ranges;     ///< TYPE=LOW..HIGH
     std::vector<std::string> allowed;    ///< codes of warnings not wanted
     std::uint32_t trials = 0;            ///< simulate: instead of the scenario's; 0: as it says
-    std::optional<std::uint64_t> seed;   ///< simulate: instead of the scenario's
+    std::optional<std::uint64_t> seed;   ///< simulate: instead of the scenario's; prism: of the paths
     bool pictures = true;                ///< simulate: write tables and pictures
     bool monitor = false;                ///< simulate: a monitor beside every controller
     std::string log;                     ///< simulate: folder for logs of every robot, "" for none

@@ -37,6 +37,16 @@ std::string preformatted(const std::string& text) {
     return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
 }
 
+/// The file's name; its whole path where the pointer rests.
+std::string place_text(const std::string& place) {
+    return fmt::format("<span class=\"place\" title=\"{}\">{}</span>", xml_text(place),
+                       xml_text(place.substr(place.rfind('/') + 1)));
+}
+
+std::string place_text(const runs::Place& place) {
+    return place_text(fmt::format("{}:{}", place.file, place.line));
+}
+
 /// Elements of diagrams: the number of the machine whose diagram it is, and the element's id.
 using Marks = std::vector<std::pair<std::size_t, std::string>>;
 
@@ -73,6 +83,9 @@ private:
     void steps(const std::string& id, const runs::Run& run);
     void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
              const std::vector<runs::Machine>& after);
+    [[nodiscard]] std::vector<std::set<std::string>> marked(const runs::Run& run) const;
+    void operations(const std::string& id, std::size_t i, const std::set<std::string>& marked,
+                    const PartDiagrams::Classes& classes);
     void figures(const std::string& id, const runs::Run& run);
     void figure(const std::string& attributes, const std::string& caption, const std::string& svg);
     void code();
@@ -132,7 +145,7 @@ void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
         "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
         assertion.answer == Answer::holds || information ? "good" : "bad", information ? "" : look(assertion.answer),
         information ? (assertion.answer == Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
-        xml_text(assertion.place), assertion.statistics.states);
+        place_text(assertion.place), assertion.statistics.states);
 }
 
 /// The active states of each machine of the run shown.
@@ -160,16 +173,47 @@ Marks ReportPage::fired(const runs::Step& step) const {
     return marks;
 }
 
+/// "x = 2"; "" where the words say it already.
+std::string change_text(const runs::Step& step, const runs::Change& change) {
+    std::string text = fmt::format("{} = {}", change.name, change.after);
+    return step.event.text.ends_with(text) ? "" : text;
+}
+
 std::string step_text(const runs::Step& step) {
     std::string text = runs::text(step.event, step.with);
-    for (const runs::Change& change : step.changes) text += fmt::format("; {} = {}", change.name, change.after);
+    for (const runs::Change& change : step.changes)
+        if (const std::string news = change_text(step, change); !news.empty()) text += "; " + news;
     return text;
 }
 
-/// The file's name; its whole path where the pointer rests.
-std::string place_text(const runs::Place& place) {
-    return fmt::format("<span class=\"place\" title=\"{}\">{}:{}</span>", xml_text(place.file),
-                       xml_text(place.file.substr(place.file.rfind('/') + 1)), place.line);
+/// What else could have happened, behind its number.
+std::string also_possible(const runs::Step& step) {
+    if (step.offered.empty()) return "";
+    std::vector<std::string> offered;
+    for (const runs::Event& each : step.offered) offered.push_back(xml_text(each.text));
+    if (step.more_offered > 0) offered.push_back(fmt::format("and {} more", step.more_offered));
+    return fmt::format("<details><summary>{}</summary>{}</details>", step.offered.size() + step.more_offered,
+                       fmt::join(offered, "<br>"));
+}
+
+/// "<dt>the specification allows</dt><dd>…</dd>"; "" for none.
+std::string end_entry(const char* title, const std::vector<runs::Event>& events) {
+    std::vector<std::string> texts;
+    for (const runs::Event& each : events) texts.push_back(xml_text(each.text));
+    return texts.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, fmt::join(texts, "<br>"));
+}
+
+/// What is possible where a run ends, and what the specification allows or requires there.
+std::string end_text(const runs::End& end) {
+    std::string text = end_entry("possible", end.offered) + end_entry("the specification allows", end.allowed) +
+                       end_entry("it refuses, against the specification", end.refused);
+    std::size_t number = 0;
+    for (const std::vector<runs::Event>& each : end.required)
+        text += end_entry(++number == 1 ? "the specification requires" : "or", each);
+    for (const runs::Cause& each : end.causes)
+        text += fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", xml_text(each.component), xml_text(each.text),
+                            each.place ? " " + place_text(*each.place) : "");
+    return text.empty() ? "" : fmt::format("<details><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
 }
 
 /// What a component does in a step, and what it changes.
@@ -179,7 +223,8 @@ std::string does(const runs::Step& step, const std::string& component) {
     for (const runs::Event& each : step.with)
         if (each.component == component) parts.push_back(runs::text(each));
     for (const runs::Change& change : step.changes)
-        if (change.component == component) parts.push_back(fmt::format("{} = {}", change.name, change.after));
+        if (const std::string news = change_text(step, change); change.component == component && !news.empty())
+            parts.push_back(news);
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 
@@ -243,18 +288,13 @@ void ReportPage::row(std::size_t number, const runs::Step* step, const std::vect
         const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : is->text;
         const bool news = step == nullptr || was == nullptr || is == nullptr || was->text != then;
         said = said || !done.empty();
-        out_ += fmt::format("<td>{}{}</td>", xml_text(done),
+        out_ += fmt::format("<td class=\"lane\">{}{}</td>", xml_text(done),
                             news && !then.empty() ? fmt::format("<div class=\"then\">{}</div>", xml_text(then)) : "");
     }
     out_ += fmt::format("<td>{}</td>", step == nullptr || said ? "" : xml_text(what));
-    std::vector<std::string> offered;
-    if (step != nullptr)
-        for (const runs::Event& each : step->offered) offered.push_back(xml_text(each.text));
     const bool placed = step != nullptr && step->event.place;
     out_ += fmt::format("<td>{}</td><td>{}</td></tr>\n", placed ? place_text(*step->event.place) : "",
-                        offered.empty() ? ""
-                                        : fmt::format("<details><summary>{}</summary>{}</details>", offered.size(),
-                                                      fmt::join(offered, "<br>")));
+                        step == nullptr ? "" : also_possible(*step));
 }
 
 void ReportPage::steps(const std::string& id, const runs::Run& run) {
@@ -265,8 +305,8 @@ void ReportPage::steps(const std::string& id, const runs::Run& run) {
     for (const auto& [component, definition] : machines_)
         out_ += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component), xml_text(lane(component)));
     out_ +=
-        "<th scope=\"col\">elsewhere</th><th scope=\"col\">place</th><th scope=\"col\">also "
-        "possible</th></tr></thead>\n"
+        "<th scope=\"col\">elsewhere</th><th scope=\"col\">place</th><th scope=\"col\" title=\"what else "
+        "was possible\">also</th></tr></thead>\n"
         "<tbody>\n";
     const std::size_t columns = machines_.size() + (timed_ ? 5 : 4);
     row(0, nullptr, {}, run.initial);
@@ -285,21 +325,53 @@ void ReportPage::steps(const std::string& id, const runs::Run& run) {
     out_ += "</tbody></table>\n</div>\n";
 }
 
-/// Each machine's diagram as it is after the last step: so it is read without script.
+/// The elements that are marked at some time, by machine.
+std::vector<std::set<std::string>> ReportPage::marked(const runs::Run& run) const {
+    std::vector<std::set<std::string>> result(machines_.size());
+    const auto add = [&](const Marks& marks) {
+        for (const auto& [machine, element] : marks) result[machine].insert(element);
+    };
+    for (const runs::Step& step : run.steps) {
+        add(active(step.machines));
+        add(fired(step));
+    }
+    return result;
+}
+
+/// The diagrams of the operations that machine `i` is in at some time.
+void ReportPage::operations(const std::string& id, std::size_t i, const std::set<std::string>& marked,
+                            const PartDiagrams::Classes& classes) {
+    std::size_t number = 0;
+    for (const PartSubject& each : diagrams_.subjects()) {
+        const frontend::Declaration* const declared = each.subject.component;
+        if (declared == nullptr || declared->kind != frontend::DeclKind::operation) continue;
+        const std::string drawn = diagrams_.drawn(each, fmt::format("{}-{}-{}-", id, i, number++), classes);
+        if (std::any_of(marked.begin(), marked.end(), [&](const std::string& element) {
+                return drawn.find(fmt::format("data-element=\"{}\"", element)) != std::string::npos;
+            }))
+            figure(fmt::format(" data-machine=\"{}\"", i),
+                   fmt::format("{}: operation {}", machines_[i].first, declared->name), drawn);
+    }
+}
+
+/// Each machine's diagram as it is after the last step, so that it is read without script; and those of the operations
+/// that it calls.
 void ReportPage::figures(const std::string& id, const runs::Run& run) {
     const std::vector<runs::Machine>& last = run.steps.empty() ? run.initial : run.steps.back().machines;
     std::vector<PartDiagrams::Classes> classes(machines_.size());
     for (const auto& [machine, element] : active(last)) classes[machine][element] = "on";
     if (!run.steps.empty())
         for (const auto& [machine, element] : fired(run.steps.back())) classes[machine][element] += " fired";
+    const std::vector<std::set<std::string>> marks = marked(run);
     out_ += "<div class=\"drawn\">\n";
     for (std::size_t i = 0; i < machines_.size(); ++i) {
-        const std::string svg = diagrams_.svg(machines_[i].second, fmt::format("{}-{}-", id, i), classes[i]);
+        const std::string svg = diagrams_.drawn(machines_[i].second, fmt::format("{}-{}-", id, i), classes[i]);
         const runs::Machine* const machine = find(last, machines_[i].first);
         const std::string values = machine == nullptr ? "" : runs::values_text(*machine);
         if (!svg.empty())
             figure(fmt::format(" data-machine=\"{}\"", i), machines_[i].first,
                    fmt::format("<p class=\"values\">{}</p>\n{}", xml_text(values), svg));
+        operations(id, i, marks[i], classes[i]);
     }
     out_ += "</div>\n";
 }
@@ -333,7 +405,8 @@ void ReportPage::replay(const std::string& id, const runs::Run& run) {
         "<span class=\"status\" aria-live=\"polite\"></span></p>\n<div class=\"replay\">\n";
     steps(id, run);
     figures(id, run);
-    out_ += fmt::format("</div>\n<details><summary>events of the script</summary>{}</details>\n",
+    out_ += "</div>\n" + end_text(run.end);
+    out_ += fmt::format("<details><summary>events of the script</summary>{}</details>\n",
                         preformatted(fmt::format("{}", fmt::join(run.raw, "\n"))));
 }
 
@@ -395,7 +468,7 @@ void ReportPage::pictures() {
         out_ += fmt::format("<p>{} {} dashed: no run exercises {}.</p>\n", classes.size(),
                             classes.size() == 1 ? "element is" : "elements are", classes.size() == 1 ? "it" : "them");
     for (std::size_t i = 0; i < subjects.size(); ++i)
-        figure("", subjects[i].subject.name, diagrams_.svg(subjects[i], fmt::format("d{}-", i), classes));
+        figure("", subjects[i].subject.name, diagrams_.drawn(subjects[i], fmt::format("d{}-", i), classes));
     out_ += "</section>\n";
 }
 

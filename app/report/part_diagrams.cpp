@@ -6,10 +6,42 @@
 #include <utility>
 
 #include "diagnostics/escape.hpp"
+#include "diagrams/exports/outline.hpp"
 #include "diagrams/layout/arrange.hpp"
 #include "diagrams/svg/svg.hpp"
 
 namespace robochart::app {
+namespace {
+
+/// "Forward", "initial junction i", "ref EPuck, turned": an end of a line.
+std::string end_text(const diagrams::Picture& picture, const diagrams::Outline& outline,
+                     const diagrams::Elements& elements, std::size_t end) {
+    const diagrams::PictureBox& box = picture.boxes[end];
+    std::string text = outline.title(end);
+    if (text.empty() && box.element != diagrams::none) {
+        const diagrams::Element& element = elements.all()[box.element];
+        text = element.kind + " " + element.name;
+    }
+    return box.event_of == diagrams::none ? text : outline.title(box.event_of) + ", " + text;
+}
+
+/// What its lines join, for those who cannot see the picture; "" where there are none.
+std::string lines_text(const diagrams::Picture& picture, const diagrams::Elements& elements) {
+    if (picture.lines.empty()) return "";
+    const diagrams::Outline outline(picture);
+    std::string text = outline.is_machine() ? "transitions" : "connections";
+    text = fmt::format("<details class=\"lines\"><summary>{} as text</summary>\n<ul>\n", text);
+    for (const diagrams::PictureLine& line : picture.lines) {
+        const std::string label = outline.label(line);
+        const std::string joined =
+            fmt::format("{} {} {}{}{}", end_text(picture, outline, elements, line.from), line.both_ways ? "<->" : "->",
+                        end_text(picture, outline, elements, line.to), label.empty() ? "" : ": ", label);
+        text += fmt::format("<li>{}</li>\n", diagnostics::xml_text(joined));
+    }
+    return text + "</ul></details>\n";
+}
+
+}  // namespace
 
 PartDiagrams::PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget) : budget_(budget) {
     for (const Part& part : parts)
@@ -63,19 +95,20 @@ std::string PartDiagrams::of(const runs::Event& event) const {
     return id.empty() && event.place ? at(*event.place) : id;
 }
 
-std::string PartDiagrams::svg(const PartSubject& subject, const std::string& prefix, const Classes& classes) const {
+std::string PartDiagrams::drawn(const PartSubject& subject, const std::string& prefix, const Classes& classes) const {
     try {
         const diagrams::Picture picture =
             diagrams::draw(subject.subject, {*subject.elements, nullptr, &budget_, subject.layout});
-        return diagrams::svg(picture, *subject.elements, {diagrams::Theme::automatic, prefix, classes});
+        return diagrams::svg(picture, *subject.elements, {diagrams::Theme::automatic, prefix, classes}) +
+               lines_text(picture, *subject.elements);
     } catch (const diagrams::layout::TooLarge& large) {
         return fmt::format("<p>{}</p>", diagnostics::xml_text(std::string(large.what())));
     }
 }
 
-std::string PartDiagrams::svg(const std::string& component, const std::string& prefix, const Classes& classes) const {
+std::string PartDiagrams::drawn(const std::string& component, const std::string& prefix, const Classes& classes) const {
     for (const PartSubject& each : subjects_)
-        if (each.subject.component != nullptr && each.subject.name == component) return svg(each, prefix, classes);
+        if (each.subject.component != nullptr && each.subject.name == component) return drawn(each, prefix, classes);
     return "";
 }
 

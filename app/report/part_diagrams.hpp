@@ -51,11 +51,11 @@ public:
 
     /// What groups of elements are besides, by their ids.
     using Classes = std::map<std::string, std::string>;
-    /// The diagram for a page; in its place a paragraph with the reason where it is too large. `prefix`: of all its
-    /// ids.
-    [[nodiscard]] std::string svg(const PartSubject& subject, const std::string& prefix, const Classes& = {}) const;
+    /// The diagram for a page, with what its lines join as text; in its place a paragraph with the reason where it is
+    /// too large. `prefix`: of all its ids.
+    [[nodiscard]] std::string drawn(const PartSubject& subject, const std::string& prefix, const Classes& = {}) const;
     /// The same of a component by its qualified name; "" if it has none.
-    [[nodiscard]] std::string svg(const std::string& component, const std::string& prefix, const Classes& = {}) const;
+    [[nodiscard]] std::string drawn(const std::string& component, const std::string& prefix, const Classes& = {}) const;
 
 private:
     using Position = std::tuple<std::string, std::uint32_t, std::uint32_t>;

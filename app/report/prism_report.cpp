@@ -39,9 +39,25 @@ std::string value_text(const prism::Real& value) {
     return fmt::format("{:.10g} (from {} to {})", middle(value), double_text(bounds.low), double_text(bounds.high));
 }
 
+/// "(ci, 1000 paths of 4.6 steps, 1 to 31)".
+std::string paths_text(const prism::Estimate& estimate) {
+    return fmt::format("({}, {} paths of {:.2g} steps, {} to {})", prism::method_name(estimate.method),
+                       estimate.samples, estimate.mean_steps, estimate.least_steps, estimate.most_steps);
+}
+
+/// "0.384 +- 0.04 at 99 %".
+std::string estimate_text(const prism::Estimate& estimate) {
+    if (std::isinf(estimate.mean)) return "Infinity, since a path never arrives";
+    return fmt::format("{:.6g} +- {:.3g} at {:.6g} %", estimate.mean, *estimate.width, 100 * (1 - estimate.alpha));
+}
+
 std::string result_text(const PrismAnswer& answer) {
     const prism::Result& result = answer.result;
     if (!answer.error.empty()) return "error: " + answer.error;
+    if (result.estimate && result.kind == Kind::number)
+        return estimate_text(*result.estimate) + " " + paths_text(*result.estimate);
+    if (result.estimate && result.kind == Kind::truth)
+        return fmt::format("{} {}", result.truth ? "true" : "false", paths_text(*result.estimate));
     switch (result.kind) {
         case Kind::truth:
             return result.truth           ? "true"
@@ -67,11 +83,16 @@ std::string title(const PrismProperty& property) {
     return property.name.empty() ? property.text : fmt::format("\"{}\": {}", property.name, property.text);
 }
 
+std::string kind_text(const PrismReport& report) {
+    if (!report.mdp) return "dtmc";
+    return report.scheduler.empty() ? "mdp" : fmt::format("mdp under the scheduler {}", report.scheduler);
+}
+
 std::string run_text(const PrismReport& report, const PrismRun& run) {
     std::string text = fmt::format("{}{}{}: {}, {} states", report.model, run.constants.empty() ? "" : ", ",
-                                   list(run.constants), report.mdp ? "mdp" : "dtmc", run.states);
+                                   list(run.constants), kind_text(report), run.states);
     if (run.initial != 1) text += fmt::format(" ({} initial)", run.initial);
-    if (report.mdp) text += fmt::format(", {} choices", run.choices);
+    if (report.mdp && report.scheduler.empty()) text += fmt::format(", {} choices", run.choices);
     return text + fmt::format(", {} transitions", run.transitions);
 }
 
@@ -95,11 +116,48 @@ NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismA
     return all;
 }
 
-std::string answer_text(const PrismAnswer& answer, const std::string& indent) {
+/// "0.25", "0.333333".
+std::string total_text(const prism::Enclosure& total) {
+    return total.exact() ? double_text(total.low) : fmt::format("{:.6g}", total.middle());
+}
+
+/// The most probable of them, step by step.
+std::string counterexample_text(const PrismReport& report, const prism::Counterexample& found,
+                                const std::string& indent) {
+    constexpr std::size_t most = 3;
+    const char* const way = found.never
+                                ? (found.holds ? "after which the formula holds whatever follows"
+                                               : "after which the formula cannot hold any more")
+                                : (found.holds ? "on which the formula holds" : "on which the formula does not hold");
+    const std::string bound = found.bound.text();
+    std::string text = fmt::format(
+        "{}{} {} {} {}{}\n", indent,
+        found.count == 1 ? "a path"
+                         : fmt::format("{} paths{}", found.count, found.scheduled ? " of one scheduler" : ""),
+        way, found.count == 1 ? "has probability" : "have probability", total_text(found.total),
+        !found.enough ? fmt::format(" together; {} takes more", bound)
+                      : fmt::format(", {} {}", found.strict ? "above" : "which reaches", bound));
+    for (std::size_t i = 0; i < std::min(most, found.paths.size()); ++i) {
+        const prism::ProbablePath& path = found.paths[i];
+        text += fmt::format("{}{}: {}\n", indent, total_text(path.probability), path.from);
+        for (const prism::ProbablePath::Step& step : path.steps)
+            text += fmt::format("{}  {}{}\n", indent, text_of(step.by, *report.sources),
+                                step.changes.empty() ? "" : ": " + step.changes);
+    }
+    if (found.count > most) text += fmt::format("{}and {} less probable ones\n", indent, found.count - most);
+    return text;
+}
+
+std::string answer_text(const PrismReport& report, const PrismAnswer& answer, const std::string& indent) {
     std::string text = indent;
     if (!answer.constants.empty()) text += list(answer.constants) + ": ";
     text += result_text(answer) + "\n";
     const bool number = answer.result.kind == Kind::number || answer.result.kind == Kind::range;
+    const std::optional<prism::Estimate>& estimate = answer.result.estimate;
+    if (estimate && estimate->binomial)
+        text += fmt::format("{}  Clopper-Pearson: from {:.6g} to {:.6g}\n", indent, estimate->binomial->low,
+                            estimate->binomial->high);
+    if (answer.counterexample) text += counterexample_text(report, *answer.counterexample, indent + "  ");
     if (number && !answer.result.reason.empty() && answer.error.empty())
         text += fmt::format("{}  wider than asked for: {}\n", indent, answer.result.reason);
     for (const auto& [state, value] : answer.result.printed) text += fmt::format("{}  {}: {}\n", indent, state, value);
@@ -112,7 +170,7 @@ const char* answer_word(const PrismAnswer& answer) {
         case Kind::truth:
             return answer.result.truth ? "true" : "false";
         case Kind::number:
-            return "number";
+            return answer.result.estimate ? "estimate" : "number";
         case Kind::range:
             return "range";
         case Kind::unknown:
@@ -135,7 +193,46 @@ Json constants_json(const NamedValues& constants) {
     return json;
 }
 
-Json answer_json(const PrismAnswer& answer) {
+Json estimate_json(const prism::Estimate& estimate) {
+    Json json{
+        {"method", prism::method_name(estimate.method)},
+        {"samples", estimate.samples},
+        {"alpha", estimate.alpha},
+        {"steps", {{"mean", estimate.mean_steps}, {"least", estimate.least_steps}, {"most", estimate.most_steps}}}};
+    if (estimate.width) json["width"] = number_json(*estimate.width);
+    if (estimate.hits) json["hits"] = *estimate.hits;
+    if (estimate.binomial) json["clopperPearson"] = {estimate.binomial->low, estimate.binomial->high};
+    return json;
+}
+
+Json move_json(const prism::Move& move, const diagnostics::SourceManager& sources) {
+    Json json{{"action", move.action}, {"commands", Json::array()}};
+    for (const prism::Move::Part& part : move.parts)
+        json["commands"].push_back(
+            {{"module", part.module}, {"line", sources.position(part.command.source, part.command.begin).line}});
+    return json;
+}
+
+Json path_json(const prism::ProbablePath& path, const diagnostics::SourceManager& sources) {
+    Json json{{"low", path.probability.low}, {"high", path.probability.high}, {"from", path.from}};
+    json["steps"] = Json::array();
+    for (const prism::ProbablePath::Step& step : path.steps) {
+        Json by = Json::array();
+        for (const prism::Move& move : step.by) by.push_back(move_json(move, sources));
+        json["steps"].push_back({{"by", std::move(by)}, {"state", step.state}});
+    }
+    return json;
+}
+
+Json counterexample_json(const prism::Counterexample& found, const diagnostics::SourceManager& sources) {
+    Json json{{"formulaHolds", found.holds}, {"whateverFollows", found.never}, {"oneScheduler", found.scheduled},
+              {"count", found.count},        {"low", found.total.low},         {"high", found.total.high},
+              {"bound", found.bound.text()}, {"enough", found.enough},         {"paths", Json::array()}};
+    for (const prism::ProbablePath& path : found.paths) json["paths"].push_back(path_json(path, sources));
+    return json;
+}
+
+Json answer_json(const PrismReport& report, const PrismAnswer& answer) {
     Json json{{"property", answer.property + 1}, {"answer", answer_word(answer)}};
     if (!answer.constants.empty()) json["constants"] = constants_json(answer.constants);
     const prism::Result& result = answer.result;
@@ -143,7 +240,15 @@ Json answer_json(const PrismAnswer& answer) {
         json["reason"] = answer.error;
         return json;
     }
-    if (result.kind == Kind::number) json.update(real_json(result.low));
+    if (result.estimate) json["estimate"] = estimate_json(*result.estimate);
+    if (result.estimate && result.kind == Kind::number) {
+        const prism::Enclosure bounds = interval_of(result);
+        json["value"] = number_json(result.estimate->mean);
+        json["low"] = number_json(bounds.low);
+        json["high"] = number_json(bounds.high);
+    } else if (result.kind == Kind::number) {
+        json.update(real_json(result.low));
+    }
     if (result.kind == Kind::range) {
         json["least"] = real_json(result.low);
         json["greatest"] = real_json(result.high);
@@ -151,6 +256,7 @@ Json answer_json(const PrismAnswer& answer) {
     if (!result.where.empty()) json["state"] = result.where;
     if (!result.reason.empty()) json["reason"] = result.reason;
     for (const auto& [state, value] : result.printed) json["printed"].push_back({{"state", state}, {"value", value}});
+    if (answer.counterexample) json["counterexample"] = counterexample_json(*answer.counterexample, *report.sources);
     return json;
 }
 
@@ -184,12 +290,21 @@ std::string csv_row(const PrismReport& report, const PrismRun& run, const PrismA
     const prism::Result& result = answer.result;
     const bool number = answer.error.empty() && (result.kind == Kind::number || result.kind == Kind::range);
     if (!number) return row + ",,,\n";
-    const std::string value = result.kind == Kind::number ? double_text(middle(result.low)) : "";
-    return row + fmt::format(",{},{},{}\n", value, double_text(result.low.bounds().low),
-                             double_text(result.high.bounds().high));
+    const prism::Enclosure bounds = interval_of(result);
+    const std::string value = result.kind == Kind::range ? ""
+                              : result.estimate          ? double_text(result.estimate->mean)
+                                                         : double_text(middle(result.low));
+    return row + fmt::format(",{},{},{}\n", value, double_text(bounds.low), double_text(bounds.high));
 }
 
 }  // namespace
+
+prism::Enclosure interval_of(const prism::Result& result) {
+    if (!result.estimate) return {result.low.bounds().low, result.high.bounds().high};
+    const prism::Estimate& estimate = *result.estimate;
+    if (estimate.binomial) return *estimate.binomial;
+    return {estimate.mean - estimate.width.value_or(0), estimate.mean + estimate.width.value_or(0)};
+}
 
 Exit exit_of(const PrismReport& report) {
     bool failed = false;
@@ -216,7 +331,7 @@ std::string prism_text(const PrismReport& report, const Options& options) {
             for (PrismAnswer answer : run.answers) {
                 if (answer.property != i) continue;
                 answer.constants = varying(report, run, answer);
-                answers += answer_text(answer, "  ");
+                answers += answer_text(report, answer, "  ");
             }
         if (!answers.empty()) text += title(report.properties[i]) + "\n" + answers;
     }
@@ -226,6 +341,7 @@ std::string prism_text(const PrismReport& report, const Options& options) {
 
 std::string prism_json(const PrismReport& report) {
     Json json{{"schema", "robochart-verify/prism/1"}, {"model", report.model}, {"kind", report.mdp ? "mdp" : "dtmc"}};
+    if (!report.scheduler.empty()) json["scheduler"] = report.scheduler;
     json["properties"] = Json::array();
     for (const PrismProperty& each : report.properties)
         json["properties"].push_back({{"name", each.name}, {"text", each.text}});
@@ -241,7 +357,7 @@ std::string prism_json(const PrismReport& report) {
             one["seconds"] = diagnostics::rounded(run.seconds, 3);
         }
         one["answers"] = Json::array();
-        for (const PrismAnswer& answer : run.answers) one["answers"].push_back(answer_json(answer));
+        for (const PrismAnswer& answer : run.answers) one["answers"].push_back(answer_json(report, answer));
         json["runs"].push_back(std::move(one));
     }
     if (!report.errors.empty()) json["errors"] = report.errors;

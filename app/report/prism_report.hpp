@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/command/options.hpp"
+#include "checker/prism/counterexample.hpp"
 #include "checker/prism/result.hpp"
+#include "diagnostics/source.hpp"
 
 namespace robochart::app {
 
@@ -20,6 +23,7 @@ struct PrismAnswer {
     NamedValues constants;
     prism::Result result;
     std::string error;  ///< why it could not be evaluated; "" if it could
+    std::optional<prism::Counterexample> counterexample;
 };
 
 /// The model with values for its constants.
@@ -36,13 +40,19 @@ struct PrismProperty {
 };
 
 struct PrismReport {
-    std::string model;  ///< path
+    std::string model;                                    ///< path
+    const diagnostics::SourceManager* sources = nullptr;  ///< of the commands in counterexamples
     bool mdp = false;
+    std::string scheduler;  ///< of an mdp: who made the choices; "": any scheduler may
     std::vector<PrismProperty> properties;
     std::vector<PrismRun> runs;
     std::vector<std::string> errors;
     std::string limit;  ///< what ended the run; "" if nothing did
 };
+
+/// Around a number: where it lies, or of an estimate the interval that is right most often, that of Clopper and Pearson
+/// where the samples are hits and misses.
+[[nodiscard]] prism::Enclosure interval_of(const prism::Result& result);
 
 /// 2 where something is wrong, else 1 where a property is false, else 3 where one is not decided.
 [[nodiscard]] Exit exit_of(const PrismReport& report);

@@ -82,7 +82,11 @@ std::string assertion_block(const AssertionReport& a, const std::string& subject
 /// What the verdicts are about where it is less than the model.
 void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
     if (bounds.empty()) return;
-    out += "\nbounds of the finite instantiation that were reached: the verdicts are about a smaller model\n";
+    out +=
+        "\nbounds of the finite instantiation that were met; where these states can be reached, the verdicts are about "
+        "a "
+        "smaller model\n(each part is explored with all its inputs, so they need not be reachable: docs/cli.md, The "
+        "finite instantiation)\n";
     for (const BoundReport& bound : bounds)
         out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time,
                            bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));

@@ -57,6 +57,7 @@ public:
                            page_part("simulation.css"));
         head();
         bands();
+        claims();
         if (!shown_.trials.empty()) world();
         plots();
         trials();
@@ -82,6 +83,7 @@ private:
     void head();
     [[nodiscard]] std::string verdict() const;
     void bands();
+    void claims();
     [[nodiscard]] std::string strip(std::size_t band) const;
     void world();
     void controls();
@@ -121,15 +123,16 @@ void SimulationPage::head() {
 
 std::string SimulationPage::verdict() const {
     std::size_t stopped = 0;
-    std::size_t held = 0;
     for (const auto& trial : result_.trials) stopped += trial.stop ? 1U : 0U;
-    for (const auto& band : result_.bands) held += band.holds ? 1U : 0U;
     std::string text;
-    if (stopped > 0)
+    if (stopped > 0 && result_.stops_are_errors)
         text = fmt::format("<p class=\"answer fails\">a controller stopped in {}</p>\n", counted(stopped, "trial"));
-    else if (!result_.bands.empty())
-        text = fmt::format("<p class=\"answer {}\">{} of {} bands hold</p>\n", result_.holds() ? "holds" : "fails",
-                           held, result_.bands.size());
+    else if (!result_.bands.empty() || !result_.claims.empty())
+        text = fmt::format("<p class=\"answer {}\">{}</p>\n",
+                           result_.holds()   ? "holds"
+                           : result_.fails() ? "fails"
+                                             : "other",
+                           simulation::summary(result_));
     if (run_.monitors.empty()) return text + "<p>No monitor compared the controllers with the model (--monitor).</p>\n";
     return text + fmt::format("<p>{}{}</p>\n", xml_text(diagnostics::on_one_line(run_.monitors)),
                               stopped == 0 ? "; none did what its model does not allow" : "");
@@ -155,6 +158,24 @@ void SimulationPage::bands() {
             band.each ? "worst" : "mean", value, outside, strip(b));
     }
     out_ += "</tbody></table></div>\n</section>\n";
+}
+
+void SimulationPage::claims() {
+    if (result_.claims.empty()) return;
+    out_ +=
+        "<section id=\"claims\">\n<h2>Claims</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "scope=\"col\">answer</th><th scope=\"col\">claim</th><th scope=\"col\">rests on</th></tr></thead>\n<tbody>\n";
+    for (std::size_t c = 0; c < result_.claims.size(); ++c) {
+        const simulation::ClaimResult& found = result_.claims[c];
+        const std::string word = simulation::verdict_word(found.verdict);
+        out_ += fmt::format("<tr><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td></tr>\n",
+                            word == "open" ? "other" : word, word, xml_text(scenario_.claims[c].text),
+                            xml_text(simulation::evidence_text(scenario_.claims[c], found)));
+    }
+    out_ += "</tbody></table></div>\n<p>In this world:</p>\n<ul>\n";
+    for (const std::string& line : simulation::world_lines(scenario_))
+        out_ += fmt::format("<li>{}</li>\n", xml_text(line));
+    out_ += "</ul>\n</section>\n";
 }
 
 /// The values of the trials as ticks beside what is accepted.
@@ -291,7 +312,7 @@ void SimulationPage::robot() {
         const ir::Machine& definition = machine(run_, run_.emission.machines[m]);
         const std::string name =
             definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
-        const std::string svg = diagrams_.svg(name, fmt::format("m{}-", m));
+        const std::string svg = diagrams_.drawn(name, fmt::format("m{}-", m));
         if (svg.empty()) continue;
         out_ += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", m,
                             xml_text(machines_[m].name.empty() ? name : machines_[m].name + ": " + name), svg);
@@ -411,7 +432,7 @@ void SimulationPage::diagrams() {
     out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
     for (std::size_t i = 0; i < subjects.size(); ++i)
         out_ += fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xml_text(subjects[i].subject.name),
-                            diagrams_.svg(subjects[i], fmt::format("d{}-", i)));
+                            diagrams_.drawn(subjects[i], fmt::format("d{}-", i)));
     out_ += "</section>\n";
 }
 

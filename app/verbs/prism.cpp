@@ -1,73 +1,29 @@
-// The verb `prism`: models of PRISM explored, their properties decided, for one set of constants or for many.
+// The verb `prism`: models of PRISM explored or sampled, their properties decided, for one set of constants or for
+// many.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
+#include "app/prism/prism_model.hpp"
+#include "app/prism/prism_plot.hpp"
 #include "app/report/prism_report.hpp"
 #include "app/verbs/verbs.hpp"
-#include "checker/prism/checks/check.hpp"
-#include "checker/prism/experiment.hpp"
-#include "checker/prism/explore/rules.hpp"
 #include "checker/prism/export.hpp"
 #include "checker/prism/session.hpp"
+#include "checker/prism/simulation.hpp"
 #include "checker/prism/syntax/printer.hpp"
-#include "checker/prism/syntax/reader.hpp"
-#include "checker/prism/syntax/rules.hpp"
-#include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "diagnostics/parallel.hpp"
 #include "diagnostics/render.hpp"
 
 namespace robochart::app {
 namespace {
-
-/// The files with the findings about them.
-struct LoadedModel {
-    diagnostics::SourceManager sources;
-    diagnostics::Diagnostics diagnostics;
-    std::optional<prism::CheckedModel> model;
-    prism::CheckedProperties properties;
-};
-
-std::optional<diagnostics::SourceId> load_text(const std::string& path, LoadedModel& loaded) {
-    std::string error;
-    std::optional<diagnostics::SourceId> source;
-    if (path == "-") {
-        std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
-        if (error.empty()) source = loaded.sources.add("standard input", std::move(text));
-    } else {
-        source = loaded.sources.load(path, error);
-    }
-    if (!source) loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::shown(path), error});
-    return source;
-}
-
-void add(prism::PropertyFile& all, prism::PropertyFile more) {
-    all.constants.insert(all.constants.end(), more.constants.begin(), more.constants.end());
-    all.labels.insert(all.labels.end(), more.labels.begin(), more.labels.end());
-    all.properties.insert(all.properties.end(), more.properties.begin(), more.properties.end());
-}
-
-void load(const Options& options, LoadedModel& loaded) {
-    const auto source = load_text(options.inputs.front(), loaded);
-    if (!source) return;
-    const prism::ModelFile model = prism::read_model(loaded.sources, *source, loaded.diagnostics);
-    prism::PropertyFile properties;
-    for (std::size_t i = 1; i < options.inputs.size(); ++i)
-        if (const auto file = load_text(options.inputs[i], loaded))
-            add(properties, prism::read_properties(loaded.sources, *file, loaded.diagnostics));
-    for (const std::string& text : options.properties) {
-        const auto id = loaded.sources.add("--property", text);
-        add(properties, prism::read_properties(loaded.sources, id, loaded.diagnostics));
-    }
-    if (!loaded.diagnostics.ok()) return;
-    loaded.model = prism::check_model(model, loaded.diagnostics);
-    if (loaded.model) loaded.properties = prism::check_properties(*loaded.model, properties, loaded.diagnostics);
-}
 
 void show_findings(const LoadedModel& loaded, const Options& options) {
     diagnostics::TextStyle style;
@@ -93,32 +49,16 @@ NamedValues named(const prism::Values& values) {
     return result;
 }
 
-/// Values asked for on the command line: of the model's constants, and of those of the properties.
-struct Experiment {
-    std::vector<prism::Values> of_model, of_properties;
-};
+/// The model is wrong for one set of constants; its findings say why.
+class WrongModel : public std::exception {
+public:
+    explicit WrongModel(std::size_t number) : number_(number) {}
+    /// Of the set.
+    [[nodiscard]] std::size_t number() const { return number_; }
 
-Experiment experiment(const LoadedModel& loaded, const Options& options) {
-    const std::vector<prism::Constant> of_model = prism::open_constants(loaded.model->constants);
-    std::vector<prism::Constant> open = prism::open_constants(loaded.properties.constants);
-    open.insert(open.end(), of_model.begin(), of_model.end());
-    std::vector<prism::Series> model, properties;
-    try {
-        for (const std::string& text : options.constants)
-            for (prism::Series& each : prism::read_series(text, open)) {
-                const auto same = [&](const auto& other) { return other.name == each.name; };
-                if (std::any_of(model.begin(), model.end(), same) ||
-                    std::any_of(properties.begin(), properties.end(), same))
-                    throw prism::BadValue(fmt::format("'{}' is given twice", each.name));
-                const bool in_model = std::any_of(of_model.begin(), of_model.end(),
-                                                  [&](const auto& c) { return c.name.text == each.name; });
-                (in_model ? model : properties).push_back(std::move(each));
-            }
-        return {prism::combinations(model), prism::combinations(properties)};
-    } catch (const prism::BadValue& error) {
-        throw UsageError(fmt::format("--const {}", error.what()));
-    }
-}
+private:
+    std::size_t number_;
+};
 
 /// Decides everything, and keeps the report up to date for the last word.
 class PrismVerb {
@@ -130,28 +70,33 @@ public:
     }
 
     Exit operator()() {
-        const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
-        load(options_, loaded_);
-        if (!loaded_.diagnostics.ok()) return refused();
         {
-            const auto edit = options_.run->edit();
-            report_->mdp = loaded_.model->kind == prism::ModelKind::mdp;
-            for (const prism::Property& each : loaded_.properties.properties)
-                report_->properties.push_back({each.name.text, prism::print(each.expression)});
+            const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
+            load(options_, loaded_);
+            if (!loaded_.diagnostics.ok()) return refused();
         }
+        begin_report();
         const Experiment wanted = experiment(loaded_, options_);
-        if (!options_.exported_space.empty() && wanted.of_model.size() != 1)
-            throw UsageError("--export writes one model: give each constant one value");
-        for (const prism::Values& constants : wanted.of_model)
-            if (!run(constants, wanted.of_properties)) break;
+        if (!options_.exported_space.empty()) return export_result(wanted);
+        run_all(wanted);
         options_.run->finish();
         show_findings(loaded_, options_);
         if (!loaded_.diagnostics.ok() && report_->errors.empty()) note_errors();
-        if (options_.exported_space.empty()) print_report(*report_, options_);
-        return exit_of(*report_);
+        print_report(*report_, options_);
+        return options_.plot.empty() ? exit_of(*report_) : plot();
     }
 
 private:
+    Exit plot() {
+        const std::string picture = prism_plot(*report_);
+        if (picture.empty())
+            throw UsageError("--plot: there is no number for several values of a constant: --const NAME=LOW:HIGH");
+        const std::string error = diagnostics::replace_file(options_.plot, picture, &options_.run->budget());
+        if (error.empty()) return exit_of(*report_);
+        print_error("robochart-verify: {}\n", error);
+        return Exit::bad_input;
+    }
+
     void note_errors() {
         const auto edit = options_.run->edit();
         for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted())
@@ -168,31 +113,141 @@ private:
         return Exit::bad_input;
     }
 
-    /// False where the model is wrong.
-    bool run(const prism::Values& constants, const std::vector<prism::Values>& of_properties) {
+    void begin_report() {
+        const auto edit = options_.run->edit();
+        report_->mdp = loaded_.scheduled || loaded_.model->kind == prism::ModelKind::mdp;
+        report_->scheduler = loaded_.scheduled ? options_.scheduler : "";
+        report_->sources = &loaded_.sources;
+        for (const prism::Property& each : loaded_.properties.properties)
+            report_->properties.push_back({each.name.text, prism::print(each.expression)});
+    }
+
+    /// The sets of constants of the model at once; of one set, its answers.
+    void run_all(const Experiment& wanted) {
+        const std::size_t count = wanted.of_model.size();
         {
             const auto edit = options_.run->edit();
-            report_->runs.push_back({});
-            report_->runs.back().constants = named(constants);
+            report_->runs.resize(count);
+            for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named(wanted.of_model[i]);
         }
-        prism::ExploreOptions explore{options_.max_states, options_.exact, &options_.run->budget()};
-        const auto begin = std::chrono::steady_clock::now();
+        std::vector<diagnostics::Diagnostics> findings(count);
+        threads_ = diagnostics::threads_wanted(options_.threads);
+        const diagnostics::Budget::Phase phase(
+            options_.run->budget(),
+            count == 1 ? "deciding " + options_.inputs.front()
+                       : fmt::format("deciding {} for {} sets of constants", options_.inputs.front(), count));
+        std::size_t done = count;
         try {
-            const diagnostics::Budget::Phase phase(options_.run->budget(), "exploring " + options_.inputs.front());
-            const prism::StateSpace space(*loaded_.model, constants, explore, loaded_.diagnostics);
-            note_size(space, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-            if (!options_.exported_space.empty()) return export_space(space), true;
-            decide(space, of_properties);
+            diagnostics::in_parallel(count, threads_, [&](std::size_t number, unsigned) {
+                if (!run(number, wanted, findings[number])) throw WrongModel(number);
+            });
+        } catch (const WrongModel& first) {
+            done = first.number() + 1;
+            const auto edit = options_.run->edit();
+            report_->runs.resize(done);
+        }
+        for (std::size_t i = 0; i < done; ++i) loaded_.diagnostics.add(findings[i]);
+    }
+
+    /// False where the model is wrong.
+    bool run(std::size_t number, const Experiment& wanted, diagnostics::Diagnostics& findings) {
+        findings.within(&options_.run->budget());
+        for (const std::string& code : options_.allowed) findings.allow(code);
+        const prism::Values& constants = wanted.of_model[number];
+        const unsigned threads = wanted.of_model.size() == 1 ? threads_ : 1;
+        try {
+            if (options_.sampling) {
+                sample(number, prism::Instance(*loaded_.model, constants), wanted, findings, threads);
+                return true;
+            }
+            std::optional<diagnostics::Budget::Phase> phase;
+            if (wanted.of_model.size() == 1)
+                phase.emplace(options_.run->budget(), "exploring " + options_.inputs.front());
+            const auto begin = std::chrono::steady_clock::now();
+            const prism::StateSpace space(*loaded_.model, constants, explore_options(), findings);
+            phase.reset();
+            note_size(space, number, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+            const prism::Session session(space, loaded_.properties, session_options());
+            answer_all(
+                number, wanted, threads, findings,
+                [&](std::size_t property, const prism::Values& values) { return session.check(property, values); },
+                [&](std::size_t property, const prism::Values& values) { return evidence(session, property, values); });
         } catch (const prism::EvaluationError& error) {
-            error.report(loaded_.diagnostics);
+            error.report(findings);
             return false;
         }
         return true;
     }
 
-    void note_size(const prism::StateSpace& space, double seconds) {
+    /// By random paths: `threads` of them at once, one property after the other.
+    void sample(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
+                diagnostics::Diagnostics& findings, unsigned threads) {
+        const prism::SamplingOptions sampling{*options_.sampling, options_.seed.value_or(0), threads,
+                                              &options_.run->budget()};
+        answer_all(
+            number, wanted, 1, findings,
+            [&](std::size_t property, const prism::Values& values) {
+                return prism::simulate(instance, loaded_.properties, property, values, sampling, findings);
+            },
+            [](std::size_t, const prism::Values&) { return std::nullopt; });
+    }
+
+    static std::optional<prism::Counterexample> evidence(const prism::Session& session, std::size_t property,
+                                                         const prism::Values& values) {
+        try {
+            return session.counterexample(property, values);
+        } catch (const prism::Undecided&) {
+        } catch (const markov::Unsupported&) {
+        }
+        return std::nullopt;
+    }
+
+    using Decide = std::function<prism::Result(std::size_t property, const prism::Values&)>;
+    using Explain = std::function<std::optional<prism::Counterexample>(std::size_t property, const prism::Values&)>;
+
+    /// Every property with all values of its constants. The report has those answers that all before are known of;
+    /// what is false is reported before the evidence is looked for.
+    void answer_all(std::size_t number, const Experiment& wanted, unsigned threads, diagnostics::Diagnostics& findings,
+                    const Decide& decide, const Explain& explain) {
+        const std::size_t sets = wanted.of_properties.size();
+        std::vector<std::optional<PrismAnswer>> answers(loaded_.properties.properties.size() * sets);
+        std::vector<std::optional<prism::EvaluationError>> failures(answers.size());
+        diagnostics::in_parallel(answers.size(), threads, [&](std::size_t at, unsigned) {
+            const std::size_t property = at / sets;
+            const prism::Values& values = wanted.of_properties[at % sets];
+            std::optional<diagnostics::Budget::Phase> phase;
+            if (answers.size() == 1)
+                phase.emplace(options_.run->budget(), "deciding " + report_->properties[property].text);
+            PrismAnswer answer{property, named(values), {}, {}, {}};
+            std::optional<prism::EvaluationError>& failed = failures[at];
+            try {
+                answer.result = decide(property, values);
+            } catch (const prism::EvaluationError& error) {
+                failed = error;
+                diagnostics::Diagnostics one;
+                error.report(one);
+                answer.error = one.sorted().front().message();
+            }
+            const bool violated = !failed && answer.result.kind == prism::Result::Kind::truth && !answer.result.truth;
+            std::vector<PrismAnswer>& reported = report_->runs[number].answers;
+            {
+                const auto edit = options_.run->edit();
+                answers[at] = std::move(answer);
+                while (reported.size() < answers.size() && answers[reported.size()])
+                    reported.push_back(*answers[reported.size()]);
+            }
+            if (!violated) return;
+            std::optional<prism::Counterexample> found = explain(property, values);
+            const auto edit = options_.run->edit();
+            (reported.size() > at ? reported[at] : *answers[at]).counterexample = std::move(found);
+        });
+        for (const std::optional<prism::EvaluationError>& each : failures)
+            if (each) each->report(findings);
+    }
+
+    void note_size(const prism::StateSpace& space, std::size_t number, double seconds) {
         const auto edit = options_.run->edit();
-        PrismRun& run = report_->runs.back();
+        PrismRun& run = report_->runs[number];
         run.explored = true;
         run.states = space.chain().states();
         run.choices = space.chain().choices();
@@ -202,45 +257,74 @@ private:
         run.seconds = seconds;
     }
 
-    void export_space(const prism::StateSpace& space) {
-        options_.run->finish();
-        const prism::TextSink sink = [](std::string_view text) { print_exact(text); };
-        if (options_.exported_space == "tra") prism::export_transitions(space, sink);
-        if (options_.exported_space == "sta") prism::export_states(space, sink);
-        if (options_.exported_space == "lab") prism::export_labels(space, sink);
-        if (options_.exported_space == "dot") prism::export_graph(space, sink);
+    [[nodiscard]] prism::ExploreOptions explore_options() const {
+        return {options_.max_states, options_.exact, &options_.run->budget()};
+    }
+    [[nodiscard]] prism::SessionOptions session_options() const {
+        return {options_.epsilon, options_.exact, &options_.run->budget()};
     }
 
-    void decide(const prism::StateSpace& space, const std::vector<prism::Values>& of_properties) {
-        prism::Session session(space, loaded_.properties, {options_.epsilon, options_.exact, &options_.run->budget()});
-        for (std::size_t i = 0; i < loaded_.properties.properties.size(); ++i)
-            for (const prism::Values& constants : of_properties) {
-                PrismAnswer answer = decided(session, i, constants);
-                const auto edit = options_.run->edit();
-                report_->runs.back().answers.push_back(std::move(answer));
-            }
-    }
-
-    PrismAnswer decided(prism::Session& session, std::size_t property, const prism::Values& constants) {
-        PrismAnswer answer;
-        answer.property = property;
-        answer.constants = named(constants);
-        const diagnostics::Budget::Phase phase(options_.run->budget(),
-                                               "deciding " + report_->properties[property].text);
+    /// One state space, or what follows from it for one property.
+    Exit export_result(const Experiment& wanted) {
+        if (options_.sampling) throw UsageError("--export explores the model, --sim does not: give one of them");
+        const std::string& format = options_.exported_space;
+        const bool of_property = format == "strategy" || format == "counterexample";
+        if (wanted.of_model.size() != 1 || (of_property && wanted.of_properties.size() != 1))
+            throw UsageError("--export writes one model: give each constant one value");
+        if (of_property && loaded_.properties.properties.size() != 1)
+            throw UsageError("--export " + format + " is about one property: give one");
+        std::string nothing;
         try {
-            answer.result = session.check(property, constants);
+            const diagnostics::Budget::Phase phase(options_.run->budget(), "exploring " + options_.inputs.front());
+            const prism::StateSpace space(*loaded_.model, wanted.of_model.front(), explore_options(),
+                                          loaded_.diagnostics);
+            const prism::TextSink sink = [this](std::string_view text) {
+                options_.run->finish();
+                print_exact(text);
+            };
+            if (format == "tra") prism::export_transitions(space, sink);
+            if (format == "sta") prism::export_states(space, sink);
+            if (format == "lab") prism::export_labels(space, sink);
+            if (format == "dot") prism::export_graph(space, sink);
+            if (of_property) nothing = export_answer(space, wanted.of_properties.front(), sink);
         } catch (const prism::EvaluationError& error) {
-            diagnostics::Diagnostics one;
-            error.report(one);
             error.report(loaded_.diagnostics);
-            answer.error = one.sorted().front().message();
         }
-        return answer;
+        options_.run->finish();
+        show_findings(loaded_, options_);
+        if (!loaded_.diagnostics.ok()) return Exit::bad_input;
+        if (nothing.empty()) return Exit::success;
+        print_error("robochart-verify: {}\n", nothing);
+        return Exit::inconclusive;
+    }
+
+    /// Why there is nothing to write; "" where there is.
+    std::string export_answer(const prism::StateSpace& space, const prism::Values& values,
+                              const prism::TextSink& sink) {
+        const prism::Session session(space, loaded_.properties, session_options());
+        try {
+            if (options_.exported_space == "strategy") {
+                prism::export_strategy(space, session.best_choices(0, values), loaded_.sources, sink);
+                return "";
+            }
+            const prism::Result result = session.check(0, values);
+            const bool violated = result.kind == prism::Result::Kind::truth && !result.truth;
+            const std::optional<prism::Counterexample> found =
+                violated ? session.counterexample(0, values) : std::nullopt;
+            if (!found) return violated ? "no set of paths shows that" : "the property is not a violated bound";
+            prism::export_counterexample(*found, loaded_.sources, sink);
+            return "";
+        } catch (const prism::Undecided& why) {
+            return why.what();
+        } catch (const markov::Unsupported& why) {
+            return why.what();
+        }
     }
 
     const Options& options_;
     std::shared_ptr<PrismReport> report_;
     LoadedModel loaded_;
+    unsigned threads_ = 1;
 };
 
 }  // namespace

@@ -96,7 +96,8 @@ std::function<void(const simulation::RunProgress&)> progress_reports(const Optio
 
 Exit exit_of(const simulation::RunResult& result) {
     if (result.interrupted) return Exit::inconclusive;
-    return result.holds() ? Exit::success : Exit::failed;
+    if (result.fails()) return Exit::failed;
+    return result.holds() ? Exit::success : Exit::inconclusive;
 }
 
 Exit before_trials(const Options& options, const std::string& why) {
@@ -122,24 +123,25 @@ Exit before_trials(const Options& options, const std::string& why) {
 void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options,
                 const OtherStage& stage, const std::vector<std::string>& files, const std::string& notes) {
     const simulation::Scenario& scenario = simulation.scenario;
-    std::size_t held = 0;
-    for (const auto& band : result.bands) held += band.holds ? 1U : 0U;
     if (!options.quiet) {
         print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text,
               scenario.robots, scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
               stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
         print("{}\n", simulation::run_text(scenario, result));
         if (!result.bands.empty()) print("bands\n{}\n", simulation::bands_text(scenario, result));
+        if (!result.claims.empty()) print("claims\n{}\n", simulation::claims_text(scenario, result.claims));
+        if (!result.claims.empty()) print("in this world\n{}\n", simulation::world_text(scenario));
         if (!files.empty()) print("files\n");
         for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
         print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
     }
     if (result.interrupted)
-        print("{}: the bands are not judged\n", options.run->budget().reached());
+        print("{}: {}\n", options.run->budget().reached(),
+              result.claims.empty() ? "the bands are not judged" : "what was not decided by then is open");
     else if (result.stopped())
         print("a controller stopped: see above\n");
     else
-        print("{} of {} bands hold\n", held, result.bands.size());
+        print("{}\n", simulation::summary(result));
 }
 
 /// The first log that could not be written; set by the threads.

@@ -225,7 +225,7 @@ private:
 std::string figures_of(const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
     std::string text;
     for (std::size_t i = 0; i < instances.size(); ++i) {
-        const std::string svg = diagrams.svg(instances[i].machine, fmt::format("m{}-", i));
+        const std::string svg = diagrams.drawn(instances[i].machine, fmt::format("m{}-", i));
         if (svg.empty()) continue;
         text += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", i,
                             xml_text(instances[i].component), svg);

@@ -110,14 +110,6 @@ markov::StateSet Evaluator::set(const ExprPtr& expr) {
     return result;
 }
 
-std::int64_t Evaluator::integer(const ExprPtr& expr) {
-    return code_.integer(code_.compile(expr), nullptr);
-}
-
-Real Evaluator::real(const ExprPtr& expr) {
-    return code_.real(code_.compile(expr), nullptr);
-}
-
 StateVector Evaluator::logical(const Expr& expr) {
     StateVector left = evaluate(expr.parts[0]);
     if (expr.op == Op::negation) {

@@ -24,6 +24,15 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// A path formula as `left U right`, or as what that is not. The bound on the steps stays that of the formula.
+struct Reachability {
+    markov::StateSet left, right;
+    bool negated = false;
+};
+
+/// Of P and R: a lower bound asks for the least value, an upper one for the greatest.
+[[nodiscard]] markov::Direction direction_of(const Query& query);
+
 struct EvaluatorOptions {
     double relative = 1e-6;  ///< width of enclosures
     bool exact = false;
@@ -39,6 +48,10 @@ public:
     [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
     /// With a filter's states where it has one; else the initial states.
     [[nodiscard]] Result answer(const ExprPtr& expr);
+    /// Where it holds; throws Undecided where that is not known everywhere.
+    [[nodiscard]] markov::StateSet set(const ExprPtr& expr);
+    /// F, G, U, W or R of states. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U !b.
+    [[nodiscard]] Reachability reachability(const Expr& expr);
 
 private:
     using Direction = markov::Direction;
@@ -51,10 +64,6 @@ private:
     StateVector conditional(const Expr& expr);
     StateVector arithmetic(const Expr& expr);
     StateVector all_states(const Value& value) const;
-    /// Where it holds; throws Undecided where that is not known everywhere.
-    StateSet set(const ExprPtr& expr);
-    [[nodiscard]] std::int64_t integer(const ExprPtr& expr);
-    [[nodiscard]] Real real(const ExprPtr& expr);
 
     // questions
     StateVector query(const Expr& expr);
@@ -64,12 +73,10 @@ private:
     StateVector path(const ExprPtr& expr, Direction direction);
     StateVector next(const ExprPtr& operand, Direction direction);
     StateVector one_step_before(const StateVector& after, Direction direction) const;
-    StateVector until(const ExprPtr& left, const ExprPtr& right, const StepBound* steps, Direction direction);
     StateVector until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction);
     StateVector again_and_again(const ExprPtr& operand, bool always, Direction direction);
     StateSet maximal_components(const StateSet& within, const StateSet& touched);
     StateVector reward(const Expr& expr, Direction direction);
-    std::size_t reward_index(const Expr& expr);
     const markov::Rewards& rewards(std::size_t structure);
     StateVector long_run(const Expr& expr);
     StateSet branching(const Expr& expr, bool always);
@@ -83,8 +90,6 @@ private:
     [[nodiscard]] markov::Precision precision() const {
         return {options_.relative, most_sweeps, options_.budget, false};
     }
-    [[nodiscard]] std::pair<std::uint64_t, std::optional<std::uint64_t>> step_range(const StepBound& steps);
-    [[nodiscard]] std::uint64_t step_number(const ExprPtr& expr);
     [[nodiscard]] bool asks(const ExprPtr& expr);
     [[nodiscard]] const markov::Graph& graph();
     Result over(const StateVector& values, const StateSet& states) const;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <set>
 #include <vector>
 
 #include "diagnostics/escape.hpp"
@@ -100,6 +102,52 @@ void export_graph(const StateSpace& space, const TextSink& sink) {
         (void)number;
         sink(fmt::format("  {} -> {} [label=\"{}\"];\n", from, chain.target[branch], probability(chain, branch)));
     });
+    sink("}\n");
+}
+
+void export_strategy(const StateSpace& space, const std::vector<std::uint32_t>& choices,
+                     const diagnostics::SourceManager& sources, const TextSink& sink) {
+    const markov::Model& chain = space.chain();
+    MoveReader reader(space);
+    std::vector<markov::State> reached = chain.initial;
+    markov::StateSet seen(chain.states());
+    for (const markov::State state : reached) seen[state] = true;
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+        const markov::State state = reached[next];
+        const std::uint32_t choice = choices[state];
+        if (chain.first_choice[state + 1] - chain.first_choice[state] > 1)
+            sink(fmt::format("{}: {}\n", space.text(state), text_of(reader.moves(state, choice), sources)));
+        for (std::uint64_t i = chain.first_branch[choice]; i < chain.first_branch[choice + 1]; ++i) {
+            const markov::State target = chain.target[i];
+            if (!seen[target]) reached.push_back(target);
+            seen[target] = true;
+        }
+    }
+}
+
+void export_counterexample(const Counterexample& counterexample, const diagnostics::SourceManager& sources,
+                           const TextSink& sink) {
+    using diagnostics::label_text;
+    std::map<std::string, std::size_t> numbers;
+    const auto number = [&](const std::string& state) {
+        return fmt::format("{}", numbers.emplace(state, numbers.size()).first->second);
+    };
+    std::set<std::string> nodes, edges, first, last;
+    for (const ProbablePath& path : counterexample.paths) {
+        std::string at = path.from;
+        nodes.insert(fmt::format("  {} [label=\"{}\"];\n", number(at), label_text(at)));
+        first.insert(fmt::format("  {} [style=bold];\n", number(at)));
+        for (const ProbablePath::Step& step : path.steps) {
+            nodes.insert(fmt::format("  {} [label=\"{}\"];\n", number(step.state), label_text(step.state)));
+            edges.insert(fmt::format("  {} -> {} [label=\"{}\"];\n", number(at), number(step.state),
+                                     label_text(text_of(step.by, sources))));
+            at = step.state;
+        }
+        last.insert(fmt::format("  {} [peripheries=2];\n", number(at)));
+    }
+    sink("digraph counterexample {\n  node [shape=box];\n");
+    for (const std::set<std::string>* lines : {&nodes, &edges, &first, &last})
+        for (const std::string& line : *lines) sink(line);
     sink("}\n");
 }
 

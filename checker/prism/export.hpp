@@ -1,10 +1,11 @@
-// A state space as text, for other tools.
+// A state space, and what was found in it, as text for other tools.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <string_view>
 
+#include "checker/prism/counterexample.hpp"
 #include "checker/prism/explore/state_space.hpp"
 
 namespace robochart::prism {
@@ -21,5 +22,11 @@ void export_states(const StateSpace& space, const TextSink& sink);
 void export_labels(const StateSpace& space, const TextSink& sink);
 /// For Graphviz.
 void export_graph(const StateSpace& space, const TextSink& sink);
+/// A line for each state with several choices that the scheduler can come to: "x=1, y=false: [go] Robot (line 7)".
+void export_strategy(const StateSpace& space, const std::vector<std::uint32_t>& choices,
+                     const diagnostics::SourceManager& sources, const TextSink& sink);
+/// The paths that are kept, as one graph for Graphviz: an edge of several of them once.
+void export_counterexample(const Counterexample& counterexample, const diagnostics::SourceManager& sources,
+                           const TextSink& sink);
 
 }  // namespace robochart::prism

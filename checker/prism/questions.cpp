@@ -8,6 +8,7 @@
 #include "checker/markov/operators/long_run.hpp"
 #include "checker/markov/operators/unbounded.hpp"
 #include "checker/prism/evaluator.hpp"
+#include "checker/prism/explore/question_numbers.hpp"
 #include "checker/prism/explore/rules.hpp"
 
 namespace robochart::prism {
@@ -27,27 +28,16 @@ markov::StateSet meet(markov::StateSet a, const markov::StateSet& b) {
     return a;
 }
 
-bool temporal(Op op) {
-    return op >= Op::next && op <= Op::release;
-}
+constexpr const char* beyond = "formulas of LTL beyond X, F, G, U, W and R of states, GF and FG are not decided";
 
-/// Whether path operators stand in it, outside of inner questions.
-bool is_path(const Expr& expr) {
-    if (temporal(expr.op)) return true;
-    const bool connective = expr.op >= Op::implies && expr.op <= Op::negation;
-    return connective &&
-           std::any_of(expr.parts.begin(), expr.parts.end(), [](const ExprPtr& p) { return is_path(*p); });
-}
+}  // namespace
 
-/// A lower bound asks for the least value, an upper one for the greatest.
 markov::Direction direction_of(const Query& query) {
     if (query.optimum == Optimum::minimum) return markov::Direction::minimum;
     if (query.optimum == Optimum::maximum) return markov::Direction::maximum;
     const bool lower = query.relation == Op::greater || query.relation == Op::greater_equal;
     return query.bound && lower ? markov::Direction::minimum : markov::Direction::maximum;
 }
-
-}  // namespace
 
 StateVector Evaluator::solved(const markov::Solution& solution) const {
     StateVector result;
@@ -83,10 +73,7 @@ StateVector Evaluator::query(const Expr& expr) {
     const Query& query = *expr.query;
     const Direction direction = direction_of(query);
     if (!query.bound) return question(expr, direction);
-    const Real bound = real(query.bound);
-    const bool above_one = expr.op != Op::reward && bound.compare(Real(std::int64_t{1})) == 1;
-    if (bound.compare(Real(std::int64_t{0})) == -1 || above_one)
-        throw EvaluationError(rules::bad_bound, query.bound->span, {bound.text()});
+    const Real bound = bound_of(expr, code_);
     if (std::optional<StateVector> known = qualitative(expr, direction, bound, query.relation)) return *known;
     return bounded(expr, question(expr, direction), bound, query.relation);
 }
@@ -157,40 +144,31 @@ StateVector Evaluator::path(const ExprPtr& expr, Direction direction) {
         return solved(std::move(numbers));
     }
     const ExprPtr& operand = expr->parts[0];
-    switch (expr->op) {
-        case Op::negation:
-            return complement(path(operand, opposite(direction)));
-        case Op::next:
-            return next(operand, direction);
-        case Op::eventually:
-            if (!expr->steps && operand->op == Op::eventually && !operand->steps) return path(operand, direction);
-            if (!expr->steps && operand->op == Op::globally && !operand->steps)
-                return again_and_again(operand->parts[0], true, direction);
-            return until(nullptr, operand, expr->steps.get(), direction);
-        case Op::globally: {
-            if (!expr->steps && operand->op == Op::globally && !operand->steps) return path(operand, direction);
-            if (!expr->steps && operand->op == Op::eventually && !operand->steps)
-                return again_and_again(operand->parts[0], false, direction);
-            if (is_path(*operand)) break;
-            const StateSet never = inverse(set(operand));
-            return complement(until(StateSet(never.size(), true), never, expr->steps.get(), opposite(direction)));
-        }
-        case Op::until:
-            return until(expr->parts[0], expr->parts[1], expr->steps.get(), direction);
-        case Op::weak_until:
-        case Op::release: {
-            if (is_path(*operand) || is_path(*expr->parts[1])) break;
-            // a W b is !((a & !b) U (!a & !b)); a R b is !(!a U !b).
-            const StateSet a = set(operand);
-            const StateSet not_b = inverse(set(expr->parts[1]));
-            const bool weak = expr->op == Op::weak_until;
-            return complement(until(weak ? meet(a, not_b) : inverse(a), weak ? meet(inverse(a), not_b) : not_b,
-                                    expr->steps.get(), opposite(direction)));
-        }
-        default:
-            break;
+    if (expr->op == Op::negation) return complement(path(operand, opposite(direction)));
+    if (expr->op == Op::next) return next(operand, direction);
+    const bool all_steps = !expr->steps && !operand->steps;
+    if (all_steps && (expr->op == Op::eventually || expr->op == Op::globally)) {
+        if (operand->op == expr->op) return path(operand, direction);
+        if (operand->op == Op::eventually || operand->op == Op::globally)
+            return again_and_again(operand->parts[0], expr->op == Op::eventually, direction);
     }
-    throw Undecided("formulas of LTL beyond X, F, G, U, W and R of states, GF and FG are not decided");
+    const Reachability reach = reachability(*expr);
+    if (!reach.negated) return until(reach.left, reach.right, expr->steps.get(), direction);
+    return complement(until(reach.left, reach.right, expr->steps.get(), opposite(direction)));
+}
+
+Reachability Evaluator::reachability(const Expr& expr) {
+    const bool inner = std::any_of(expr.parts.begin(), expr.parts.end(), [](const ExprPtr& p) { return is_path(*p); });
+    if (inner || !is_temporal(expr.op) || expr.op == Op::next) throw Undecided(beyond);
+    StateSet b = set(expr.parts.back());
+    if (expr.op == Op::eventually) return {StateSet(b.size(), true), std::move(b), false};
+    if (expr.op == Op::globally) return {StateSet(b.size(), true), inverse(std::move(b)), true};
+    StateSet a = set(expr.parts[0]);
+    if (expr.op == Op::until) return {std::move(a), std::move(b), false};
+    StateSet not_a = inverse(a);
+    StateSet not_b = inverse(std::move(b));
+    if (expr.op == Op::release) return {std::move(not_a), std::move(not_b), true};
+    return {meet(std::move(a), not_b), meet(std::move(not_a), not_b), true};
 }
 
 StateVector Evaluator::next(const ExprPtr& operand, Direction direction) {
@@ -235,51 +213,20 @@ StateVector Evaluator::one_step_before(const StateVector& after, Direction direc
     return result;
 }
 
-/// A null left side: true.
-StateVector Evaluator::until(const ExprPtr& left, const ExprPtr& right, const StepBound* steps, Direction direction) {
-    if ((left && is_path(*left)) || is_path(*right))
-        throw Undecided("formulas of LTL beyond X, F, G, U, W and R of states, GF and FG are not decided");
-    const StateSet target = set(right);
-    return until(left ? set(left) : StateSet(target.size(), true), target, steps, direction);
-}
-
 StateVector Evaluator::until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction) {
     if (steps == nullptr) {
         if (options_.exact) return solved(exact_until(chain_, left, right, direction, options_.budget));
         return solved(markov::until(chain_, left, right, direction, precision()));
     }
-    const auto [from, to] = step_range(*steps);
+    const auto [from, to] = step_range(*steps, code_);
     if (options_.exact) return solved(exact_bounded_until(chain_, left, right, from, to, direction, options_.budget));
     return solved(bounded_until(chain_, left, right, from, to, direction, precision()));
-}
-
-std::uint64_t Evaluator::step_number(const ExprPtr& expr) {
-    const std::int64_t value = integer(expr);
-    if (value < 0)
-        throw EvaluationError(rules::bad_steps, expr->span, {fmt::format("{} is no number of steps", value)});
-    return static_cast<std::uint64_t>(value);
-}
-
-std::pair<std::uint64_t, std::optional<std::uint64_t>> Evaluator::step_range(const StepBound& steps) {
-    std::uint64_t low = steps.low ? step_number(steps.low) : 0;
-    if (steps.low_strict) ++low;
-    if (!steps.high) return {low, std::nullopt};
-    std::uint64_t high = step_number(steps.high);
-    if (steps.high_strict) {
-        if (high == 0) throw EvaluationError(rules::bad_steps, steps.high->span, {"no number of steps is below 0"});
-        --high;
-    }
-    if (low > high)
-        throw EvaluationError(rules::bad_steps, steps.high->span,
-                              {fmt::format("the interval of steps from {} to {} is empty", low, high)});
-    return {low, high};
 }
 
 /// G F a (`always` false) and F G a: the greatest probability is that of reaching end components in which it is so; the
 /// least is that of the opposite.
 StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Direction direction) {
-    if (is_path(*operand))
-        throw Undecided("formulas of LTL beyond X, F, G, U, W and R of states, GF and FG are not decided");
+    if (is_path(*operand)) throw Undecided(beyond);
     const StateSet states = set(operand);
     const StateSet everywhere(states.size(), true);
     if (direction == Direction::maximum) {
@@ -312,23 +259,6 @@ StateVector Evaluator::long_run(const Expr& expr) {
     return solved(long_run_probability(chain_, states, precision()));
 }
 
-std::size_t Evaluator::reward_index(const Expr& expr) {
-    const Query& query = *expr.query;
-    const auto& structures = space_.model().rewards;
-    if (query.reward_index) {
-        const std::int64_t index = integer(query.reward_index);
-        if (index < 1 || static_cast<std::size_t>(index) > structures.size())
-            throw EvaluationError(
-                rules::bad_steps, query.reward_index->span,
-                {fmt::format("there is no reward structure {}: the model has {}", index, structures.size())});
-        return static_cast<std::size_t>(index - 1);
-    }
-    std::size_t index = 0;
-    if (!query.reward.text.empty())
-        while (structures[index].name.text != query.reward.text) ++index;
-    return index;
-}
-
 const markov::Rewards& Evaluator::rewards(std::size_t structure) {
     const auto known = rewards_.find(structure);
     if (known != rewards_.end()) return known->second;
@@ -336,17 +266,17 @@ const markov::Rewards& Evaluator::rewards(std::size_t structure) {
 }
 
 StateVector Evaluator::reward(const Expr& expr, Direction direction) {
-    const markov::Rewards& rewards = this->rewards(reward_index(expr));
+    const markov::Rewards& rewards = this->rewards(reward_index(*expr.query, space_.model(), code_));
     const Expr& body = *expr.parts[0];
     diagnostics::Budget* const budget = options_.budget;
     switch (body.op) {
         case Op::cumulative: {
-            const std::uint64_t steps = step_number(body.parts[0]);
+            const std::uint64_t steps = step_number(body.parts[0], code_);
             if (options_.exact) return solved(exact_cumulative_reward(chain_, rewards, steps, direction, budget));
             return solved(cumulative_reward(chain_, rewards, steps, direction, budget));
         }
         case Op::instantaneous: {
-            const std::uint64_t steps = step_number(body.parts[0]);
+            const std::uint64_t steps = step_number(body.parts[0], code_);
             if (options_.exact) return solved(exact_instantaneous_reward(chain_, rewards, steps, direction, budget));
             return solved(instantaneous_reward(chain_, rewards, steps, direction, budget));
         }
@@ -372,7 +302,7 @@ markov::StateSet Evaluator::branching(const Expr& expr, bool always) {
     if (expr.op == Op::negation && is_path(expr)) return inverse(branching(*expr.parts[0], !always));
     for (const ExprPtr& part : expr.parts)
         if (is_path(*part)) throw Undecided("A and E of nested path formulas (CTL*) are not decided");
-    if (!temporal(expr.op)) throw Undecided("A and E ask for X, F, G, U, W or R");
+    if (!is_temporal(expr.op)) throw Undecided("A and E ask for X, F, G, U, W or R");
     const StateSet a = set(expr.parts[0]);
     const markov::Graph& model = graph();
     if (expr.op == Op::next) return always ? always_next(model, a) : exists_next(model, a);

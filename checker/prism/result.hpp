@@ -1,11 +1,13 @@
 // The answer to a property.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "checker/prism/explore/real.hpp"
+#include "checker/prism/sampling/estimate.hpp"
 #include "checker/prism/syntax/syntax.hpp"
 
 namespace robochart::prism {
@@ -24,6 +26,7 @@ struct Result {
     std::string where;   ///< of what does not hold: a state in which it does not
     std::string reason;  ///< of unknown; of numbers: why an enclosure is wider than asked for, "" where none is
     std::vector<std::pair<std::string, std::string>> printed;  ///< by filters: states with values
+    std::optional<Estimate> estimate;  ///< of samples: the number is their mean, and nothing is certain
 };
 
 }  // namespace robochart::prism

@@ -1,12 +1,10 @@
 // See session.hpp.
 #include "checker/prism/session.hpp"
 
-#include <map>
-#include <unordered_map>
-
 #include "checker/prism/evaluator.hpp"
 #include "checker/prism/explore/constants.hpp"
 #include "checker/prism/explore/rules.hpp"
+#include "checker/prism/labels.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -14,54 +12,24 @@ namespace {
 /// Models of that many states are solved with fractions where enclosures do not decide.
 constexpr std::size_t few_states = 300;
 
-/// Labels by what they stand for; names of properties by the properties.
-class LabelResolver {
-public:
-    LabelResolver(const CheckedModel& model, const CheckedProperties& properties) {
-        for (const Definition& each : model.labels) bodies_.emplace(each.name.text, each.body);
-        for (const Definition& each : properties.labels) bodies_.emplace(each.name.text, each.body);
-        for (const Property& each : properties.properties)
-            if (!each.name.text.empty()) bodies_.emplace(each.name.text, each.expression);
-    }
-
-    ExprPtr operator()(const ExprPtr& expr) {
-        if (!expr) return expr;
-        if (const auto known = done_.find(expr.get()); known != done_.end()) return known->second;
-        ExprPtr result = replaced(expr);
-        done_.emplace(expr.get(), result);
-        return result;
-    }
-
-private:
-    ExprPtr replaced(const ExprPtr& expr) {
-        if (expr->op == Op::label) {
-            const auto found = bodies_.find(expr->text);
-            return found == bodies_.end() ? expr : (*this)(found->second);
-        }
-        if (expr->parts.empty()) return expr;
-        Expr copy = *expr;
-        for (ExprPtr& part : copy.parts) part = (*this)(part);
-        return make_expr(std::move(copy));
-    }
-
-    std::map<std::string, ExprPtr, std::less<>> bodies_;
-    std::unordered_map<const Expr*, ExprPtr> done_;
-};
-
 }  // namespace
 
 Session::Session(const StateSpace& space, const CheckedProperties& properties, const SessionOptions& options)
     : space_(space), properties_(properties), options_(options) {}
 
-ExprPtr Session::resolved(const ExprPtr& expr) {
-    return LabelResolver(space_.model(), properties_)(expr);
+Session::Question Session::question(std::size_t property, const Values& constants) const {
+    Question result;
+    result.constants = space_.constants();
+    evaluate_constants(properties_.constants, constants, result.constants, true);
+    result.expr = LabelResolver(space_.model(), properties_)(properties_.properties[property].expression);
+    return result;
 }
 
-Result Session::attempt(const ExprPtr& expr, const Values& constants, double relative, bool exact) {
-    Code code = space_.code(constants);
+Result Session::attempt(const Question& question, double relative, bool exact) const {
+    Code code = space_.code(question.constants);
     Evaluator evaluator(space_, code, {relative, exact, options_.budget});
     try {
-        return evaluator.answer(expr);
+        return evaluator.answer(question.expr);
     } catch (const Undecided& why) {
         Result result;
         result.reason = why.what();
@@ -73,16 +41,14 @@ Result Session::attempt(const ExprPtr& expr, const Values& constants, double rel
     }
 }
 
-Result Session::check(std::size_t property, const Values& constants) {
-    Values known = space_.constants();
-    evaluate_constants(properties_.constants, constants, known, true);
-    const ExprPtr expr = resolved(properties_.properties[property].expression);
-    Result result = attempt(expr, known, options_.relative, options_.exact);
+Result Session::check(std::size_t property, const Values& constants) const {
+    const Question asked = question(property, constants);
+    Result result = attempt(asked, options_.relative, options_.exact);
     if (result.kind != Result::Kind::unknown || options_.exact) return result;
     const auto decided = [](const Result& each) { return each.kind != Result::Kind::unknown; };
     for (const double relative : {1e-9, 1e-13}) {
         if (relative >= options_.relative) continue;
-        Result narrower = attempt(expr, known, relative, false);
+        Result narrower = attempt(asked, relative, false);
         if (decided(narrower) || narrower.reason == result.reason) {
             if (decided(narrower)) return narrower;
             break;
@@ -91,12 +57,24 @@ Result Session::check(std::size_t property, const Values& constants) {
     }
     if (space_.chain().states() > few_states || space_.chain().exact.empty()) return result;
     try {
-        Result exact = attempt(expr, known, options_.relative, true);
+        Result exact = attempt(asked, options_.relative, true);
         if (decided(exact)) return exact;
     } catch (const EvaluationError& error) {
         if (!error.is(rules::not_exact)) throw;
     }
     return result;
+}
+
+std::optional<Counterexample> Session::counterexample(std::size_t property, const Values& constants) const {
+    const Question asked = question(property, constants);
+    Code code = space_.code(asked.constants);
+    return prism::counterexample(space_, code, asked.expr, {options_.relative, false, options_.budget});
+}
+
+std::vector<std::uint32_t> Session::best_choices(std::size_t property, const Values& constants) const {
+    const Question asked = question(property, constants);
+    Code code = space_.code(asked.constants);
+    return prism::best_choices(space_, code, asked.expr, {options_.relative, false, options_.budget});
 }
 
 }  // namespace robochart::prism

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checker/prism/checks/checked.hpp"
+#include "checker/prism/counterexample.hpp"
 #include "checker/prism/explore/state_space.hpp"
 #include "checker/prism/result.hpp"
 
@@ -24,11 +25,23 @@ public:
     /// Decides a property, with values for the constants that the properties leave open. Throws EvaluationError,
     /// LimitReached. A comparison that the enclosures do not decide is tried again, narrower, then with fractions where
     /// the model is small.
-    [[nodiscard]] Result check(std::size_t property, const Values& constants);
+    [[nodiscard]] Result check(std::size_t property, const Values& constants) const;
+
+    /// Evidence of a bound that `check` has found violated, where there is some. Throws as `check`.
+    [[nodiscard]] std::optional<Counterexample> counterexample(std::size_t property, const Values& constants) const;
+
+    /// The choices of a scheduler that attains the value of a property (counterexample.hpp). Throws as `check`, and
+    /// Undecided.
+    [[nodiscard]] std::vector<std::uint32_t> best_choices(std::size_t property, const Values& constants) const;
 
 private:
-    [[nodiscard]] Result attempt(const ExprPtr& expr, const Values& constants, double relative, bool exact);
-    [[nodiscard]] ExprPtr resolved(const ExprPtr& expr);
+    /// A property with everything that it needs.
+    struct Question {
+        ExprPtr expr;  ///< labels are replaced
+        Values constants;
+    };
+    [[nodiscard]] Question question(std::size_t property, const Values& constants) const;
+    [[nodiscard]] Result attempt(const Question& question, double relative, bool exact) const;
 
     const StateSpace& space_;
     const CheckedProperties& properties_;

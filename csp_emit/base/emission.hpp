@@ -31,6 +31,7 @@ enum class MeaningKind {
     external_write,
     terminate,
     step,
+    memory,  ///< a value is read from the process that holds its variable, or stored there: part of the step before
     tock,
     refusal,  ///< tick-tock: its argument is the event that is refused
 };
@@ -69,7 +70,10 @@ struct DefinitionMeaning {
     std::vector<ParameterKind> kinds = {};   ///< of each parameter
     std::string component = {};              ///< whose definition it is: "P::C::stm_ref0"
     bool memory = false;                     ///< it holds a variable beside the process that says where the machine is
-    std::string machine = {};                ///< the machine that runs there, qualified by its package: "P::S"
+    /// Of the variables that processes beside it hold: those whose value there something still reads. Such a process
+    /// may hold an old value of the others, since a value that nothing reads is not stored.
+    std::vector<std::string> remembered = {};
+    std::string machine = {};  ///< the machine that runs there, qualified by its package: "P::S"
     /// The active states, outermost first, those of operations that are being called behind those of their callers.
     std::vector<ir::Origin> active = {};
     /// Of its triggers and of the statements that are to be done next; definitions share them.

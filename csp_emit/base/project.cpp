@@ -16,13 +16,14 @@ bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
 }
 
-bool has_name(const std::string& text, const std::string& name) {
+std::size_t times_in(const std::string& text, const std::string& name) {
+    std::size_t result = 0;
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
         const bool begins = at == 0 || !in_name(text[at - 1]);
         const bool ends = at + name.size() == text.size() || !in_name(text[at + name.size()]);
-        if (begins && ends) return true;
+        if (begins && ends) ++result;
     }
-    return false;
+    return result;
 }
 
 }  // namespace
@@ -32,9 +33,15 @@ bool Project::instantiations_replaced() const {
                        [&](const ir::CspBlock& block) { return replaces_instantiations(block); });
 }
 
+std::size_t Project::occurrences(const std::string& name) const {
+    std::size_t result = 0;
+    for (const ir::CspBlock& block : system.csp_blocks)
+        if (applies(block)) result += times_in(block.text, name);
+    return result;
+}
+
 bool Project::mentions(const std::string& name) const {
-    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
-                       [&](const ir::CspBlock& block) { return applies(block) && has_name(block.text, name); });
+    return occurrences(name) > 0;
 }
 
 bool Project::speaks_of(const std::string& path) const {

@@ -29,7 +29,9 @@ struct Project {
     [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01: the construct is named and refused.
     void refuse(const std::string& construct, diagnostics::Span span) const;
-    /// Whether a CSP block of this time names it: a qualified or plain name, or its end behind `::`.
+    /// How often the CSP blocks of this time name it: a qualified or plain name, or its end behind `::`.
+    [[nodiscard]] std::size_t occurrences(const std::string& name) const;
+    /// Whether they do.
     [[nodiscard]] bool mentions(const std::string& name) const;
     /// Whether a CSP block or an assertion of this time speaks of the component of this qualified CSPM name.
     [[nodiscard]] bool speaks_of(const std::string& path) const;

@@ -59,6 +59,11 @@ const Rule inputs_hidden{
     "A hidden event happens by itself, without anybody who sends it. A state that can do one is unstable and refuses "
     "nothing, so the claim demands nothing of it, and may hold where the model is wrong. Hide only calls, outputs and "
     "writes; leave inputs visible, and let the specification say what it thinks of them."};
+const Rule definition_unread{
+    "RC-C13", Severity::warning, "nothing reads '{}', which the block Instantiations defines{}",
+    "A block Instantiations gives values to carriers, constants and functions by the names that they have in the "
+    "script. What it leaves out has the generated value. A definition of another name changes nothing, so a misspelt "
+    "one lets the claims be decided with the generated value."};
 const Rule block_of_other_time{"RC-C14", Severity::error,
                                "assertion {0} is about the {1} csp block {2}, but not {1} alone",
                                "A csp block with `timed` or `untimed` is part of that semantics only. An assertion "
@@ -78,11 +83,11 @@ const Rule probabilistic_choice{
     "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 14> table{
-        &unsupported,      &recursive_call,          &missing_in_caller,    &reserved_name,
-        &too_many_points,  &instantiations_replaced, &constant_without_use, &name_of_another,
-        &one_name_for_two, &block_without_process,   &inputs_hidden,        &probabilistic_choice,
-        &name_of_robotool, &block_of_other_time};
+    static constexpr std::array<const Rule*, 15> table{
+        &unsupported,         &recursive_call,          &missing_in_caller,    &reserved_name,
+        &too_many_points,     &instantiations_replaced, &constant_without_use, &name_of_another,
+        &one_name_for_two,    &block_without_process,   &inputs_hidden,        &definition_unread,
+        &block_of_other_time, &name_of_robotool,        &probabilistic_choice};
     return table;
 }
 

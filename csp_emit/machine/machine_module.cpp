@@ -58,9 +58,19 @@ void check_initial(const std::vector<std::string>& needed, const std::vector<std
             throw std::logic_error("csp_emit: parameter " + name + " has no value");
 }
 
+/// By function.
+using Parameters = std::vector<std::vector<std::string>>;
+
+Parameters parameters_of(const std::vector<Function>& functions) {
+    Parameters result;
+    for (const Function& function : functions) result.push_back(function.parameters);
+    return result;
+}
+
 /// The definitions of the points, and what they use: memories, places that calls return to, sets of events.
+/// `needed`: what each function reads or hands on, whether it has it as a parameter or a memory holds it.
 std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Function>& functions,
-                                       const std::vector<Remembered>& remembered) {
+                                       const std::vector<Remembered>& remembered, const Parameters& needed) {
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered, tables.timed());
     tables.sharing.declare(result);
     std::vector<NamedSet> sets{{"shared_variable_events", b::productions(external_write_events(tables))}};
@@ -71,10 +81,13 @@ std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Functi
     for (std::size_t i = 0; i < functions.size(); ++i) {
         const Point& point = tables.points.all()[i];
         const Function& function = functions[i];
-        const DefinitionMeaning meaning = meanings.of(point, function);
+        DefinitionMeaning meaning = meanings.of(point, function);
+        for (const Remembered& variable : remembered)
+            if (std::find(needed[i].begin(), needed[i].end(), variable.parameter) != needed[i].end())
+                meaning.remembered.push_back(variable.meaning);
         result.push_back(
             b::function_decl(function.name, b::variables(function.parameters), function.body, meaning.text));
-        tables.provenance.definitions[tables.context.path + "::" + point.name] = meaning;
+        tables.provenance.definitions[tables.context.path + "::" + point.name] = std::move(meaning);
     }
     return result;
 }
@@ -102,9 +115,10 @@ ComponentEmission machine_module(MachineContext context, Emitted& emitted) {
                   parameters_with(tables, tables.calls.constants_inside()));
     inline_continuations(functions, tables.points.all().size());
     const std::vector<Remembered> remembered = choose_memories(tables, functions);
+    const Parameters needed = parameters_of(functions);
     remember(functions, initial, tables.family_calls, remembered);
     fill_unneeded(functions, tables.family_calls, placeholder_values(tables));
-    const std::vector<cspm::DeclPtr> points = definitions(tables, functions, remembered);
+    const std::vector<cspm::DeclPtr> points = definitions(tables, functions, remembered, needed);
     std::vector<cspm::DeclPtr> all = tables.defaults.declarations();
     all.insert(all.end(), tables.limits.declarations().begin(), tables.limits.declarations().end());
     all.insert(all.end(), points.begin(), points.end());

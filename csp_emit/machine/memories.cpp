@@ -70,13 +70,14 @@ Remembered memory_of(MachineTables& tables, CellId id) {
     const auto number = static_cast<std::size_t>(std::find(variables.begin(), variables.end(), id) - variables.begin());
     Remembered result;
     result.parameter = cell.name;
+    result.meaning = cell.meaning;
     result.channel = cell.channel;
     if (cell.shared) result.shared = cell.channel;
     result.type = type_set(tables.project(), cell.type);
     result.initial = initial_value(tables, 0, machine.variables.at(number));
     result.memory = tables.context.names.unique("Memory_" + cell.channel);
-    tables.mean("get_" + cell.channel, {MeaningKind::step, "read " + cell.meaning, {cell.type}, machine.origin});
-    tables.mean("setL_" + cell.channel, {MeaningKind::step, "store " + cell.meaning, {cell.type}, machine.origin});
+    tables.mean("get_" + cell.channel, {MeaningKind::memory, "read " + cell.meaning, {cell.type}, machine.origin});
+    tables.mean("setL_" + cell.channel, {MeaningKind::memory, "store " + cell.meaning, {cell.type}, machine.origin});
     tables.mean("end__", {MeaningKind::step, "the memories of " + machine.name + " end", {}, machine.origin});
     DefinitionMeaning meaning{"the memory of " + cell.meaning, {cell.meaning}, {cell.type}, machine.origin};
     meaning.kinds = {ParameterKind::variable};

@@ -23,7 +23,8 @@ struct Remembered {
     std::string shared;     ///< of a shared variable: the name behind `set_` and `set_EXT_`; otherwise empty
     cspm::ExprPtr type;     ///< the set of its values
     cspm::ExprPtr initial;
-    std::string memory;  ///< the name of its process
+    std::string memory;   ///< the name of its process
+    std::string meaning;  ///< its name in the model
 };
 
 /// Which of some parameters each function evaluates, itself or in what it passes to another.

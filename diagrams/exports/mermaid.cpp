@@ -59,6 +59,13 @@ private:
         loss(has(Look::missing), "that a name means nothing");
     }
 
+    void component_losses() {
+        loss(has(Look::event) || has(Look::broadcast),
+             "that events are on the borders of components: they are in them");
+        loss(has(Look::broadcast), "that an event is broadcast");
+        loss(has(Look::missing), "that a name means nothing");
+    }
+
     [[nodiscard]] Look look(std::size_t box) const { return picture_.boxes[box].look; }
 
     void write_level(std::size_t parent, const std::string& indent) {
@@ -96,6 +103,7 @@ private:
 
     std::string write_components() {
         out_ = fmt::format("flowchart LR\n  %% {}\n", escaped(picture_.title));
+        component_losses();
         for (const std::size_t box : outline_.inside(none)) write_part(box, "  ");
         for (const PictureLine& line : picture_.lines) {
             const std::string label = escaped(outline_.label(line));

@@ -16,7 +16,7 @@ _robochart_verify_options() {
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
-    'prism') echo '--property --exact --epsilon --const --allow --format --color -q --quiet --export --memory --timeout --max-states -h --help' ;;
+    'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
     'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
@@ -36,6 +36,9 @@ _robochart_verify_argument() {
     'cspm --assertion') echo '<value>' ;;
     'prism --property') echo '<value>' ;;
     'prism --epsilon') echo '<value>' ;;
+    'prism --sim') echo '<value>' ;;
+    'prism --scheduler') echo 'uniform' ;;
+    'prism --seed') echo '<value>' ;;
     'prism --const') echo '<value>' ;;
     'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'step --const' | 'simulate --const') echo '<value>' ;;
     'verify --range' | 'check --range' | 'emit csp --range' | 'emit cpp --range' | 'emit prism --range' | 'emit monitor --range' | 'emit tests --range' | 'conform --range' | 'step --range') echo '<value>' ;;
@@ -68,15 +71,17 @@ _robochart_verify_argument() {
     'verify --html' | 'check --html' | 'conform --html') echo '<file>' ;;
     'step --html') echo '<file>' ;;
     'simulate --html') echo '<file>' ;;
+    'prism --plot') echo '<file>' ;;
     'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit prism --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'prism --color' | 'step --color' | 'draw --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
     'cspm --export') echo 'aut dot csp' ;;
-    'prism --export') echo 'tra sta lab dot' ;;
+    'prism --export') echo 'tra sta lab dot strategy counterexample' ;;
     'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit prism --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'simulate --progress') echo 'auto json never' ;;
     'help --generate') echo 'man bash zsh fish' ;;
     'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'format --memory') echo '<value>' ;;
     'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'format --timeout') echo '<value>' ;;
     'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads') echo '<value>' ;;
     'simulate --threads') echo '<value>' ;;
+    'prism --threads') echo '<value>' ;;
     'prism --max-states') echo '<value>' ;;
     'verify --max-states' | 'check --max-states' | 'emit csp --max-states' | 'emit cpp --max-states' | 'emit prism --max-states' | 'emit monitor --max-states' | 'emit tests --max-states' | 'conform --max-states' | 'cspm --max-states') echo '<value>' ;;
   esac

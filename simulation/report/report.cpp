@@ -1,6 +1,7 @@
 #include "simulation/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@ Dimension dimension_of(const Scenario& scenario, const Band& band) {
     if (band.statistic.kind == StatisticKind::first_time) return Dimension::time;
     switch (scenario.measures[band.statistic.measure].kind) {
         case MeasureKind::cluster:
+        case MeasureKind::reached:
             return Dimension::share;
         case MeasureKind::second_moment:
             return Dimension::number;
@@ -35,10 +37,7 @@ Json number(double value) {
 }
 
 double simulated(const Scenario& scenario, const RunResult& result) {
-    double seconds = 0;
-    for (const TrialResult& trial : result.trials)
-        seconds += static_cast<double>(trial.steps) * scenario.world.control_step;
-    return seconds;
+    return static_cast<double>(result.steps) * scenario.world.control_step;
 }
 
 Json band_json(const Band& band, const BandResult& found, std::size_t index, const RunResult& result) {
@@ -58,6 +57,37 @@ Json bands_json(const Scenario& scenario, const RunResult& result) {
     Json list = Json::array();
     for (std::size_t i = 0; i < result.bands.size(); ++i)
         list.push_back(band_json(scenario.bands[i], result.bands[i], i, result));
+    return list;
+}
+
+Json claim_json(const Claim& claim, const ClaimResult& found) {
+    Json json{{"claim", claim.text},
+              {"verdict", verdict_word(found.verdict)},
+              {"atLeast", claim.at_least},
+              {"probability", number(claim.probability)},
+              {"confidence", number(claim.confidence)},
+              {"error", number(found.error)},
+              {"trials", found.trials()},
+              {"most", claim.trials},
+              {"successes", found.successes},
+              {"stopped", found.stopped()},
+              {"steps", found.steps}};
+    if (claim.indifference > 0) {
+        json["method"] = "sequential test";
+        json["indifference"] = number(claim.indifference);
+    } else {
+        json["method"] = "Clopper-Pearson";
+        json["low"] = found.interval.low;
+        json["high"] = found.interval.high;
+        json["looked"] = found.looked;
+    }
+    return json;
+}
+
+Json claims_json(const Scenario& scenario, const RunResult& result) {
+    Json list = Json::array();
+    for (std::size_t c = 0; c < result.claims.size(); ++c)
+        list.push_back(claim_json(scenario.claims[c], result.claims[c]));
     return list;
 }
 
@@ -116,6 +146,21 @@ std::string bands_text(const Scenario& scenario, const RunResult& result) {
     return out;
 }
 
+std::string summary(const RunResult& result) {
+    const auto held = std::count_if(result.bands.begin(), result.bands.end(), [](const auto& b) { return b.holds; });
+    const auto count = [&](ClaimVerdict verdict) {
+        return std::count_if(result.claims.begin(), result.claims.end(),
+                             [&](const ClaimResult& claim) { return claim.verdict == verdict; });
+    };
+    std::vector<std::string> parts;
+    if (!result.bands.empty() || result.claims.empty())
+        parts.push_back(fmt::format("{} of {} bands hold", held, result.bands.size()));
+    if (!result.claims.empty())
+        parts.push_back(fmt::format("{} of {} claims hold", count(ClaimVerdict::holds), result.claims.size()));
+    if (count(ClaimVerdict::open) > 0) parts.push_back(fmt::format("{} open", count(ClaimVerdict::open)));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string run_text(const Scenario& scenario, const RunResult& result) {
     const double seconds = simulated(scenario, result);
     const double steps = seconds / scenario.world.control_step * scenario.robots;
@@ -138,6 +183,8 @@ std::string result_json(const Scenario& scenario, const RunResult& result, const
                     {"seconds", number(result.seconds)},
                     {"cpuSeconds", number(result.cpu_seconds)},
                     {"bands", bands_json(scenario, result)},
+                    {"claims", claims_json(scenario, result)},
+                    {"world", world_lines(scenario)},
                     {"files", files},
                     {"exit", exit}};
     return diagnostics::json_text(json) + "\n";

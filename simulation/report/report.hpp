@@ -11,6 +11,8 @@ namespace robochart::simulation {
 [[nodiscard]] std::string value_text(const Scenario&, const Band&, double value);
 /// A line for each band: verdict, the band as written, the value.
 [[nodiscard]] std::string bands_text(const Scenario&, const RunResult&);
+/// "7 of 7 bands hold", "1 of 2 claims holds, 1 is open".
+[[nodiscard]] std::string summary(const RunResult&);
 /// The run itself: trials, seconds simulated, speed.
 [[nodiscard]] std::string run_text(const Scenario&, const RunResult&);
 /// Schema "robochart-verify/simulation/1" (docs/cli.md).

@@ -32,8 +32,17 @@ double cpu_now() {
 class Runner {
 public:
     Runner(const Plan& plan, const rc_drive& drive, const RunOptions& options)
-        : plan_(plan), scenario_(*plan.scenario), drive_(drive), options_(options), found_(scenario_.trials) {
-        result_.trials.resize(scenario_.trials);
+        : plan_(plan),
+          scenario_(*plan.scenario),
+          drive_(drive),
+          options_(options),
+          whole_(whole_trials(scenario_, options.record)),
+          most_(whole_) {
+        for (const Claim& claim : scenario_.claims) {
+            judges_.emplace_back(claim, options.comparisons);
+            most_ = std::max(most_, claim.trials);
+        }
+        trials_.resize(most_);
     }
 
     RunResult run(diagnostics::Diagnostics& diagnostics) {
@@ -45,8 +54,15 @@ public:
         result_.seconds = since(start_);
         result_.cpu_seconds = cpu_now() - cpu;
         result_.interrupted = stop_.load();
+        result_.stops_are_errors = !scenario_.bands.empty() || scenario_.claims.empty();
+        for (const ClaimJudge& each : judges_) result_.claims.push_back(each.result());
+        for (Done& each : trials_) {
+            const bool whole = result_.trials.size() < whole_;
+            result_.steps += whole ? each.trial.steps : each.needed;
+            if (whole) result_.trials.push_back(std::move(each.trial));
+        }
         report(diagnostics);
-        if (!result_.interrupted && diagnostics.ok()) result_.bands = judge(scenario_, result_.trials);
+        if (!result_.interrupted && diagnostics.ok() && whole_ > 0) result_.bands = judge(scenario_, result_.trials);
         return std::move(result_);
     }
 
@@ -54,14 +70,23 @@ private:
     [[nodiscard]] unsigned threads() const {
         const unsigned wanted =
             options_.threads > 0 ? options_.threads : std::max(1U, std::thread::hardware_concurrency());
-        return std::min<unsigned>(wanted, scenario_.trials);
+        return std::min<unsigned>(wanted, most_);
     }
 
+    struct Done {
+        TrialResult trial;
+        diagnostics::Diagnostics found;
+        bool ended = false;
+        std::uint64_t needed = 0;  ///< steps until the claims that rest on it had their answers
+    };
+
     void work() {
-        for (std::uint32_t trial = next_++; trial < scenario_.trials && !stop_; trial = next_++) {
-            run_one(trial);
+        for (std::uint32_t trial = next_++; trial < most_ && !stop_; trial = next_++) {
+            const std::vector<bool> awaited = still_awaited();
+            if (trial >= whole_ && std::count(awaited.begin(), awaited.end(), true) == 0) break;
+            run_one(trial, awaited);
             const std::lock_guard lock(mutex_);
-            ++done_;
+            ended(trial);
             changed_.notify_one();
         }
         const std::lock_guard lock(mutex_);
@@ -69,17 +94,51 @@ private:
         changed_.notify_one();
     }
 
-    void run_one(std::uint32_t trial) {
-        const auto stage = options_.stage(scenario_, trial, found_[trial]);
-        if (stage == nullptr) return;
+    /// Claims that are not decided by the trials judged so far, so none that a later trial decides is missing.
+    std::vector<bool> still_awaited() {
+        const std::lock_guard lock(mutex_);
+        std::vector<bool> awaited;
+        for (const ClaimJudge& each : judges_) awaited.push_back(!each.done());
+        return awaited;
+    }
+
+    void run_one(std::uint32_t trial, const std::vector<bool>& awaited) {
+        Done& done = trials_[trial];
+        const auto stage = options_.stage(scenario_, trial, done.found);
+        if (stage == nullptr) {
+            stop_ = true;  // what one trial lacks the others lack as well
+            return;
+        }
         TrialOptions options;
         options.seed = scenario_.seed + trial;
         options.record = options_.record && trial < recorded_trials(scenario_);
+        if (trial >= whole_) options.awaited = &awaited;
         const std::unique_ptr<Trace> trace = options_.trace ? options_.trace(trial) : nullptr;
         options.trace = trace.get();
         options.steps_done = &steps_;
-        options.interrupted = &stop_;
-        result_.trials[trial] = run_trial(plan_, drive_, *stage, options);
+        options.interrupted = trial < whole_ ? &stop_ : &enough_;
+        done.trial = run_trial(plan_, drive_, *stage, options);
+    }
+
+    /// Judges the claims on the trials that have ended without a gap.
+    void ended(std::uint32_t trial) {
+        const TrialResult& result = trials_[trial].trial;
+        trials_[trial].ended = result.complete || result.stop;
+        if (trials_[trial].ended) ++done_;
+        for (; judged_ < most_ && trials_[judged_].ended; ++judged_) judge_next(trials_[judged_]);
+        const bool decided =
+            std::all_of(judges_.begin(), judges_.end(), [](const ClaimJudge& each) { return each.done(); });
+        if (decided || stop_) enough_ = true;
+    }
+
+    void judge_next(Done& done) {
+        for (std::size_t c = 0; c < judges_.size(); ++c) {
+            if (judges_[c].done()) continue;
+            const Answer& answer = done.trial.answers.at(c);
+            const double time = static_cast<double>(answer.step) * scenario_.world.control_step;
+            judges_[c].add({answer.holds.value(), time, answer.taken}, answer.step);
+            done.needed = std::max(done.needed, answer.step);
+        }
     }
 
     /// Waits for the workers; asks and tells meanwhile.
@@ -87,26 +146,29 @@ private:
         std::unique_lock lock(mutex_);
         while (idle_ < threads()) {
             changed_.wait_for(lock, std::chrono::milliseconds(100));
-            if (options_.interrupted && options_.interrupted()) stop_ = true;
+            if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
             if (options_.progress) options_.progress(progress());
         }
     }
 
     [[nodiscard]] RunProgress progress() const {
         RunProgress now;
-        now.trials = scenario_.trials;
+        now.trials = most_;
         now.trials_done = done_;
         now.simulated_seconds = static_cast<double>(steps_.load()) * scenario_.world.control_step;
-        now.total_seconds = scenario_.trials * scenario_.duration;
+        now.total_seconds = most_ * scenario_.duration;
         now.seconds = since(start_);
         return now;
     }
 
     void report(diagnostics::Diagnostics& diagnostics) const {
         // What one trial lacks the others lack as well.
-        const auto bad = std::find_if(found_.begin(), found_.end(), [](const auto& found) { return !found.ok(); });
-        if (bad != found_.end())
-            for (const diagnostics::Diagnostic& d : bad->sorted()) diagnostics.report(*d.rule, d.span, d.arguments);
+        const auto bad =
+            std::find_if(trials_.begin(), trials_.end(), [](const Done& done) { return !done.found.ok(); });
+        if (bad != trials_.end())
+            for (const diagnostics::Diagnostic& d : bad->found.sorted())
+                diagnostics.report(*d.rule, d.span, d.arguments);
+        if (!result_.stops_are_errors) return;
         for (std::size_t trial = 0; trial < result_.trials.size(); ++trial) {
             const auto& stop = result_.trials[trial].stop;
             if (!stop) continue;
@@ -121,13 +183,18 @@ private:
     const rc_drive& drive_;
     const RunOptions& options_;
     const Clock::time_point start_ = Clock::now();
-    std::vector<diagnostics::Diagnostics> found_;  ///< of each trial
+    const std::uint32_t whole_;  ///< trials that go on to their end
+    std::uint32_t most_;
+    std::vector<Done> trials_;
     RunResult result_;
     std::atomic<std::uint32_t> next_ = 0;
     std::atomic<std::uint64_t> steps_ = 0;
-    std::atomic<bool> stop_ = false;
-    std::mutex mutex_;
+    std::atomic<bool> stop_ = false;    ///< interrupted, or no trial can run
+    std::atomic<bool> enough_ = false;  ///< or all claims are decided: trials that are only for them may end
+    std::mutex mutex_;                  ///< of what follows
     std::condition_variable changed_;
+    std::vector<ClaimJudge> judges_;
+    std::uint32_t judged_ = 0;  ///< trials
     std::uint32_t done_ = 0;
     unsigned idle_ = 0;
 };
@@ -172,12 +239,24 @@ BandResult judge_mean(const Band& band, std::size_t index, const std::vector<Tri
 }  // namespace
 
 bool RunResult::stopped() const {
-    return std::any_of(trials.begin(), trials.end(), [](const TrialResult& trial) { return trial.stop.has_value(); });
+    return stops_are_errors &&
+           std::any_of(trials.begin(), trials.end(), [](const TrialResult& trial) { return trial.stop.has_value(); });
+}
+
+bool RunResult::fails() const {
+    return stopped() || std::any_of(bands.begin(), bands.end(), [](const BandResult& band) { return !band.holds; }) ||
+           std::any_of(claims.begin(), claims.end(),
+                       [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::fails; });
 }
 
 bool RunResult::holds() const {
-    return std::all_of(trials.begin(), trials.end(), [](const TrialResult& trial) { return trial.complete; }) &&
-           std::all_of(bands.begin(), bands.end(), [](const BandResult& band) { return band.holds; });
+    return !fails() && !interrupted && std::none_of(claims.begin(), claims.end(), [](const ClaimResult& claim) {
+        return claim.verdict == ClaimVerdict::open;
+    });
+}
+
+std::uint32_t whole_trials(const Scenario& scenario, bool record) {
+    return record || !scenario.bands.empty() || scenario.claims.empty() ? scenario.trials : 0;
 }
 
 std::vector<BandResult> judge(const Scenario& scenario, const std::vector<TrialResult>& trials) {

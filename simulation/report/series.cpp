@@ -118,13 +118,16 @@ private:
     void add_targets(std::size_t measure, double factor, std::vector<Target>& targets) const {
         for (const Band& band : scenario_.bands) {
             const Statistic& statistic = band.statistic;
-            if (statistic.measure != measure || statistic.kind == StatisticKind::average) continue;
             const double end = scenario_.duration;
             if (statistic.kind == StatisticKind::first_time) {
-                targets.push_back({!band.each, std::clamp(band.low, 0.0, end), std::clamp(band.high, 0.0, end),
-                                   factor * statistic.level, factor * statistic.level});
+                const Formula& level = statistic.condition;
+                if (level.kind != Formula::Kind::compare || level.measure != measure) continue;
+                const double bound = factor * (std::isinf(level.low) ? level.high : level.low);
+                targets.push_back(
+                    {!band.each, std::clamp(band.low, 0.0, end), std::clamp(band.high, 0.0, end), bound, bound});
                 continue;
             }
+            if (statistic.measure != measure || statistic.kind == StatisticKind::average) continue;
             const double at = statistic.kind == StatisticKind::at_time ? statistic.time : end;
             targets.push_back({!band.each, at, at, factor * band.low, factor * band.high});
         }
@@ -133,7 +136,15 @@ private:
     void measure(std::size_t number) {
         const Measure& measure = scenario_.measures[number];
         Chart chart;
+        const bool share = measure.kind == MeasureKind::reached;
+        const double factor = share ? 100 : 1;
+        if (share)
+            chart = {"Robots at " + scenario_.lights.at(measure.light).name.text, "%",
+                     fmt::format("The share of robots whose centres are at most {} cm from the light.", measure.link),
+                     false, 100.0};
         switch (measure.kind) {
+            case MeasureKind::reached:
+                break;
             case MeasureKind::spread:
                 chart.title = "Distance to the centroid";
                 chart.unit = "cm";
@@ -154,8 +165,8 @@ private:
         }
         chart.title += fmt::format(" ({})", measure.name.text);
         chart.series.push_back(
-            series("", [&](const Frame& frame) { return measured(scenario_, measure, frame.poses); }));
-        add_targets(number, 1, chart.targets);
+            series("", [&](const Frame& frame) { return factor * measured(scenario_, measure, frame.poses); }));
+        add_targets(number, factor, chart.targets);
         result_.charts.push_back(std::move(chart));
     }
 

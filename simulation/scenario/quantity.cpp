@@ -15,10 +15,12 @@ struct Row {
 
 constexpr double degree = std::numbers::pi / 180;
 
-constexpr std::array<Row, 13> units{{
+constexpr std::array<Row, 15> units{{
     {"mm", {Dimension::length, 0.1}},
     {"cm", {Dimension::length, 1}},
     {"m", {Dimension::length, 100}},
+    {"cm2", {Dimension::area, 1}},
+    {"m2", {Dimension::area, 10'000}},
     {"ms", {Dimension::time, 0.001}},
     {"s", {Dimension::time, 1}},
     {"deg", {Dimension::angle, degree}},
@@ -41,6 +43,8 @@ std::string_view described(Dimension dimension) {
             return "a share (%)";
         case Dimension::length:
             return "a length (mm, cm, m)";
+        case Dimension::area:
+            return "an area (cm2, m2)";
         case Dimension::time:
             return "a time (ms, s)";
         case Dimension::angle:

@@ -8,7 +8,7 @@
 
 namespace robochart::simulation {
 
-enum class Dimension { number, share, length, time, angle, speed, turn_rate };
+enum class Dimension { number, share, length, area, time, angle, speed, turn_rate };
 
 /// "a length (mm, cm, m)".
 [[nodiscard]] std::string_view described(Dimension);

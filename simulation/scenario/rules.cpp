@@ -73,10 +73,19 @@ const Rule not_there{
     "A scenario may ask for more than another simulator offers through its adapter. The embedded world has "
     "everything that scenarios can say."};
 
+const Rule wrong_instant{
+    "RC-M16", Severity::error, "{}",
+    "`way <= 50 cm` holds or not at an instant; `way <= 50 cm within 60 s` and `always ...` hold or not of a whole "
+    "trial. "
+    "`within`, `until`, `always`, `stays for`, `at` and `first` are about conditions at an instant, and `and` and `or` "
+    "join "
+    "two of one kind: `(a and b) within 60 s` and `a at end and b within 60 s` say which is meant."};
+
 std::span<const Rule* const> all() {
-    static constexpr std::array table = {&syntax,       &wrong_unit,   &out_of_range, &missing,  &said_twice,
-                                         &unknown_part, &unknown_name, &wrong_type,   &no_space, &no_controller,
-                                         &not_compiled, &stopped,      &uneven_steps, &not_fed,  &not_there};
+    static constexpr std::array table = {&syntax,       &wrong_unit,    &out_of_range, &missing,
+                                         &said_twice,   &unknown_part,  &unknown_name, &wrong_type,
+                                         &no_space,     &no_controller, &not_compiled, &stopped,
+                                         &uneven_steps, &not_fed,       &not_there,    &wrong_instant};
     return table;
 }
 

@@ -22,6 +22,7 @@ extern const diagnostics::Rule stopped;        ///< RC-M12
 extern const diagnostics::Rule uneven_steps;   ///< RC-M13
 extern const diagnostics::Rule not_fed;        ///< RC-M14
 extern const diagnostics::Rule not_there;      ///< RC-M15
+extern const diagnostics::Rule wrong_instant;  ///< RC-M16
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

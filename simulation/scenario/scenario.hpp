@@ -90,19 +90,46 @@ struct Light {
 };
 
 struct Placement {
-    std::optional<Region> region;  ///< at random in it; none: one robot at the pose
-    Pose pose;
+    enum class Kind { pose, region, square, arena };
+    Kind kind = Kind::pose;
+    Pose pose;        ///< of one robot; square: its centre
+    Region region;    ///< at random in it
+    double area = 0;  ///< square: of each robot
     diagnostics::Span span;
 };
 
-enum class MeasureKind { cluster, spread, second_moment, distance };
+enum class MeasureKind { cluster, spread, second_moment, distance, reached };
 
 /// `measure NAME is KIND(ARGUMENT)`.
 struct Measure {
     Name name;
     MeasureKind kind = MeasureKind::spread;
-    double link = 0;        ///< cluster: centres at most this far apart belong together
-    std::size_t light = 0;  ///< distance: from the swarm's centroid to this light
+    double link = 0;        ///< cluster: centres at most this far apart belong together; reached: from the light
+    std::size_t light = 0;  ///< distance: from the swarm's centroid to this light; reached: the light
+};
+
+/// What holds or not at an instant, or over a trial. Instants are the ends of control steps, and the start.
+struct Formula {
+    enum class Kind {
+        compare,   ///< of an instant: a measure lies between `low` and `high`
+        stays,     ///< of an instant: the part has held without a break for `time`
+        at,        ///< of a trial, from here on: the part, of an instant, holds at `time`
+        within,    ///< at some instant up to `time`
+        until,     ///< the second part holds at some instant up to `time`, the first at every one before
+        always,    ///< at every instant
+        negation,  ///< of what its parts are of, from here on
+        both,
+        either,
+    };
+    Kind kind = Kind::compare;
+    std::size_t measure = 0;
+    double low = 0;
+    double high = 0;
+    double time = 0;
+    std::vector<Formula> parts;
+
+    /// Else of an instant.
+    [[nodiscard]] bool of_trial() const;
 };
 
 enum class StatisticKind { at_time, first_time, average, final };
@@ -110,9 +137,8 @@ enum class StatisticKind { at_time, first_time, average, final };
 struct Statistic {
     StatisticKind kind = StatisticKind::final;
     std::size_t measure = 0;
-    double time = 0;       ///< at_time
-    bool at_least = true;  ///< first_time: the measure is at least (else at most) the level
-    double level = 0;
+    double time = 0;    ///< at_time
+    Formula condition;  ///< first_time: of an instant
 };
 
 /// `accept each|mean STATISTIC in LOW to HIGH`.
@@ -125,12 +151,25 @@ struct Band {
     diagnostics::Span span;
 };
 
+/// `accept probability PROPERTY >= SHARE with confidence SHARE`.
+struct Claim {
+    Formula property;      ///< of a trial
+    bool at_least = true;  ///< else at most
+    double probability = 0;
+    double confidence = 0;
+    double indifference = 0;        ///< 0: by intervals; else by a test that does not tell probabilities so close apart
+    std::uint32_t trials = 10'000;  ///< at most
+    std::string text;               ///< as written
+    diagnostics::Span span;
+};
+
 struct Scenario {
     Name name;
     Name component;
     std::string model;  ///< path of the model, relative to the scenario's folder; "" for that folder
     WorldOptions world;
-    double time_unit = 0;  ///< seconds of one time unit of the model
+    double arena_area = 0;  ///< of each robot, in a square arena; 0: its sides are given
+    double time_unit = 0;   ///< seconds of one time unit of the model
     std::uint32_t units_per_step = 1;
     double duration = 0;
     std::uint32_t trials = 1;
@@ -145,10 +184,13 @@ struct Scenario {
     std::vector<Stimulus> stimuli;
     std::vector<Measure> measures;
     std::vector<Band> bands;
+    std::vector<Claim> claims;
     std::vector<double> pictures;  ///< times, s
     double record = 0.5;           ///< s between recorded positions
 
     [[nodiscard]] std::uint64_t steps() const;
+    /// Another number of robots, with an arena for them.
+    void set_robots(std::uint32_t count);
 };
 
 }  // namespace robochart::simulation

@@ -25,13 +25,20 @@ void ScenarioReader::measure() {
         in_.expect("(");
         measure.light = light_named(in_.name("the name of a light"));
         in_.expect(")");
+    } else if (kind.text == "reached") {
+        measure.kind = MeasureKind::reached;
+        in_.expect("(");
+        measure.light = light_named(in_.name("the name of a light"));
+        in_.expect(",");
+        measure.link = in_.positive(Dimension::length, "the distance from the light");
+        in_.expect(")");
     } else if (kind.text == "spread") {
         measure.kind = MeasureKind::spread;
     } else if (kind.text == "second_moment") {
         measure.kind = MeasureKind::second_moment;
     } else {
         in_.report(rules::unknown_part, kind.span, {"kind of measure", kind.text});
-        return in_.fail("'cluster', 'distance', 'spread' or 'second_moment'");
+        return in_.fail("'cluster', 'distance', 'reached', 'spread' or 'second_moment'");
     }
     scenario_.measures.push_back(measure);
 }
@@ -46,7 +53,7 @@ std::size_t ScenarioReader::light_named(const Name& name) {
 Dimension ScenarioReader::dimension_of(std::size_t measure) const {
     if (measure >= scenario_.measures.size()) return Dimension::number;
     const MeasureKind kind = scenario_.measures[measure].kind;
-    if (kind == MeasureKind::cluster) return Dimension::share;
+    if (kind == MeasureKind::cluster || kind == MeasureKind::reached) return Dimension::share;
     return kind == MeasureKind::second_moment ? Dimension::number : Dimension::length;
 }
 
@@ -59,37 +66,45 @@ std::size_t ScenarioReader::measure_named() {
 }
 
 void ScenarioReader::accept() {
+    const diagnostics::Span word = in_.token().span;
+    if (in_.take("probability")) return claim(word);
     Band band;
     band.each = in_.take("each");
-    if (!band.each) in_.expect("mean");
+    if (!band.each && !in_.take("mean")) return in_.fail("'each', 'mean' or 'probability'");
     const diagnostics::Span begin = in_.token().span;
-    const Dimension dimension = statistic(band.statistic);
+    range(statistic(band.statistic), band.low, band.high);
+    band.span = diagnostics::join(begin, in_.last_span());
+    band.text = fmt::format("{} {}", band.each ? "each" : "mean", in_.failed() ? "" : in_.text_since(begin));
+    const bool timed = band.statistic.kind == StatisticKind::first_time;
+    if (timed || band.statistic.measure < scenario_.measures.size()) scenario_.bands.push_back(band);
+}
+
+void ScenarioReader::range(Dimension dimension, double& low, double& high) {
+    const diagnostics::Span begin = in_.token().span;
+    low = -INFINITY;
+    high = INFINITY;
     if (in_.take("<=")) {
-        band.low = -INFINITY;
-        band.high = in_.quantity(dimension, "this measure").value;
+        high = in_.quantity(dimension, "this measure").value;
     } else if (in_.take(">=")) {
-        band.low = in_.quantity(dimension, "this measure").value;
-        band.high = INFINITY;
+        low = in_.quantity(dimension, "this measure").value;
     } else {
         in_.expect("in");
-        band.low = in_.quantity(dimension, "this measure").value;
+        low = in_.quantity(dimension, "this measure").value;
         in_.expect("to");
-        band.high = in_.quantity(dimension, "this measure").value;
+        high = in_.quantity(dimension, "this measure").value;
     }
-    band.span = diagnostics::join(begin, in_.last_span());
-    if (band.low > band.high) in_.report(rules::out_of_range, band.span, {"the band is empty"});
-    band.text = fmt::format("{} {}", band.each ? "each" : "mean", in_.failed() ? "" : in_.text_since(begin));
-    if (band.statistic.measure < scenario_.measures.size()) scenario_.bands.push_back(band);
+    if (low > high) in_.report(rules::out_of_range, diagnostics::join(begin, in_.last_span()), {"the band is empty"});
 }
 
 Dimension ScenarioReader::statistic(Statistic& statistic) {
     if (in_.take("first")) {
         statistic.kind = StatisticKind::first_time;
         in_.expect("(");
-        statistic.measure = measure_named();
-        statistic.at_least = in_.take(">=");
-        if (!statistic.at_least) in_.expect("<=");
-        statistic.level = in_.quantity(dimension_of(statistic.measure), "this measure").value;
+        const diagnostics::Span begin = in_.token().span;
+        statistic.condition = either();
+        if (statistic.condition.of_trial())
+            in_.report(rules::wrong_instant, diagnostics::join(begin, in_.last_span()),
+                       {"'first' takes a condition at an instant"});
         in_.expect(")");
         return Dimension::time;
     }

@@ -20,6 +20,7 @@ void ScenarioReader::check() {
         if (!said_.contains(word)) in_.report(rules::missing, whole_, {what});
     if (said_.contains("robots") && scenario_.placements.empty())
         in_.report(rules::missing, robots_span_, {"where the robots are placed"});
+    scenario_.set_robots(scenario_.robots);
     check_steps();
     check_places();
     check_lights();
@@ -72,11 +73,42 @@ void ScenarioReader::check_lights() {
         if (sensor.kind == SensorKind::light && !sensor.source.text.empty()) (void)light_named(sensor.source);
 }
 
+namespace {
+
+Region around(Vector centre, double width, double height) {
+    const Vector half{width / 2, height / 2};
+    return {centre - half, centre + half};
+}
+
+/// Where so many robots are placed at random.
+Region region_of(const Placement& placement, std::size_t robots, const Arena& arena) {
+    switch (placement.kind) {
+        case Placement::Kind::square: {
+            const double side = std::sqrt(placement.area * static_cast<double>(robots));
+            return around(placement.pose.at, side, side);
+        }
+        case Placement::Kind::arena:
+            return around({}, arena.width, arena.height);
+        default:
+            return placement.region;
+    }
+}
+
+bool is_beyond(const Region& region, const Arena& arena) {
+    constexpr double rounding = 1e-9;
+    const double x = std::max(std::abs(region.low.x), std::abs(region.high.x));
+    const double y = std::max(std::abs(region.low.y), std::abs(region.high.y));
+    return arena.walled && (x > arena.width / 2 + rounding || y > arena.height / 2 + rounding);
+}
+
+}  // namespace
+
 std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
     World world(scenario.world, scenario.seed + trial);
-    std::size_t fixed = 0;
-    std::size_t regions = 0;
-    for (const Placement& placement : scenario.placements) (placement.region ? regions : fixed) += 1;
+    const auto fixed = static_cast<std::size_t>(
+        std::count_if(scenario.placements.begin(), scenario.placements.end(),
+                      [](const Placement& placement) { return placement.kind == Placement::Kind::pose; }));
+    std::size_t regions = scenario.placements.size() - fixed;
     const auto refuse = [&](std::size_t robots, diagnostics::Span span) {
         diagnostics.report(rules::no_space, span,
                            {std::to_string(robots), fmt::format("{}", scenario.world.body.radius)});
@@ -88,16 +120,21 @@ std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagno
         return std::nullopt;
     }
     for (const Placement& placement : scenario.placements)
-        if (!placement.region) world.place(placement.pose);
+        if (placement.kind == Placement::Kind::pose) world.place(placement.pose);
     // Several regions take the robots in equal parts, the first ones one more.
     std::size_t left = scenario.robots - fixed;
     for (const Placement& placement : scenario.placements) {
-        if (!placement.region) continue;
+        if (placement.kind == Placement::Kind::pose) continue;
         const std::size_t here = (left + regions - 1) / regions;
-        const Vector extent = placement.region->high - placement.region->low;
+        const Region region = region_of(placement, here, scenario.world.arena);
+        if (is_beyond(region, scenario.world.arena)) {
+            diagnostics.report(rules::out_of_range, placement.span, {"the place of robots lies outside the arena"});
+            return std::nullopt;
+        }
+        const Vector extent = region.high - region.low;
         const double radius = scenario.world.body.radius;
         const double cover = static_cast<double>(here) * std::numbers::pi * radius * radius;
-        if (cover > 0.4 * extent.x * extent.y || !world.place_at_random(here, *placement.region))
+        if (cover > 0.4 * extent.x * extent.y || !world.place_at_random(here, region))
             return refuse(here, placement.span);
         left -= here;
         --regions;

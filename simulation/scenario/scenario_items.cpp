@@ -91,10 +91,22 @@ void ScenarioReader::record() {
 }
 
 void ScenarioReader::arena() {
-    scenario_.world.arena.width = in_.positive(Dimension::length, "the arena's width");
-    in_.expect("by");
-    scenario_.world.arena.height = in_.positive(Dimension::length, "the arena's height");
+    if (in_.take("square")) {
+        scenario_.arena_area = area_per_robot();
+    } else {
+        scenario_.world.arena.width = in_.positive(Dimension::length, "the arena's width");
+        in_.expect("by");
+        scenario_.world.arena.height = in_.positive(Dimension::length, "the arena's height");
+    }
     scenario_.world.arena.walled = !in_.take("open");
+}
+
+double ScenarioReader::area_per_robot() {
+    in_.expect("with");
+    const double area = in_.positive(Dimension::area, "the area of a robot");
+    in_.expect("per");
+    in_.expect("robot");
+    return area;
 }
 
 void ScenarioReader::wall() {
@@ -147,26 +159,36 @@ void ScenarioReader::robots() {
     in_.expect("}");
 }
 
+Region ScenarioReader::region() {
+    const Vector a = in_.point("a point");
+    in_.expect("to");
+    const Vector b = in_.point("a point");
+    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
 void ScenarioReader::place() {
     Placement placement;
     const diagnostics::Span begin = in_.last_span();
-    if (in_.take("random")) {
-        in_.expect("in");
-        const Vector a = in_.point("a point");
-        in_.expect("to");
-        const Vector b = in_.point("a point");
-        placement.region = Region{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-    } else {
+    using Kind = Placement::Kind;
+    if (!in_.take("random")) {
         in_.expect("at");
         placement.pose.at = in_.point("a point");
         in_.expect("heading");
         placement.pose.heading = in_.quantity(Dimension::angle, "a heading").value;
+    } else if (in_.take("around")) {
+        placement.kind = Kind::square;
+        placement.pose.at = in_.point("a point");
+        placement.area = area_per_robot();
+    } else {
+        in_.expect("in");
+        placement.kind = in_.take("arena") ? Kind::arena : Kind::region;
+        if (placement.kind == Kind::region) placement.region = region();
     }
     placement.span = diagnostics::join(begin, in_.last_span());
     const auto keep_inside = [&](Vector at) { inside_.push_back({at, "the place of robots", placement.span}); };
-    if (placement.region) {
-        keep_inside(placement.region->low);
-        keep_inside(placement.region->high);
+    if (placement.kind == Kind::region) {
+        keep_inside(placement.region.low);
+        keep_inside(placement.region.high);
     } else {
         keep_inside(placement.pose.at);
     }

@@ -49,6 +49,9 @@ private:
     void seed();
     void record();
     void arena();
+    /// `with AREA per robot`.
+    double area_per_robot();
+    Region region();
     void wall();
     void light();
     Name new_name(std::string_view what);
@@ -80,8 +83,23 @@ private:
     [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
     std::size_t measure_named();
     void accept();
-    /// `first(M >= Q)`, `average(M)`, `M at TIME`, `M`; what it is measured in.
+    /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; what it is measured in.
     Dimension statistic(Statistic& statistic);
+    /// `<= Q`, `>= Q` or `in Q to Q`.
+    void range(Dimension dimension, double& low, double& high);
+
+    // scenario_claims.cpp: claims and formulas
+    void claim(diagnostics::Span begin);
+    Formula either();
+    Formula both();
+    Formula timed();
+    Formula simple();
+    Formula comparison();
+    Formula joined(Formula::Kind kind, std::string_view word, Formula left, Formula right);
+    /// Of a trial, from one of an instant.
+    Formula over(Formula::Kind kind, std::string_view word, Formula part, double time);
+    [[nodiscard]] bool at_time_word() const;
+    double time_limit(std::string_view what);
 
     // scenario_checks.cpp: what belongs together
     void check();
@@ -103,6 +121,7 @@ private:
     std::vector<std::string> unknown_sensors_;
     std::vector<Inside> inside_;
     std::vector<std::pair<double, diagnostics::Span>> times_;  ///< must lie before the end
+    std::size_t depth_ = 0;                                    ///< of the formula that is read
 };
 
 }  // namespace robochart::simulation

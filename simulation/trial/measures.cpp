@@ -89,6 +89,12 @@ double second_moment(const std::vector<Pose>& poses, double radius) {
     return sum / (4 * radius * radius);
 }
 
+double share_within(const std::vector<Pose>& poses, Vector point, double distance) {
+    const auto near = std::count_if(poses.begin(), poses.end(),
+                                    [&](const Pose& pose) { return length(pose.at - point) <= distance; });
+    return poses.empty() ? 0 : static_cast<double>(near) / static_cast<double>(poses.size());
+}
+
 double measured(const Scenario& scenario, const Measure& measure, const std::vector<Pose>& poses) {
     switch (measure.kind) {
         case MeasureKind::cluster:
@@ -99,11 +105,26 @@ double measured(const Scenario& scenario, const Measure& measure, const std::vec
             return second_moment(poses, scenario.world.body.radius);
         case MeasureKind::distance:
             return length(centroid(poses) - scenario.lights.at(measure.light).at);
+        case MeasureKind::reached:
+            return share_within(poses, scenario.lights.at(measure.light).at, measure.link);
     }
     return 0;
 }
 
-Statistics::Statistics(const Scenario& scenario) : scenario_(scenario), entries_(scenario.bands.size()) {}
+MeasureNow measures_now(const Scenario& scenario, const std::vector<Pose>& poses) {
+    std::vector<double> known(scenario.measures.size(), std::numeric_limits<double>::quiet_NaN());
+    return [&scenario, &poses, known = std::move(known)](std::size_t measure) mutable {
+        double& value = known[measure];
+        if (std::isnan(value)) value = measured(scenario, scenario.measures[measure], poses);
+        return value;
+    };
+}
+
+Statistics::Statistics(const Scenario& scenario) : scenario_(scenario), entries_(scenario.bands.size()) {
+    for (std::size_t band = 0; band < entries_.size(); ++band)
+        if (scenario.bands[band].statistic.kind == StatisticKind::first_time)
+            entries_[band].condition.emplace(scenario.bands[band].statistic.condition, scenario.world.control_step);
+}
 
 bool Statistics::due(std::size_t band, std::uint64_t step) const {
     const Statistic& statistic = scenario_.bands[band].statistic;
@@ -130,19 +151,16 @@ bool Statistics::due(std::uint64_t step) const {
     return false;
 }
 
-void Statistics::look(std::uint64_t step, const std::vector<Pose>& poses) {
-    std::vector<double> values(scenario_.measures.size(), std::numeric_limits<double>::quiet_NaN());
+void Statistics::look(std::uint64_t step, const MeasureNow& now) {
     for (std::size_t band = 0; band < entries_.size(); ++band) {
         if (!due(band, step)) continue;
         const Statistic& statistic = scenario_.bands[band].statistic;
-        double& value = values[statistic.measure];
-        if (std::isnan(value)) value = measured(scenario_, scenario_.measures[statistic.measure], poses);
         Entry& entry = entries_[band];
-        if (statistic.kind == StatisticKind::first_time) {
-            entry.done = statistic.at_least ? value >= statistic.level : value <= statistic.level;
+        if (entry.condition) {
+            entry.done = entry.condition->holds(step, now);
             entry.value = static_cast<double>(step) * scenario_.world.control_step;
         } else {
-            entry.value += value;
+            entry.value += now(statistic.measure);
             ++entry.looks;
             entry.done = true;
         }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "simulation/scenario/scenario.hpp"
+#include "simulation/trial/formulas.hpp"
 
 namespace robochart::simulation {
 
@@ -24,7 +26,11 @@ struct Clusters {
 /// The sum of squared distances to the centroid in units of the diameter squared.
 [[nodiscard]] double second_moment(const std::vector<Pose>&, double radius);
 [[nodiscard]] Vector centroid(const std::vector<Pose>&);
+/// The share of robots whose centre is at most `distance` from a point.
+[[nodiscard]] double share_within(const std::vector<Pose>&, Vector, double distance);
 [[nodiscard]] double measured(const Scenario&, const Measure&, const std::vector<Pose>&);
+/// The measures of one instant, each calculated once. Keeps references.
+[[nodiscard]] MeasureNow measures_now(const Scenario&, const std::vector<Pose>&);
 
 /// The statistics that the bands of a scenario are about, gathered step by step.
 class Statistics {
@@ -33,7 +39,7 @@ public:
 
     /// Does any band need the positions after this many steps?
     [[nodiscard]] bool due(std::uint64_t step) const;
-    void look(std::uint64_t step, const std::vector<Pose>&);
+    void look(std::uint64_t step, const MeasureNow&);
     /// One for each band; NaN: a time that never came. Averages are over every full second.
     [[nodiscard]] std::vector<double> values() const;
 
@@ -42,6 +48,7 @@ private:
         double value = 0;
         std::uint64_t looks = 0;
         bool done = false;
+        std::optional<Condition> condition;  ///< first_time
     };
     [[nodiscard]] bool due(std::size_t band, std::uint64_t step) const;
 

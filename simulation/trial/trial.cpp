@@ -46,18 +46,23 @@ public:
           sights_(scenario_.sensors.size()),
           statistics_(scenario_) {
         for (std::size_t i = 0; i < variables_.size(); ++i) variables_[i] = plan.variables[i % plan.variables.size()];
+        for (const Claim& claim : scenario_.claims)
+            properties_.emplace_back(claim.property, scenario_.world.control_step, scenario_.steps());
     }
 
     bool run(std::uint64_t steps) {
-        const std::uint64_t end = scenario_.steps();
         if (result_.steps == 0) observe();
-        for (; steps > 0 && result_.steps < end && !result_.stop && !interrupted(); --steps) step();
-        return result_.steps < end && !result_.stop && !interrupted();
+        for (; steps > 0 && goes_on(); --steps) step();
+        return goes_on();
     }
 
     TrialResult result() {
-        result_.complete = result_.steps == scenario_.steps() && !result_.stop;
+        result_.complete = !result_.stop && (result_.steps == scenario_.steps() || answered());
         result_.statistics = statistics_.values();
+        for (std::size_t c = 0; c < properties_.size(); ++c) {
+            if (result_.stop) properties_[c].end(result_.steps, !scenario_.claims[c].at_least);
+            result_.answers.push_back(properties_[c].answer());
+        }
         return std::move(result_);
     }
 
@@ -65,6 +70,17 @@ private:
     [[nodiscard]] double time() const { return static_cast<double>(result_.steps) * scenario_.world.control_step; }
     [[nodiscard]] bool interrupted() const {
         return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
+    }
+
+    [[nodiscard]] bool goes_on() const {
+        return result_.steps < scenario_.steps() && !result_.stop && !answered() && !interrupted();
+    }
+    /// All that is awaited is known.
+    [[nodiscard]] bool answered() const {
+        if (options_.awaited == nullptr) return false;
+        for (std::size_t c = 0; c < properties_.size(); ++c)
+            if ((*options_.awaited)[c] && !properties_[c].answer().holds) return false;
+        return true;
     }
 
     void step() {
@@ -246,11 +262,15 @@ private:
 
     void observe() {
         const bool keep = options_.record && due();
-        if (!keep && !statistics_.due(result_.steps)) return;
+        const bool asked = std::any_of(properties_.begin(), properties_.end(),
+                                       [&](const Property& property) { return property.due(result_.steps); });
+        if (!keep && !asked && !statistics_.due(result_.steps)) return;
         Frame frame;
         frame.time = time();
         for (std::size_t robot = 0; robot < stage_.size(); ++robot) frame.poses.push_back(stage_.pose(robot));
-        statistics_.look(result_.steps, frame.poses);
+        const MeasureNow now = measures_now(scenario_, frame.poses);
+        statistics_.look(result_.steps, now);
+        for (Property& property : properties_) property.look(result_.steps, now);
         if (!keep) return;
         for (std::size_t robot = 0; robot < stage_.size(); ++robot)
             for (std::uint32_t machine = 0; machine < drive_.machines; ++machine)
@@ -280,6 +300,7 @@ private:
     std::vector<Turn> turns_;
     std::vector<std::optional<Sight>> sights_;
     Statistics statistics_;
+    std::vector<Property> properties_;
     TrialResult result_;
 };
 

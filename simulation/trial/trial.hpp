@@ -54,14 +54,17 @@ struct Stop {
 
 struct TrialResult {
     std::uint64_t steps = 0;  ///< control steps done
-    bool complete = false;    ///< neither stopped nor interrupted
+    bool complete = false;    ///< neither stopped nor interrupted: at its end, or all claims are known
     std::optional<Stop> stop;
     std::vector<double> statistics;  ///< of each band; NaN: never came about
+    std::vector<Answer> answers;     ///< of each claim; a trial that stopped is one against it
     std::vector<Frame> frames;       ///< as Scenario::record, and at the times of pictures
 };
 
 struct TrialOptions {
-    bool record = true;      ///< keep frames
+    bool record = true;  ///< keep frames
+    /// Claims whose answers are awaited: the trial ends when all of them are known. Null: it goes on to its end.
+    const std::vector<bool>* awaited = nullptr;
     std::uint64_t seed = 1;  ///< of what the controllers draw
     Trace* trace = nullptr;  ///< not owned
     std::atomic<std::uint64_t>* steps_done = nullptr;

@@ -191,6 +191,52 @@ TEST(CounterexampleText, ReachabilityShowsThePath) {
                 HasSubstr("it refines the other"));
 }
 
+/// So many values of clocks and variables that `n` and `m` are held by processes of their own.
+const char* const held = R"(
+interface O { go(x : nat) }
+stm Held { requires O event a : nat event b var n : nat = 0 var m : nat = 7 clock C clock D
+  initial i state A { } state B { entry n = n + 1 ; if m < 1 then go(0) else go(1) end } state E { }
+  transition t0 { from i to A }
+  transition t1 { from A to B #C #D trigger a ? m }
+  transition t2 { from B to B #C condition since(C) >= 30 /\ n < 3 }
+  transition t3 { from B to E condition since(D) >= 100 /\ n > 1 } }
+)";
+
+// A value that nothing reads any more is not stored, so what the memory has is older: 7 here, where m got 0.
+TEST(CounterexampleText, VariablesOutsideTheProcessAreShownLikeThoseInside) {
+    const TemporaryFile model("held.rct", held);
+    const std::string folder = std::filesystem::path(model.path()).parent_path().string();
+    std::ofstream(folder + "/held.assertions") << "timed assertion A : Held::E is not reachable in Held\n";
+    const Ran script = run({"check", folder, "--print", "timed-script"});
+    ASSERT_THAT(script.out, AllOf(HasSubstr("setL_n"), HasSubstr("setL_m"))) << "nothing is held outside";
+    const Ran text = run({"check", folder});
+    EXPECT_EQ(text.exit, 1) << text.err;
+    EXPECT_THAT(text.out, AllOf(HasSubstr("[n = 1]"), HasSubstr("[n = 2]"), Not(HasSubstr("m = 7)")),
+                                Not(HasSubstr("store n")), Not(HasSubstr("read n")), HasSubstr("now at t=100: in E")));
+    const auto report = nlohmann::json::parse(run({"check", folder, "--format", "json"}).out);
+    for (const auto& step : report["assertions"][0]["counterexample"]["steps"]) {
+        ASSERT_EQ(step["machines"].size(), 1U) << step["text"];
+        for (const auto& variable : step["machines"][0]["variables"])
+            if (variable["name"] == "m" && step["kind"] != "transition")
+                EXPECT_NE(variable["value"], "7") << step["text"];
+    }
+}
+
+// The store of a received value, the guard that reads it, and an action that begins with a call: one input, one
+// transition behind it.
+TEST(CounterexampleText, AnInputNamesTheTransitionWhoseActionBeginsWithACall) {
+    const TemporaryFile model("guarded.rct", R"(
+interface O { go(x : nat) }
+stm G { requires O event e : nat var c : nat initial i state A { } state B { }
+  transition t0 { from i to A }
+  transition t1 { from A to A trigger e ? c condition c == 0 action go(1) }
+  transition t2 { from A to B trigger e ? c condition c == 1 action go(2) } }
+)");
+    const std::string folder = std::filesystem::path(model.path()).parent_path().string();
+    std::ofstream(folder + "/guarded.assertions") << "untimed assertion A : G::B is not reachable in G\n";
+    EXPECT_THAT(run({"check", folder}).out, HasSubstr("input e with 1 (t2: A -> B)"));
+}
+
 TEST(CounterexampleText, TerminationIsSaid) {
     EXPECT_THAT(reported("untimed assertion A : Ends does not terminate"), HasSubstr("why it has terminated"));
     EXPECT_THAT(reported("timed assertion A : Runs terminates"),

@@ -123,7 +123,7 @@ TEST(Sanity, SourcesAreLaidOutByClangFormat) {
     ROBOCHART_NEEDS(std::system("clang-format --version > /dev/null 2>&1") == 0, "clang-format");
     for (const std::string folder :
          {"app", "benchmarks", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "diagrams", "frontend",
-          "lsp", "runs", "semantics", "simulation", "tests"}) {
+          "lsp", "runs", "semantics", "simulation", "statistics", "tests"}) {
         std::string command = "clang-format --dry-run -Werror";
         for (const fs::path& path : files(root() / folder, {".cpp", ".hpp", ".h"}))
             command += " '" + path.string() + "'";
@@ -135,7 +135,7 @@ TEST(Sanity, SourcesAreLaidOutByClangFormat) {
 /// tests/.
 TEST(Sanity, PathsInTextsExist) {
     const std::regex path(
-        R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|diagrams|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
+        R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|diagrams|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|statistics|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
     const std::set<std::string> examples = {"docs/rules/CODE.md"};
     std::size_t found = 0;
     for (const fs::path& file : files(root(), {".md", ".cpp", ".hpp", ".sh", ".txt", ".cmake"})) {

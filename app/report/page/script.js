@@ -9,15 +9,14 @@
     for (const word of (list || "").split(" ")) {
       const colon = word.indexOf(":");
       if (colon < 0) continue;
-      const figure = claim.querySelector('figure[data-machine="' + word.slice(0, colon) + '"]');
-      if (!figure) continue;
-      for (const part of figure.querySelectorAll('[data-element="' + word.slice(colon + 1) + '"]')) part.classList.add(name);
+      const parts = 'figure[data-machine="' + word.slice(0, colon) + '"] [data-element="' + word.slice(colon + 1) + '"]';
+      for (const part of claim.querySelectorAll(parts)) part.classList.add(name);
     }
   }
   // Rows have the variables of a machine where they are not as in the row before.
   function values(claim, rows, index) {
-    for (const figure of claim.querySelectorAll("figure[data-machine]")) {
-      const place = figure.querySelector(".values");
+    for (const place of claim.querySelectorAll("figure .values")) {
+      const figure = place.closest("figure");
       let at = index;
       while (at > 0 && !(figure.dataset.machine in valuesOf(rows[at]))) --at;
       place.textContent = "";
@@ -30,6 +29,15 @@
     }
   }
   function valuesOf(row) { return JSON.parse(row.dataset.values); }
+  // Of several diagrams, that of the machine which acts is in view.
+  function bring(panel, part) {
+    if (!part) return;
+    const [view, it] = [panel.getBoundingClientRect(), part.getBoundingClientRect()];
+    if (it.top < view.top || it.bottom > view.bottom)
+      panel.scrollTop += part.closest("figure").getBoundingClientRect().top - view.top;
+    const after = part.getBoundingClientRect();
+    if (after.bottom > view.bottom) panel.scrollTop += after.top - view.top - view.height / 3;
+  }
   function show(claim, index, move) {
     const rows = steps(claim);
     if (rows.length === 0) return;
@@ -46,9 +54,27 @@
     const panel = claim.querySelector(".steps");
     if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
       panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
+    bring(claim.querySelector(".drawn"), claim.querySelector(".drawn .fired"));
     if (move) {
       history.replaceState(null, "", "#" + claim.id + "/s/" + index);
       row.scrollIntoView({ block: "nearest" });
+    }
+  }
+  // The next step in which the element is marked, from the beginning behind the last one.
+  function nextWith(claim, figure, part) {
+    const mark = figure.dataset.machine + ":" + part.dataset.element;
+    const rows = steps(claim);
+    const has = (row) => (row.dataset.on + " " + row.dataset.fired).split(" ").includes(mark);
+    for (let i = 1; i <= rows.length; ++i) {
+      const index = (at(claim) + i) % rows.length;
+      if (has(rows[index])) return index;
+    }
+    return undefined;
+  }
+  function chosen(claim, figure, target) {
+    for (let part = target.closest("[data-element]"); part; part = part.parentElement.closest("[data-element]")) {
+      const index = nextWith(claim, figure, part);
+      if (index !== undefined) return show(claim, index, true);
     }
   }
   function fromAddress() {
@@ -63,6 +89,8 @@
       row.tabIndex = 0;
       row.addEventListener("click", () => show(claim, index, true));
     });
+    for (const figure of claim.querySelectorAll("figure[data-machine]"))
+      figure.querySelector("svg").addEventListener("click", (event) => chosen(claim, figure, event.target));
     const size = claim.querySelector("button.size");
     size.addEventListener("click", () => {
       size.setAttribute("aria-pressed", claim.querySelector(".drawn").classList.toggle("full"));

@@ -12,11 +12,11 @@ namespace robochart::prism {
 
 CommandTable::CommandTable(const CheckedModel& model, const Layout& layout, Code& code, NumberTable& numbers,
                            diagnostics::Diagnostics& diagnostics)
-    : layout_(layout), code_(code), numbers_(numbers), diagnostics_(diagnostics) {
+    : model_(model), layout_(layout), code_(code), numbers_(numbers), diagnostics_(diagnostics) {
     for (std::size_t i = 0; i < model.modules.size(); ++i)
         for (const Command& command : model.modules[i].commands) {
             groups_[group({i, command.action.text})].push_back(static_cast<std::uint32_t>(commands_.size()));
-            add_command(command, model);
+            add_command(command);
         }
     for (const Synchronisation& each : model.synchronisations) {
         Act act{action(each.action), {}};
@@ -42,7 +42,7 @@ std::uint32_t CommandTable::action(const std::string& name) {
     return static_cast<std::uint32_t>(std::find(actions_.begin(), actions_.end(), name) - actions_.begin());
 }
 
-void CommandTable::add_command(const Command& command, const CheckedModel& model) {
+void CommandTable::add_command(const Command& command) {
     CodedCommand coded;
     coded.source = &command;
     coded.guard = code_.compile(command.guard);
@@ -51,9 +51,9 @@ void CommandTable::add_command(const Command& command, const CheckedModel& model
         if (branch.probability) made.probability = probability(branch.probability);
         coded.fixed = coded.fixed && made.probability.fixed;
         for (const Assignment& each : branch.assignments) {
-            const auto variable = std::find_if(model.variables.begin(), model.variables.end(),
+            const auto variable = std::find_if(model_.variables.begin(), model_.variables.end(),
                                                [&](const Variable& v) { return v.name.text == each.variable.text; });
-            made.assignments.emplace_back(static_cast<std::uint32_t>(variable - model.variables.begin()),
+            made.assignments.emplace_back(static_cast<std::uint32_t>(variable - model_.variables.begin()),
                                           code_.compile(each.value));
             made.spans.push_back(each.value->span);
         }
@@ -73,6 +73,7 @@ CommandTable::Probability CommandTable::probability(const ExprPtr& expr) {
 }
 
 void CommandTable::evaluate_guards(StateValues state) {
+    writes_.clear();
     for (std::size_t i = 0; i < groups_.size(); ++i) {
         enabled_[i].clear();
         for (const std::uint32_t command : groups_[i])
@@ -82,7 +83,6 @@ void CommandTable::evaluate_guards(StateValues state) {
 
 void CommandTable::evaluate(StateValues state) {
     evaluate_guards(state);
-    writes_.clear();
     for (const auto& group : enabled_)
         for (const std::uint32_t command : group) evaluate_effects(commands_[command], state);
 }

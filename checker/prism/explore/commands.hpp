@@ -42,11 +42,17 @@ public:
     void evaluate(StateValues state);
     /// The same without what they do.
     void evaluate_guards(StateValues state);
+    /// What one command that is enabled there does.
+    void evaluate_effects(std::uint32_t command, StateValues state) { evaluate_effects(commands_[command], state); }
     /// The enabled commands of a group, as indices for `effects`.
     [[nodiscard]] const std::vector<std::uint32_t>& enabled(std::uint32_t group) const { return enabled_[group]; }
     [[nodiscard]] const std::vector<Effect>& effects(std::uint32_t command) const { return commands_[command].effects; }
     [[nodiscard]] const Write* write(std::uint32_t index) const { return writes_.data() + index; }
     [[nodiscard]] Span span(std::uint32_t command) const { return commands_[command].source->span; }
+    /// The module that the commands of a group belong to, by its name.
+    [[nodiscard]] const std::string& module(std::uint32_t group) const {
+        return model_.modules[group_names_[group].module].name.text;
+    }
 
 private:
     /// A number of the text: fixed, or evaluated by the values that it depends on.
@@ -72,7 +78,7 @@ private:
         std::vector<Effect> effects;  ///< in the state evaluated last
     };
 
-    void add_command(const Command& command, const CheckedModel& model);
+    void add_command(const Command& command);
     Probability probability(const ExprPtr& expr);
     std::uint32_t group(const ActionOfModule& part);
     std::uint32_t action(const std::string& name);
@@ -83,6 +89,7 @@ private:
     /// Divides by the sum where it is almost 1.
     void check_sum(CodedCommand& command);
 
+    const CheckedModel& model_;
     const Layout& layout_;
     Code& code_;
     NumberTable& numbers_;

@@ -12,17 +12,17 @@ namespace robochart::prism {
 Explorer::Explorer(StateSpace& space, Code& code)
     : space_(space),
       code_(code),
-      commands_(space.model_, space.layout_, code, numbers_, space.diagnostics_),
-      values_(space.layout_.fields().size()) {
+      commands_(space.model(), space.layout(), code, numbers_, space.diagnostics_),
+      values_(space.layout().fields().size()) {
     std::size_t parts = 0;
     for (const CommandTable::Act& act : commands_.acts()) parts = std::max(parts, act.groups.size());
-    partial_.assign(parts + 1, std::vector<lts::Word>(space.layout_.words()));
+    partial_.assign(parts + 1, std::vector<lts::Word>(space.layout().words()));
     chosen_.resize(parts);
 }
 
 void Explorer::operator()() {
     markov::Model& chain = space_.chain_;
-    chain.kind = space_.model_.kind == ModelKind::dtmc ? markov::Kind::dtmc : markov::Kind::mdp;
+    chain.kind = space_.model().kind == ModelKind::dtmc ? markov::Kind::dtmc : markov::Kind::mdp;
     chain.actions = commands_.actions();
     chain.first_choice.push_back(0);
     chain.first_branch.push_back(0);
@@ -32,7 +32,7 @@ void Explorer::operator()() {
         try {
             expand(static_cast<markov::State>(state));
         } catch (EvaluationError& error) {
-            error.state = space_.layout_.text(values_.data());
+            error.state = space_.layout().text(values_.data());
             throw;
         }
     }
@@ -40,43 +40,17 @@ void Explorer::operator()() {
 }
 
 void Explorer::initial_states() {
-    std::vector<lts::Word> words(space_.layout_.words());
-    const auto add = [&](const std::int32_t* values) {
-        space_.layout_.pack(values, words.data());
+    std::vector<lts::Word> words(space_.layout().words());
+    list_initial_states(space_.instance_, code_, space_.options_.budget, [&](const std::int32_t* values) {
+        space_.layout().pack(values, words.data());
         const markov::State state = insert(words.data());
         if (space_.chain_.initial.empty() || space_.chain_.initial.back() < state)
             space_.chain_.initial.push_back(state);
-    };
-    if (space_.model_.initial) {
-        for (const Layout::Field& field : space_.layout_.fields())
-            if (!field.bounded)
-                throw EvaluationError(rules::no_initial_state, space_.model_.initial->span,
-                                      {fmt::format("init ... endinit needs a range for '{}'", field.name)});
-        list_states(space_.model_.initial, space_.layout_, code_, space_.options_.budget, add);
-        if (space_.chain_.initial.empty())
-            throw EvaluationError(rules::no_initial_state, space_.model_.initial->span, {"no state is initial"});
-    } else {
-        initial_values(values_);
-        add(values_.data());
-    }
-}
-
-void Explorer::initial_values(std::vector<std::int32_t>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Variable& variable = space_.model_.variables[i];
-        const Layout::Field& field = space_.layout_.fields()[i];
-        std::int64_t value = field.bounded ? field.low : 0;
-        if (variable.initial) value = code_.integer(code_.compile(variable.initial), nullptr);
-        if (value < field.low || value > field.high)
-            throw EvaluationError(
-                rules::out_of_range, variable.initial->span,
-                {field.name, fmt::format("{}", value), fmt::format("[{}..{}]", field.low, field.high)});
-        values[i] = static_cast<std::int32_t>(value);
-    }
+    });
 }
 
 markov::State Explorer::insert(const lts::Word* words) {
-    const auto [index, fresh] = space_.store_.insert({words, space_.layout_.words()});
+    const auto [index, fresh] = space_.store_.insert({words, space_.layout().words()});
     if (fresh && space_.store_.size() > space_.options_.max_states)
         throw diagnostics::LimitReached(
             fmt::format("the model has more than {} states (--max-states)", space_.options_.max_states));
@@ -85,7 +59,7 @@ markov::State Explorer::insert(const lts::Word* words) {
 
 void Explorer::expand(markov::State state) {
     const lts::StateView packed = space_.store_[state];
-    space_.layout_.unpack(packed, values_.data());
+    space_.layout().unpack(packed, values_.data());
     commands_.evaluate(values_.data());
     partial_[0].assign(packed.begin(), packed.end());
     all_.clear();
@@ -131,7 +105,7 @@ void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTabl
         next = partial_[part];
         const Write* const end = commands_.write(effect.end_write);
         for (const Write* write = commands_.write(effect.first_write); write != end; ++write)
-            space_.layout_.set(next.data(), write->variable, write->value);
+            space_.layout().set(next.data(), write->variable, write->value);
         branch(act, part + 1, numbers_.product(probability, effect.probability), distribution);
     }
 }

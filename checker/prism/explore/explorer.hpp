@@ -18,7 +18,6 @@ private:
     using Distribution = std::vector<std::pair<markov::State, NumberTable::Id>>;
 
     void initial_states();
-    void initial_values(std::vector<std::int32_t>& values);
     void expand(markov::State state);
     void act(const CommandTable::Act& act);
     void combine(const CommandTable::Act& act, std::size_t part, Distribution& distribution);
@@ -44,10 +43,5 @@ private:
     std::vector<NumberTable::Id> counts_;          ///< the numbers from 0 on
     std::uint64_t combinations_ = 0;               ///< in this state
 };
-
-/// The states in which an expression holds, listed by trying values: every conjunct is looked at as soon as its
-/// variables have values. `found` is called with each. Throws EvaluationError.
-void list_states(const ExprPtr& expr, const Layout& layout, Code& code, diagnostics::Budget* budget,
-                 const std::function<void(const std::int32_t*)>& found);
 
 }  // namespace robochart::prism

@@ -60,11 +60,16 @@ void Layout::pack(const std::int32_t* values, lts::Word* state) const {
 }
 
 std::string Layout::text(const std::int32_t* values) const {
+    return changes(nullptr, values);
+}
+
+std::string Layout::changes(const std::int32_t* before, const std::int32_t* after) const {
     std::string result;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
+        if (before != nullptr && before[i] == after[i]) continue;
         const bool boolean = fields_[i].type == Type::boolean;
-        result += fmt::format("{}{}={}", i == 0 ? "" : ", ", fields_[i].name,
-                              boolean ? (values[i] != 0 ? "true" : "false") : fmt::format("{}", values[i]));
+        result += fmt::format("{}{}={}", result.empty() ? "" : ", ", fields_[i].name,
+                              boolean ? (after[i] != 0 ? "true" : "false") : fmt::format("{}", after[i]));
     }
     return result;
 }

@@ -38,6 +38,8 @@ public:
     }
     /// "x=1, y=false".
     [[nodiscard]] std::string text(const std::int32_t* values) const;
+    /// The same of those variables alone that have other values than before; of all where nothing was before.
+    [[nodiscard]] std::string changes(const std::int32_t* before, const std::int32_t* after) const;
 
 private:
     std::vector<Field> fields_;

@@ -17,8 +17,8 @@ public:
         : space_(space),
           exact_(exact),
           code_(space.code({})),
-          commands_(space.model_, space.layout_, code_, numbers_, unused_),
-          values_(space.layout_.fields().size()),
+          commands_(space.model(), space.layout(), code_, numbers_, unused_),
+          values_(space.layout().fields().size()),
           by_action_(commands_.actions().size()) {
         result_.name = structure.name.text;
         for (const RewardItem& item : structure.items) {
@@ -42,7 +42,7 @@ public:
                 if (!of_states_.empty()) add(sum(of_states_), result_.state, result_.exact_state);
                 if (on_transitions_) choices(state);
             } catch (EvaluationError& error) {
-                error.state = space_.layout_.text(values_.data());
+                error.state = space_.layout().text(values_.data());
                 throw;
             }
         }
@@ -120,7 +120,7 @@ private:
 };
 
 markov::Rewards StateSpace::rewards(std::size_t structure, bool exact) const {
-    return RewardTable(*this, model_.rewards[structure], exact)();
+    return RewardTable(*this, model().rewards[structure], exact)();
 }
 
 }  // namespace robochart::prism

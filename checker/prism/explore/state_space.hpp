@@ -8,9 +8,7 @@
 
 #include "checker/lts/state_store.hpp"
 #include "checker/markov/model/model.hpp"
-#include "checker/prism/checks/checked.hpp"
-#include "checker/prism/explore/code.hpp"
-#include "checker/prism/explore/layout.hpp"
+#include "checker/prism/explore/instance.hpp"
 #include "checker/prism/explore/number_table.hpp"
 #include "diagnostics/diagnostic.hpp"
 
@@ -30,10 +28,11 @@ public:
                diagnostics::Diagnostics& diagnostics);
 
     [[nodiscard]] const markov::Model& chain() const { return chain_; }
-    [[nodiscard]] const CheckedModel& model() const { return model_; }
-    [[nodiscard]] const Layout& layout() const { return layout_; }
+    [[nodiscard]] const Instance& instance() const { return instance_; }
+    [[nodiscard]] const CheckedModel& model() const { return instance_.model(); }
+    [[nodiscard]] const Layout& layout() const { return instance_.layout(); }
     /// Values of the constants of the model.
-    [[nodiscard]] const Values& constants() const { return constants_; }
+    [[nodiscard]] const Values& constants() const { return instance_.constants(); }
     /// Transitions as PRISM counts them: branches.
     [[nodiscard]] std::uint64_t transitions() const { return chain_.target.size(); }
     /// States in which no command is enabled.
@@ -42,10 +41,13 @@ public:
 
     /// "x=1, y=false".
     [[nodiscard]] std::string text(markov::State state) const;
-    void unpack(markov::State state, std::int32_t* values) const { layout_.unpack(store_[state], values); }
+    [[nodiscard]] lts::StateView packed(markov::State state) const { return store_[state]; }
+    /// The number of a packed state that is reachable.
+    [[nodiscard]] markov::State number_of(lts::StateView packed) const { return store_.find(packed); }
+    void unpack(markov::State state, std::int32_t* values) const { layout().unpack(store_[state], values); }
 
     /// Code for expressions over its states, with more constants. Throws EvaluationError.
-    [[nodiscard]] Code code(const Values& more) const;
+    [[nodiscard]] Code code(const Values& more) const { return instance_.code(more); }
     /// Where an expression of type bool holds; labels of the model, "deadlock" and "init" are replaced before.
     [[nodiscard]] markov::StateSet satisfying(const Code& code, Code::Root root) const;
     /// The rewards of a structure, by its index; `exact`: with fractions.
@@ -55,11 +57,9 @@ private:
     friend class Explorer;
     friend class RewardTable;
 
-    const CheckedModel& model_;
+    Instance instance_;
     ExploreOptions options_;
     diagnostics::Diagnostics& diagnostics_;
-    Values constants_;
-    Layout layout_;
     lts::StateStore store_;
     markov::Model chain_;
     markov::StateSet deadlocks_;

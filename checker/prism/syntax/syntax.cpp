@@ -55,6 +55,17 @@ ExprPtr make_expr(Op op, Span span, std::vector<ExprPtr> parts, std::string text
     return make_expr(std::move(expr));
 }
 
+bool is_temporal(Op op) {
+    return op >= Op::next && op <= Op::release;
+}
+
+bool is_path(const Expr& expr) {
+    if (is_temporal(expr.op)) return true;
+    const bool connective = expr.op >= Op::implies && expr.op <= Op::negation;
+    return connective &&
+           std::any_of(expr.parts.begin(), expr.parts.end(), [](const ExprPtr& part) { return is_path(*part); });
+}
+
 bool same_expr(const ExprPtr& a, const ExprPtr& b) {
     if (a == b) return true;
     if (!a || !b || a->op != b->op || a->text != b->text) return false;

@@ -91,6 +91,11 @@ inline constexpr std::uint64_t max_size = 5'000'000;
 /// Same operators, names and literals; places do not matter.
 [[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
 
+/// X F G U W R.
+[[nodiscard]] bool is_temporal(Op op);
+/// Whether path operators stand in it, outside of inner questions.
+[[nodiscard]] bool is_path(const Expr& expr);
+
 struct Constant {
     Type type = Type::integer;
     Name name;

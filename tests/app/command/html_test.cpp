@@ -99,6 +99,33 @@ transition t2 { from B to B trigger e condition x == 2 } })"},
     EXPECT_EQ(all(claim, "data-values=\"([^\"]*&quot;x&quot;,&quot;2&quot;,true[^\"]*)\"").size(), 1U);
 }
 
+// What is possible at the end and what the specification allows: it forbids f, which the machine sends.
+TEST(Html, SaysWhatIsAllowedWhereItEnds) {
+    const Folder folder({{"m.rct", R"(package p stm S { event e event f initial i state A { } state B { }
+transition t0 { from i to A } transition t1 { from A to B trigger e action send f } })"},
+                         {"m.assertions",
+                          "package q import p::*\nuntimed csp Only csp-begin\nOnly = p::S::e.in -> Only\ncsp-end\n"
+                          "untimed assertion X : p::S refines Only in the traces model"}});
+    const Both both = reported({folder.path()});
+    const std::string claim = between(both.page, "<section class=\"claim\"", "</section>").at(0);
+    const std::string end = between(claim, "<summary>where it ends</summary>", "</details>").at(0);
+    EXPECT_THAT(end, HasSubstr("<dt>the specification allows</dt><dd>input e</dd>"));
+}
+
+// For those who cannot see the picture.
+TEST(Html, DiagramsAreThereAsText) {
+    const TemporaryFile file("m.rct", R"(package p stm S { event e initial i var x : nat state A { } junction j
+transition t0 { from i to A } transition t1 { from A to j trigger e condition x < 1 } transition t2 { from j to A } }
+controller C { event f sref a = S connection C on f to a on e })");
+    const Both both = reported({file.path()});
+    const std::string diagrams = between(both.page, "<section id=\"diagrams\"", "</section>").at(0);
+    EXPECT_THAT(diagrams, HasSubstr("<summary>transitions as text</summary>"));
+    EXPECT_THAT(diagrams, HasSubstr("<li>initial junction i -&gt; A</li>"));
+    EXPECT_THAT(diagrams, HasSubstr("<li>A -&gt; junction j: e[x &lt; 1]</li>"));
+    EXPECT_THAT(diagrams, HasSubstr("<summary>connections as text</summary>"));
+    EXPECT_THAT(diagrams, HasSubstr("<li>C, f -&gt; ref a = S, e</li>"));
+}
+
 // B is never reached and t1 never taken; t2 is taken in the machine alone.
 TEST(Html, WhatNoRunExercisesIsDashed) {
     const TemporaryFile file("m.rct", R"(package p stm S { event e initial i var x : nat state A { } state B { }
@@ -184,62 +211,130 @@ TEST(Html, ThatCannotBeWrittenIsAnError) {
 
 class HtmlInABrowser : public InABrowser {};
 
-/// What a page shows of a step: the sentence, and the filled states by machine.
+/// What a page shows of a step: the sentence, and the filled states by machine, in the diagrams of its operations too.
 const std::string shown =
-    "print [document.querySelector('#ID .status').textContent, Array.from(document.querySelectorAll('#ID "
-    "figure')).map((figure) => Array.from(figure.querySelectorAll('.node.on > title')).map((title) => "
-    "title.textContent))]\n";
+    "print [document.querySelector('#ID .status').textContent, Array.from(new Set(Array.from(document.querySelectorAll("
+    "'#ID figure'), (figure) => figure.dataset.machine)), (machine) => Array.from(document.querySelectorAll("
+    "'#ID figure[data-machine=\"' + machine + '\"] .on > title'), (title) => title.textContent.trim().split(' "
+    "').at(-1)))]\n";
 
-/// The same of the JSON: the active states of each machine, those of one figure by one, as the figures stand.
+/// The same of the JSON: the active states of each machine, in the order of the figures.
 std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
                                                 const std::vector<std::string>& components) {
     std::vector<std::vector<std::string>> result(components.size());
     for (const auto& machine : machines) {
         const auto at = std::find(components.begin(), components.end(), machine["component"]) - components.begin();
         for (const std::string element : machine["active"])
-            result.at(static_cast<std::size_t>(at)).push_back("state " + element.substr(element.rfind(':') + 1));
+            result.at(static_cast<std::size_t>(at)).push_back(element.substr(element.rfind(':') + 1));
     }
     return result;
 }
 
-// By keyboard from the beginning to the end of every counterexample, in the light and in the dark: each step fills the
-// states that are active in its data, and the browser has nothing to say.
+/// What is asked of a counterexample, and how many lines answer it: its figures; each step, by keyboard from the
+/// beginning to the end; then what Home and End lead to.
+struct Tour {
+    std::string id, commands;
+    const nlohmann::json* run = nullptr;
+
+    Tour(std::string claim, const nlohmann::json& data) : id(std::move(claim)), run(&data) {
+        const std::string look = std::regex_replace(shown, std::regex("ID"), id);
+        commands =
+            "print Array.from(document.querySelectorAll('#" + id +
+            " figcaption'), (each) => each.textContent).filter((text) => !text.includes(': operation '))\nopen #" + id +
+            "/s/0\n";
+        for (std::size_t step = 0; step <= steps(); ++step) commands += look + "key ArrowRight\n";
+        commands += "key Home\n" + look + "print location.hash\nkey End\nprint location.hash\n";
+    }
+    [[nodiscard]] std::size_t steps() const { return (*run)["steps"].size(); }
+    [[nodiscard]] std::size_t lines() const { return steps() + 5; }
+
+    void expect(const std::vector<std::string>& lines, std::size_t at) const {
+        const std::vector<std::string> components = nlohmann::json::parse(lines[at]);
+        for (std::size_t step = 0; step <= steps(); ++step) {
+            const auto line = nlohmann::json::parse(lines[at + step + 1]);
+            const auto& machines = step == 0 ? (*run)["initial"] : (*run)["steps"][step - 1]["machines"];
+            EXPECT_EQ(line[1].get<std::vector<std::vector<std::string>>>(), states_of(machines, components))
+                << lines[at + step + 1];
+            EXPECT_THAT(line[0].get<std::string>(), ::testing::StartsWith("step " + std::to_string(step) + " of "));
+        }
+        const std::size_t behind = at + steps() + 2;
+        EXPECT_THAT(lines[behind], HasSubstr("step 0 of "));
+        EXPECT_EQ(lines[behind + 1], "\"#" + id + "/s/0\"");
+        EXPECT_EQ(lines[behind + 2], "\"#" + id + "/s/" + std::to_string(steps()) + "\"");
+    }
+};
+
+// Each step fills the states that are active in its data, in the light and in the dark, and the browser has nothing to
+// say.
 TEST_F(HtmlInABrowser, EachStepFillsTheStatesOfItsData) {
     for (const std::string study : {"aggregation", "swarm_taxis"}) {
-        const Folder folder;
         const std::string arguments = repository("corpus/" + study) + " " +
                                       repository("corpus/false_claims/" + study + ".assertions") + " --no-cache";
-        const Ran ran = run_shell("\"$verify\" check " + arguments + " --format json");
-        const auto report = nlohmann::json::parse(ran.out);
-        std::size_t claims = 0;
+        const auto report = nlohmann::json::parse(run_shell("\"$verify\" check " + arguments + " --format json").out);
+        std::vector<Tour> tours;
+        std::string commands;
         for (std::size_t i = 0; i < report["assertions"].size(); ++i) {
             if (!report["assertions"][i].contains("counterexample")) continue;
-            const auto& run = report["assertions"][i]["counterexample"];
-            const std::string id = "a" + std::to_string(i);
-            std::string commands = "open #" + id + "/s/0\n";
-            const std::string look = std::regex_replace(shown, std::regex("ID"), id);
-            for (std::size_t step = 0; step <= run["steps"].size(); ++step) commands += look + "key ArrowRight\n";
-            commands += "key Home\n" + look + "print location.hash\nkey End\nprint location.hash\n";
-            const auto lines = played("(\"$verify\" check " + arguments + " --html page.html; true)",
-                                      "print Array.from(document.querySelectorAll('#" + id +
-                                          " figcaption')).map((each) => each.textContent)\n" + commands,
-                                      claims++ == 0 ? "" : "dark");
-            ASSERT_EQ(lines.size(), run["steps"].size() + 5) << ::testing::PrintToString(lines);
-            const std::vector<std::string> components = nlohmann::json::parse(lines[0]);
-            for (std::size_t step = 0; step <= run["steps"].size(); ++step) {
-                const auto line = nlohmann::json::parse(lines[step + 1]);
-                const auto& machines = step == 0 ? run["initial"] : run["steps"][step - 1]["machines"];
-                EXPECT_EQ(line[1].get<std::vector<std::vector<std::string>>>(), states_of(machines, components))
-                    << lines[step + 1];
-                EXPECT_THAT(line[0].get<std::string>(), ::testing::StartsWith("step " + std::to_string(step) + " of "));
-            }
-            const std::size_t behind = run["steps"].size() + 2;
-            EXPECT_THAT(lines[behind], HasSubstr("step 0 of "));
-            EXPECT_EQ(lines[behind + 1], "\"#" + id + "/s/0\"");
-            EXPECT_EQ(lines[behind + 2], "\"#" + id + "/s/" + std::to_string(run["steps"].size()) + "\"");
+            tours.emplace_back("a" + std::to_string(i), report["assertions"][i]["counterexample"]);
+            const bool dark = (tours.size() % 2 == 0) == (study == "aggregation");
+            commands += (dark ? "scheme dark\n" : "scheme light\n") + tours.back().commands;
         }
-        EXPECT_GT(claims, 0U);
+        const auto lines = played("(\"$verify\" check " + arguments + " --html page.html; true)", commands);
+        std::size_t at = 0;
+        for (const Tour& tour : tours) at += tour.lines();
+        ASSERT_EQ(lines.size(), at) << ::testing::PrintToString(lines);
+        EXPECT_GT(tours.size(), 0U);
+        at = 0;
+        for (const Tour& tour : tours) {
+            tour.expect(lines, at);
+            at += tour.lines();
+        }
     }
+}
+
+// On the way to what is forbidden the machine is in the operation's state.
+TEST(Html, OperationsThatAreCalledAreDrawnToo) {
+    const Folder folder(
+        {{"m.rct",
+          R"(package p interface I { op() } operation unused() { initial i state V { } transition u0 { from i to V } }
+operation op() { initial i state W { } final F transition u0 { from i to W } transition u1 { from W to F } }
+stm S { requires I event e event f initial i state A { } state B { entry op(); send f }
+  transition t0 { from i to A } transition t1 { from A to B trigger e } }
+controller C { event e event f opref r = op sref a = S connection C on e to a on e connection a on f to C on f })"},
+         {"m.assertions",
+          "package q import p::*\nuntimed csp Only csp-begin\nOnly = p::C::e.in -> Only\ncsp-end\n"
+          "untimed assertion X : p::C refines Only in the traces model"}});
+    const Both both = reported({folder.path()});
+    const std::string claim = between(both.page, "<section class=\"claim\"", "</section>").at(0);
+    EXPECT_EQ(between(claim, "<figcaption>", "</figcaption>"),
+              (std::vector<std::string>{"p::C::a", "p::C::a: operation op"}));
+    const std::string state = all(claim, "data-element=\"(e[0-9]+)\"><title>state W</title>").at(0);
+    EXPECT_THAT(all(claim, "data-on=\"([^\"]*)\""), ::testing::Contains("0:" + state));
+}
+
+// A click on a state or transition goes to the next step in which it is marked, and begins again behind the last one.
+TEST_F(HtmlInABrowser, AClickOnTheDiagramGoesToItsStep) {
+    const std::string where = "print location.hash\n";
+    const std::string click =
+        "print Array.from(document.querySelectorAll('#a0 svg [data-element] > title')).find((each) "
+        "=> each.textContent.startsWith('NAME')).parentNode.dispatchEvent(new MouseEvent('click', "
+        "{ bubbles: true })) && ";
+    const auto to = [&](const std::string& name) {
+        return std::regex_replace(click, std::regex("NAME"), name) + "location.hash\n";
+    };
+    const auto lines = played(
+        "cat > m.rct <<'EOT'\npackage p stm S { event e initial i state A { } state B { } state C { }\n"
+        "transition t0 { from i to A } transition t1 { from A to B trigger e } }\nEOT\n"
+        "cat > m.assertions <<'EOT'\npackage q import p::* untimed assertion X : p::S::B is not reachable in "
+        "p::S\nEOT\n"
+        "(\"$verify\" check m.rct m.assertions --html page.html; true)",
+        "open #a0/s/0\n" + to("transition t1") + to("state A") + to("state B") + to("state C") + where);
+    ASSERT_EQ(lines.size(), 5U) << ::testing::PrintToString(lines);
+    EXPECT_THAT(lines, ::testing::Each(::testing::StartsWith("\"#a0/s/")));
+    const auto step = [&](std::size_t line) { return std::stoi(lines[line].substr(7)); };
+    EXPECT_GT(step(0), step(1)) << "t1 fires behind a step in A";
+    EXPECT_GE(step(2), step(0));
+    EXPECT_EQ(lines[3], lines[2]) << "C is never marked";
 }
 
 }  // namespace

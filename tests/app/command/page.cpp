@@ -53,7 +53,7 @@ void expect_closed(const std::string& page) {
 
 std::vector<std::string> played(const std::string& written, const std::string& commands, const std::string& how) {
     const Ran ran =
-        run_shell(written + " > out.txt && timeout 200 node " + repository("tests/app/command/browser.mjs") +
+        run_shell(written + " > out.txt && timeout 500 node " + repository("tests/app/command/browser.mjs") +
                   " page.html " + how + " <<'EOT'\n" + commands + "EOT\n");
     EXPECT_EQ(ran.exit, 0) << ran.err;
     std::vector<std::string> result;

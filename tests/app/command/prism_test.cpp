@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app::testing {
 namespace {
@@ -114,6 +115,112 @@ TEST_F(Prism, LimitsEndItWithWhatIsKnown) {
     const Ran late = run({"prism", large.path(), "--timeout", "0.5", "--property", "P=? [ F x=3 ]"});
     EXPECT_EQ(late.exit, 3);
     EXPECT_THAT(late.err, HasSubstr("the time limit was reached while exploring"));
+}
+
+TEST_F(Prism, PathsAreSampled) {
+    const std::vector<std::string> question{"--const", "p=0.25", "--property", "P=? [ F s=1 ]", "--sim", "ci"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), question.begin(), question.end());
+        return ask(more);
+    };
+    const Ran text = with({"--seed", "3"});
+    EXPECT_EQ(text.exit, 0) << text.err;
+    // A hit is known after a step, that there is none where s=2 has come again: 1 + about 0.75.
+    EXPECT_THAT(text.out, HasSubstr("at 99 % (ci, 1000 paths of 1.8 steps, 1 to 2)"));
+    EXPECT_THAT(text.out, HasSubstr("Clopper-Pearson: from 0.2"));
+    EXPECT_THAT(text.out, ::testing::Not(HasSubstr("states")));
+    EXPECT_EQ(text.out, with({"--seed", "3", "--threads", "1"}).out);
+    EXPECT_NE(text.out, with({"--seed", "4"}).out);
+    const json answer = json::parse(with({"--format", "json"}).out)["runs"][0]["answers"][0];
+    EXPECT_EQ(answer["answer"], "estimate");
+    EXPECT_DOUBLE_EQ(answer["value"].get<double>(), answer["estimate"]["hits"].get<double>() / 1000);
+    EXPECT_LE(answer["low"].get<double>(), 0.25);
+    EXPECT_GE(answer["high"].get<double>(), 0.25);
+    EXPECT_FALSE(answer.contains("exact"));
+    EXPECT_THAT(with({"--format", "csv"}).out, HasSubstr(",estimate,"));
+    EXPECT_EQ(with({"--exact"}).exit, 4);
+    EXPECT_EQ(with({"--export", "tra"}).exit, 4);
+    EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P=? [ F s=1 ]", "--sim", "cii"}).exit, 4);
+    EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P>=0.25 [ F s=1 ]", "--sim", "ci"}).exit, 3);
+    EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P>=0.6 [ F s=1 ]", "--sim", "sprt"}).exit, 1);
+}
+
+TEST_F(Prism, AnMdpIsSampledUnderANamedSchedulerOnly) {
+    const TemporaryFile mdp("choice.prism",
+                            "mdp module M s:[0..2]; [] s=0 -> (s'=1); [] s=0 -> (s'=2); [] s>0 -> true; endmodule");
+    const std::vector<std::string> question{"prism", mdp.path(), "--property", "P=? [ F s=1 ]"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), question.begin(), question.end());
+        return run(more);
+    };
+    const Ran refused = with({"--sim", "ci"});
+    EXPECT_EQ(refused.exit, 4);
+    EXPECT_THAT(refused.err, HasSubstr("--scheduler uniform"));
+    EXPECT_EQ(with({"--sim", "ci", "--scheduler", "uniform"}).exit, 0);
+    const Ran exact = with({"--exact", "--scheduler", "uniform"});
+    EXPECT_THAT(exact.out, HasSubstr("mdp under the scheduler uniform, 3 states"));
+    EXPECT_THAT(exact.out, HasSubstr("\n  0.5\n"));
+}
+
+TEST_F(Prism, ViolatedBoundsShowPaths) {
+    const std::vector<std::string> question{"--const", "p=0.75", "--property", "P<=0.5 [ F s=1 ]"};
+    const Ran text = ask(question);
+    EXPECT_EQ(text.exit, 1);
+    EXPECT_THAT(text.out, HasSubstr("    a path on which the formula holds has probability 0.75, above 0.5\n"
+                                    "    0.75: s=0\n      M (line 2): s=1\n"));
+    std::vector<std::string> as_json = question;
+    as_json.insert(as_json.end(), {"--format", "json"});
+    const json found = json::parse(ask(as_json).out)["runs"][0]["answers"][0]["counterexample"];
+    EXPECT_EQ(found["count"], 1);
+    EXPECT_EQ(found["low"], 0.75);
+    EXPECT_EQ(found["paths"][0]["steps"][0]["state"], "s=1");
+    EXPECT_EQ(found["paths"][0]["steps"][0]["by"][0]["commands"][0]["line"], 2);
+    std::vector<std::string> graph = question;
+    graph.insert(graph.end(), {"--export", "counterexample"});
+    EXPECT_THAT(ask(graph).out, StartsWith("digraph counterexample"));
+    EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P<=0.5 [ F s=1 ]", "--export", "counterexample"}).exit, 3);
+    EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P<=0.5 [ F s=1 ]; true", "--export", "strategy"}).exit, 4);
+    EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P<=0.5 [ F<=3 s=1 ]", "--export", "strategy"}).exit, 3);
+}
+
+/// Several models at once give what one after the other gives.
+TEST_F(Prism, ExperimentsAreTheSameForAnyNumberOfThreads) {
+    const std::vector<std::string> question{"--const", "p=0:0.1:1,t=1:3", "--property",
+                                            "const int t; P=? [ F<=t s=1 ]; P<=0.5 [ F<=t s=1 ]"};
+    std::string first;
+    for (const char* const threads : {"1", "2", "5"}) {
+        std::vector<std::string> arguments = question;
+        arguments.insert(arguments.end(), {"--threads", threads});
+        const Ran ran = ask(arguments);
+        EXPECT_EQ(ran.exit, 1);
+        if (first.empty()) first = ran.out;
+        EXPECT_EQ(ran.out, first) << threads;
+    }
+    // The first set for which the model is wrong ends the experiment, whoever comes to it.
+    for (const char* const threads : {"1", "4"}) {
+        const Ran wrong =
+            ask({"--const", "p=0.8:0.1:1.9", "--property", "P=? [ F s=1 ]", "--format", "json", "--threads", threads});
+        EXPECT_EQ(wrong.exit, 2);
+        EXPECT_EQ(json::parse(wrong.out)["runs"].size(), 4U) << threads;  // 0.8, 0.9, 1 and 1.1
+    }
+}
+
+TEST_F(Prism, ExperimentsAreDrawn) {
+    const TemporaryFile plot("plot.svg", "");
+    const std::vector<std::string> question{"--property", "P=? [ F s=1 ]; 2 * P=? [ F s=1 ]", "--plot", plot.path()};
+    const auto with = [&](const std::string& constants) {
+        std::vector<std::string> arguments{"--const", constants};
+        arguments.insert(arguments.end(), question.begin(), question.end());
+        return ask(arguments);
+    };
+    EXPECT_EQ(with("p=0:0.25:1").exit, 0);
+    const std::string svg = tests::contents(plot.path());
+    EXPECT_THAT(svg, StartsWith("<svg"));
+    std::size_t points = 0;
+    for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++points;
+    EXPECT_EQ(points, 10U);  // two properties for five values
+    EXPECT_THAT(svg, HasSubstr("P=? [ F s = 1 ]"));
+    EXPECT_EQ(with("p=0.5").exit, 4);
 }
 
 TEST_F(Prism, HostileTextsAreRefused) {

@@ -140,7 +140,7 @@ TEST(Series, OverTheTrialsThatHadNotEnded) {
     Scenario scenario = small();
     scenario.robots = 3;
     scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 10, 0});
-    scenario.bands.push_back({{StatisticKind::at_time, 0, 1, true, 0}, true, 0.5, 1, "each", {}});
+    scenario.bands.push_back({{StatisticKind::at_time, 0, 1, {}}, true, 0.5, 1, "each", {}});
     // Of three in a row, two pairs are a gap apart and one two gaps: 4/3 of a gap in the mean.
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30})}, machines());
     EXPECT_THAT(charts.times, ElementsAre(0, 1, 2));

@@ -87,7 +87,7 @@ TEST(Scenario, ReadsEveryItemIntoCentimetresSecondsRadians) {
     EXPECT_DOUBLE_EQ(s.world.body.radius, 3.5);
     EXPECT_DOUBLE_EQ(s.world.body.max_wheel, 12.8);
     EXPECT_DOUBLE_EQ(s.world.body.noise, 0.05);
-    EXPECT_EQ(s.placements.at(0).region->low, (Vector{-40, -40}));
+    EXPECT_EQ(s.placements.at(0).region.low, (Vector{-40, -40}));
     EXPECT_DOUBLE_EQ(s.placements.at(1).pose.heading, std::numbers::pi / 2);
     EXPECT_DOUBLE_EQ(s.sensors.at(1).range_and_bearing.loss, 0.1);
     EXPECT_FALSE(s.sensors.at(1).range_and_bearing.occlusion);
@@ -98,7 +98,7 @@ TEST(Scenario, ReadsEveryItemIntoCentimetresSecondsRadians) {
     EXPECT_DOUBLE_EQ(s.drives.at(0).linear_factor, 100);
     EXPECT_TRUE(*s.stimuli.at(1).truth);
     EXPECT_DOUBLE_EQ(s.stimuli.at(1).every, 0.5);
-    EXPECT_DOUBLE_EQ(s.bands.at(0).statistic.level, 0.9);
+    EXPECT_DOUBLE_EQ(s.bands.at(0).statistic.condition.low, 0.9);
     EXPECT_DOUBLE_EQ(s.bands.at(1).high, 20);
     EXPECT_TRUE(std::isinf(s.bands.at(2).high));
     EXPECT_EQ(s.bands.at(2).text, "mean average(near) >= 50 %");
@@ -125,6 +125,50 @@ TEST(Scenario, FindingsStandAtTheirPlaces) {
     EXPECT_THAT(Read(replaced(good, " open", "")).findings(), ::testing::Not(HasSubstr("outside")));
     EXPECT_THAT(Read(replaced(replaced(good, " open", ""), "(90 cm, 0 cm)", "(101 cm, 0 cm)")).findings(),
                 HasSubstr("outside the arena"));
+}
+
+TEST(Scenario, ReadsClaims) {
+    const std::string band = "accept mean average(near) >= 50 %";
+    const Read read(replaced(good, band,
+                             "accept probability (near >= 50 % and way <= 9 cm) stays for 0.5 s within 1.5 s "
+                             ">= 95 % with confidence 99 %, indifference 2 %, at most 500 trials"));
+    ASSERT_EQ(read.findings(), "");
+    const Claim& claim = read.scenario.claims.at(0);
+    EXPECT_EQ(claim.property.kind, Formula::Kind::within);
+    EXPECT_DOUBLE_EQ(claim.property.time, 1.5);
+    EXPECT_EQ(claim.property.parts.at(0).kind, Formula::Kind::stays);
+    EXPECT_EQ(claim.property.parts[0].parts.at(0).kind, Formula::Kind::both);
+    EXPECT_DOUBLE_EQ(claim.property.parts[0].parts[0].parts.at(1).high, 9);
+    EXPECT_TRUE(claim.at_least);
+    EXPECT_DOUBLE_EQ(claim.probability, 0.95);
+    EXPECT_DOUBLE_EQ(claim.confidence, 0.99);
+    EXPECT_DOUBLE_EQ(claim.indifference, 0.02);
+    EXPECT_EQ(claim.trials, 500U);
+    EXPECT_EQ(claim.text,
+              "probability (near >= 50 % and way <= 9 cm) stays for 0.5 s within 1.5 s >= 95 % with "
+              "confidence 99 %, indifference 2 %, at most 500 trials");
+}
+
+TEST(Scenario, FindingsInClaims) {
+    const auto findings = [](const std::string& claim) {
+        return Read(replaced(good, "mean average(near) >= 50 %", claim)).findings();
+    };
+    const std::string tail = " >= 50 % with confidence 90 %";
+    EXPECT_THAT(findings("probability near >= 1 % and way <= 1 cm within 1 s" + tail),
+                HasSubstr("RC-M16 'and' joins a condition at an instant and a property of a trial"));
+    EXPECT_THAT(findings("probability (always near >= 1 %) within 1 s" + tail), HasSubstr("RC-M16 'within' takes"));
+    EXPECT_THAT(findings("each first(near >= 1 % within 1 s) <= 1 s"), HasSubstr("RC-M16 'first' takes"));
+    EXPECT_THAT(findings("probability not near >= 1 % within 1 s" + tail),
+                HasSubstr("RC-M01 expected parentheses that show what 'not' is about, found 'within'"));
+    EXPECT_THAT(findings("probability near >= 1 % within 3 s" + tail), HasSubstr("RC-M03 3 s is after the end"));
+    EXPECT_THAT(findings("probability near >= 1 % >= 50 % with confidence 100 %"),
+                HasSubstr("RC-M03 the confidence is at least 50 % and less than 100 %"));
+    EXPECT_THAT(findings("probability near >= 1 %" + tail + ", indifference 50 %"),
+                HasSubstr("RC-M03 the probability, more or less the indifference, is not between"));
+    EXPECT_THAT(findings("probability far >= 1 %" + tail), HasSubstr("RC-M06 there is no measure 'far'"));
+    std::string deep = "probability ";
+    for (int i = 0; i < 100'000; ++i) deep += "(";
+    EXPECT_THAT(findings(deep), HasSubstr("RC-M01 expected at most 100 words"));
 }
 
 /// However a scenario is cut off, the reader ends with a finding.
@@ -165,6 +209,42 @@ TEST(Start, RefusesWhatDoesNotFit) {
     ASSERT_EQ(read.findings(), "");
     EXPECT_FALSE(start(read.scenario, 0, read.diagnostics));
     EXPECT_THAT(read.findings(), HasSubstr("10:3 RC-M09 199 robots of radius 3.5 cm do not fit"));
+}
+
+/// Four robots of 300 cm2 each start in a square with a side of 34.6 cm, in an arena with a side of 60 cm; nine of them
+/// in one of 52.0 cm, in 90 cm.
+TEST(Start, SquaresGrowWithTheRobots) {
+    const std::string text = R"(scenario S for M {
+	step 0.1 s physics 0.1 s unit 0.1 s duration 1 s
+	arena square with 0.09 m2 per robot
+	robots 4 { radius 1 cm place random around (10 cm, 0 cm) with 300 cm2 per robot }
+})";
+    Read read(text);
+    ASSERT_EQ(read.findings(), "");
+    EXPECT_DOUBLE_EQ(read.scenario.world.arena.width, 60);
+    for (const auto& [robots, side] : {std::pair(4U, 60.0), std::pair(9U, 90.0)}) {
+        read.scenario.set_robots(robots);
+        EXPECT_DOUBLE_EQ(read.scenario.world.arena.height, side);
+        const auto world = start(read.scenario, 3, read.diagnostics);
+        ASSERT_TRUE(world);
+        ASSERT_EQ(world->size(), robots);
+        const double half = std::sqrt(300.0 * robots) / 2 - 1;
+        double farthest = 0;
+        for (std::size_t i = 0; i < robots; ++i) {
+            EXPECT_LE(std::abs(world->position(i).x - 10), half);
+            farthest = std::max(farthest, std::abs(world->position(i).y));
+        }
+        EXPECT_LE(farthest, half);
+        EXPECT_GT(farthest, half / 4);
+    }
+    Read beyond(replaced(text, "(10 cm, 0 cm)", "(20 cm, 0 cm)"));
+    EXPECT_FALSE(start(beyond.scenario, 0, beyond.diagnostics));
+    EXPECT_EQ(beyond.findings(), "4:25 RC-M03 the place of robots lies outside the arena\n");
+    Read whole(replaced(text, "around (10 cm, 0 cm) with 300 cm2 per robot", "in arena"));
+    EXPECT_EQ(whole.findings(), "");
+    EXPECT_TRUE(start(whole.scenario, 0, whole.diagnostics));
+    EXPECT_EQ(Read(replaced(text, "0.09 m2", "900 cm")).findings(),
+              "3:20 RC-M02 the area of a robot takes an area (cm2, m2)\n");
 }
 
 TEST(Start, TrialsDifferAndRepeat) {

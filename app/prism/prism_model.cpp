@@ -1,0 +1,90 @@
+// See prism_model.hpp.
+#include "app/prism/prism_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "checker/prism/checks/check.hpp"
+#include "checker/prism/experiment.hpp"
+#include "checker/prism/syntax/reader.hpp"
+#include "checker/prism/syntax/rules.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+
+namespace robochart::app {
+namespace {
+
+std::optional<diagnostics::SourceId> load_text(const std::string& path, LoadedModel& loaded) {
+    std::string error;
+    std::optional<diagnostics::SourceId> source;
+    if (path == "-") {
+        std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+        if (error.empty()) source = loaded.sources.add("standard input", std::move(text));
+    } else {
+        source = loaded.sources.load(path, error);
+    }
+    if (!source) loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::shown(path), error});
+    return source;
+}
+
+void add(prism::PropertyFile& all, prism::PropertyFile more) {
+    all.constants.insert(all.constants.end(), more.constants.begin(), more.constants.end());
+    all.labels.insert(all.labels.end(), more.labels.begin(), more.labels.end());
+    all.properties.insert(all.properties.end(), more.properties.begin(), more.properties.end());
+}
+
+/// The uniform scheduler takes every combination of commands with the same probability: that is a dtmc.
+void resolve_choices(const Options& options, LoadedModel& loaded) {
+    if (loaded.model->kind != prism::ModelKind::mdp) return;
+    if (!options.scheduler.empty()) {
+        loaded.scheduled = true;
+        loaded.model->kind = prism::ModelKind::dtmc;
+    } else if (options.sampling) {
+        throw UsageError("--sim: the model is an mdp, and paths depend on who chooses: add --scheduler uniform");
+    }
+}
+
+}  // namespace
+
+void load(const Options& options, LoadedModel& loaded) {
+    const auto source = load_text(options.inputs.front(), loaded);
+    if (!source) return;
+    const prism::ModelFile model = prism::read_model(loaded.sources, *source, loaded.diagnostics);
+    prism::PropertyFile properties;
+    for (std::size_t i = 1; i < options.inputs.size(); ++i)
+        if (const auto file = load_text(options.inputs[i], loaded))
+            add(properties, prism::read_properties(loaded.sources, *file, loaded.diagnostics));
+    for (const std::string& text : options.properties) {
+        const auto id = loaded.sources.add("--property", text);
+        add(properties, prism::read_properties(loaded.sources, id, loaded.diagnostics));
+    }
+    if (!loaded.diagnostics.ok()) return;
+    loaded.model = prism::check_model(model, loaded.diagnostics);
+    if (loaded.model) resolve_choices(options, loaded);
+    if (loaded.model) loaded.properties = prism::check_properties(*loaded.model, properties, loaded.diagnostics);
+}
+
+Experiment experiment(const LoadedModel& loaded, const Options& options) {
+    const std::vector<prism::Constant> of_model = prism::open_constants(loaded.model->constants);
+    std::vector<prism::Constant> open = prism::open_constants(loaded.properties.constants);
+    open.insert(open.end(), of_model.begin(), of_model.end());
+    std::vector<prism::Series> model, properties;
+    try {
+        for (const std::string& text : options.constants)
+            for (prism::Series& each : prism::read_series(text, open)) {
+                const auto same = [&](const auto& other) { return other.name == each.name; };
+                if (std::any_of(model.begin(), model.end(), same) ||
+                    std::any_of(properties.begin(), properties.end(), same))
+                    throw prism::BadValue(fmt::format("'{}' is given twice", each.name));
+                const bool in_model = std::any_of(of_model.begin(), of_model.end(),
+                                                  [&](const auto& c) { return c.name.text == each.name; });
+                (in_model ? model : properties).push_back(std::move(each));
+            }
+        return {prism::combinations(model), prism::combinations(properties)};
+    } catch (const prism::BadValue& error) {
+        throw UsageError(fmt::format("--const {}", error.what()));
+    }
+}
+
+}  // namespace robochart::app

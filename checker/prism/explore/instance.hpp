@@ -1,0 +1,43 @@
+// A model with values for its constants: how its states are packed, and code over them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "checker/prism/checks/checked.hpp"
+#include "checker/prism/explore/code.hpp"
+#include "checker/prism/explore/layout.hpp"
+#include "diagnostics/budget.hpp"
+
+namespace robochart::prism {
+
+class Instance {
+public:
+    /// `model` outlives it. Throws EvaluationError.
+    Instance(const CheckedModel& model, const Values& constants);
+
+    [[nodiscard]] const CheckedModel& model() const { return model_; }
+    /// Values of the constants of the model.
+    [[nodiscard]] const Values& constants() const { return constants_; }
+    [[nodiscard]] const Layout& layout() const { return layout_; }
+    /// Code for expressions over its states, with more constants. Behind the values of the variables two truth values
+    /// may stand, by the names below. Throws EvaluationError.
+    [[nodiscard]] Code code(const Values& more = {}) const;
+
+    /// Names of truth values of a state that are no variables: whether it is a deadlock, whether it is initial.
+    static constexpr const char* deadlock_name = "\"deadlock\"";
+    static constexpr const char* initial_name = "\"init\"";
+
+private:
+    const CheckedModel& model_;
+    Values constants_;
+    Layout layout_;
+};
+
+/// Calls `found` with the values of each initial state. Of init ... endinit the states are listed by trying values:
+/// every conjunct is looked at as soon as its variables have values. Throws EvaluationError.
+void list_initial_states(const Instance& instance, Code& code, diagnostics::Budget* budget,
+                         const std::function<void(const std::int32_t*)>& found);
+
+}  // namespace robochart::prism

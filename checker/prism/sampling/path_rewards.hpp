@@ -1,0 +1,41 @@
+// What a path earns, item by item of a reward structure.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "checker/prism/checks/checked.hpp"
+#include "checker/prism/explore/code.hpp"
+
+namespace robochart::prism {
+
+/// The items that match add up.
+class PathRewards {
+public:
+    /// `structure` outlives it. Throws EvaluationError.
+    PathRewards(const RewardStructure& structure, const std::vector<std::string>& actions, Code& code);
+
+    // Throw EvaluationError.
+    /// For being in a state.
+    [[nodiscard]] double of_state(StateValues state) const { return sum(of_states_, state); }
+    /// For leaving a state with an action.
+    [[nodiscard]] double of_step(StateValues state, std::uint32_t action) const {
+        return sum(by_action_[action], state);
+    }
+
+private:
+    struct Item {
+        Code::Root guard, value;
+        bool fixed;
+        double amount;  ///< where it is fixed
+    };
+
+    [[nodiscard]] double amount(Code::Root value, StateValues state) const;
+    [[nodiscard]] double sum(const std::vector<Item>& items, StateValues state) const;
+
+    Code& code_;
+    std::vector<Item> of_states_;
+    std::vector<std::vector<Item>> by_action_;
+};
+
+}  // namespace robochart::prism

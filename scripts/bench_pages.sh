@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# The page with the counterexample of the high-voltage controller, 1,503 steps of four machines: its size, how long Chromium
+# takes to load it, how long a step takes in it, and that each step fills the states of its data (docs/benchmarks.md,
+# "Diagrams"). Then 10,000 steps by chance of the semantics by hand. The model's folder: ROBOCHART_SHARED/bench/hvc.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release >/dev/null
+cmake --build --preset release --target robochart-verify
+model="${ROBOCHART_SHARED:-../shared}/bench/hvc"
+verify=build/release/app/robochart-verify
+made="$(mktemp -d)"
+trap 'rm -rf "$made"' EXIT
+"$verify" check "$model" --assertion P1_fail --format json --html "$made/page.html" >"$made/report.json" 2>/dev/null ||
+  [ "$?" -eq 1 ]
+node tests/browser/tour.mjs "$made/page.html" "$made/report.json"
+begin=$(date +%s%N)
+printf 'internal\nrandom 10000\n' | "$verify" step "$model" mod_sys >/dev/null 2>&1
+echo "10,000 steps by hand: $(( ($(date +%s%N) - begin) / 1000000 )) ms, reading the model included"

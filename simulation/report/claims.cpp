@@ -1,0 +1,166 @@
+// See claims.hpp.
+#include "simulation/report/claims.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "simulation/report/percent.hpp"
+
+namespace robochart::simulation {
+
+std::uint64_t ClaimResult::stopped() const {
+    return static_cast<std::uint64_t>(
+        std::count_if(outcomes.begin(), outcomes.end(), [](const ClaimOutcome& each) { return each.stopped; }));
+}
+
+ClaimJudge::ClaimJudge(const Claim& claim, std::uint32_t comparisons)
+    : claim_(claim), looks_(claim.trials, (1 - claim.confidence) / comparisons) {
+    result_.error = (1 - claim.confidence) / comparisons;
+    sprt_ = {claim.probability + claim.indifference, claim.probability - claim.indifference, result_.error,
+             result_.error};
+}
+
+void ClaimJudge::add(const ClaimOutcome& outcome, std::uint64_t steps) {
+    result_.outcomes.push_back(outcome);
+    result_.successes += outcome.holds ? 1U : 0U;
+    result_.steps += steps;
+    if (claim_.indifference > 0)
+        test();
+    else
+        look_at_interval();
+    done_ = done_ || result_.trials() >= claim_.trials;
+}
+
+void ClaimJudge::look_at_interval() {
+    const auto interval = looks_.at(result_.successes, result_.trials());
+    if (!interval) return;
+    result_.interval = *interval;
+    result_.looked = result_.trials();
+    const double p = claim_.probability;
+    const bool above = claim_.at_least ? interval->low >= p : interval->low > p;
+    const bool below = claim_.at_least ? interval->high < p : interval->high <= p;
+    if (above || below) decide(above);
+}
+
+void ClaimJudge::test() {
+    const statistics::Sprt::Answer answer = sprt_.answer(result_.successes, result_.trials());
+    if (answer != statistics::Sprt::Answer::open) decide(answer == statistics::Sprt::Answer::at_least);
+}
+
+void ClaimJudge::decide(bool above) {
+    result_.verdict = above == claim_.at_least ? ClaimVerdict::holds : ClaimVerdict::fails;
+    done_ = true;
+}
+
+std::string verdict_word(ClaimVerdict verdict) {
+    return verdict == ClaimVerdict::holds ? "holds" : verdict == ClaimVerdict::fails ? "fails" : "open";
+}
+
+std::string evidence_text(const Claim& claim, const ClaimResult& found) {
+    std::string text = fmt::format("{} of {} trials", found.successes, found.trials());
+    if (claim.indifference > 0)
+        text += fmt::format("; test of at least {} against at most {}, each answer wrong with at most {}",
+                            percent(claim.probability + claim.indifference),
+                            percent(claim.probability - claim.indifference), percent(found.error));
+    else if (found.looked > 0)
+        text +=
+            fmt::format("; between {} and {}{}", percent_below(found.interval.low), percent_above(found.interval.high),
+                        found.looked == found.trials() ? "" : fmt::format(" (after {} trials)", found.looked));
+    if (found.verdict == ClaimVerdict::open)
+        text += found.trials() >= claim.trials ? "; no more trials are allowed" : "; it needs more trials";
+    if (const std::uint64_t stopped = found.stopped(); stopped > 0)
+        text += fmt::format("; {} of them stopped by a controller, counted against it", stopped);
+    return text;
+}
+
+namespace {
+
+std::string sensor_line(const Sensor& sensor) {
+    std::string text = fmt::format("sensor {}: ", sensor.name.text);
+    const auto range = [](double cm) { return cm > 0 ? fmt::format("to {:g} cm", cm) : std::string("without limit"); };
+    switch (sensor.kind) {
+        case SensorKind::line_of_sight:
+            return text + fmt::format("line of sight {}, without errors", range(sensor.sight_range));
+        case SensorKind::range_and_bearing: {
+            const RangeAndBearing& radio = sensor.range_and_bearing;
+            return text + fmt::format("messages to {:g} cm, {}, {}, {}", radio.range,
+                                      radio.occlusion ? "hidden by robots in between" : "through robots in between",
+                                      radio.noise > 0
+                                          ? fmt::format("distances with a deviation of {:g} cm", radio.noise)
+                                          : "exact distances",
+                                      radio.loss > 0 ? fmt::format("{} lost", percent(radio.loss)) : "none lost");
+        }
+        case SensorKind::light:
+            return text + fmt::format("{} light sensors with shadows, {} leak", sensor.light_ring.sensors,
+                                      percent(sensor.light_ring.leak));
+        case SensorKind::proximity:
+            return text +
+                   fmt::format("{} rays {}, without errors", sensor.proximity.sensors, range(sensor.proximity.range));
+    }
+    return text;
+}
+
+std::string placement_text(const Placement& place) {
+    const auto point = [](Vector at) { return fmt::format("({:g} cm, {:g} cm)", at.x, at.y); };
+    switch (place.kind) {
+        case Placement::Kind::pose:
+            return "at " + point(place.pose.at);
+        case Placement::Kind::square:
+            return fmt::format("at random around {} with {:g} cm2 per robot", point(place.pose.at), place.area);
+        case Placement::Kind::arena:
+            return "at random in the arena";
+        default:
+            return fmt::format("at random in {} to {}", point(place.region.low), point(place.region.high));
+    }
+}
+
+std::string placements_line(const Scenario& scenario) {
+    std::vector<std::string> places;
+    for (const Placement& place : scenario.placements) places.push_back(placement_text(place));
+    constexpr std::size_t most = 4;
+    const std::size_t left_out = places.size() > most ? places.size() - most : 0;
+    if (left_out > 0) places.resize(most);
+    return fmt::format("start: {}{}", fmt::join(places, "; "),
+                       left_out > 0 ? fmt::format("; and {} more places", left_out) : "");
+}
+
+}  // namespace
+
+std::string claims_text(const Scenario& scenario, const std::vector<ClaimResult>& results) {
+    std::string out;
+    for (std::size_t c = 0; c < results.size(); ++c)
+        out += fmt::format("  {:<8} {}\n           {}\n",
+                           results[c].verdict == ClaimVerdict::fails ? "FAILS" : verdict_word(results[c].verdict),
+                           scenario.claims[c].text, evidence_text(scenario.claims[c], results[c]));
+    return out;
+}
+
+std::vector<std::string> world_lines(const Scenario& scenario) {
+    const Body& body = scenario.world.body;
+    const Arena& arena = scenario.world.arena;
+    std::vector<std::string> lines;
+    lines.push_back(
+        fmt::format("{} robot{} of radius {:g} cm, wheels to {:g} cm/s, {}", scenario.robots,
+                    scenario.robots == 1 ? "" : "s", body.radius, body.max_wheel,
+                    body.noise > 0 ? fmt::format("{} noise of each", percent(body.noise)) : "without noise"));
+    lines.push_back(fmt::format("{:g} cm by {:g} cm {}{}", arena.width, arena.height,
+                                arena.walled ? "with walls" : "without walls",
+                                arena.walls.empty() ? "" : fmt::format(", {} inside", arena.walls.size())));
+    lines.push_back(placements_line(scenario));
+    for (const Sensor& sensor : scenario.sensors) lines.push_back(sensor_line(sensor));
+    lines.push_back(fmt::format("{:g} s in control steps of {:g} s, {} physics steps each", scenario.duration,
+                                scenario.world.control_step, scenario.world.physics_steps));
+    lines.push_back(
+        fmt::format("each trial from a seed of its own, {} and on; an interval is about chance, not about what "
+                    "this world leaves out",
+                    scenario.seed));
+    return lines;
+}
+
+std::string world_text(const Scenario& scenario) {
+    return fmt::format("  {}\n", fmt::join(world_lines(scenario), "\n  "));
+}
+
+}  // namespace robochart::simulation

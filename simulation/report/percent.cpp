@@ -1,0 +1,22 @@
+// See percent.hpp.
+#include "simulation/report/percent.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace robochart::simulation {
+
+std::string percent(double probability) {
+    return fmt::format("{:.6g} %", 100 * probability);
+}
+
+std::string percent_below(double probability) {
+    return fmt::format("{:.6g} %", std::floor(probability * 1e5) / 1e3);
+}
+
+std::string percent_above(double probability) {
+    return fmt::format("{:.6g} %", std::ceil(probability * 1e5) / 1e3);
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,40 @@
+// See sequential.hpp.
+#include "statistics/sequential.hpp"
+
+#include <cmath>
+
+namespace robochart::statistics {
+
+namespace {
+
+constexpr std::uint64_t first_look = 16;
+
+}  // namespace
+
+Sprt::Answer Sprt::answer(std::uint64_t successes, std::uint64_t trials) const {
+    const double ratio = static_cast<double>(successes) * std::log(p1 / p0) +
+                         static_cast<double>(trials - successes) * std::log((1 - p1) / (1 - p0));
+    if (ratio >= -std::log(alpha)) return Answer::below;
+    return ratio <= std::log(beta) ? Answer::at_least : Answer::open;
+}
+
+Looks::Look Looks::first(std::uint64_t trials) const {
+    Look look{1, first_look};
+    while (look.trials < trials && look.trials < most_) look = {look.number + 1, look.trials + (look.trials + 1) / 2};
+    return {look.number, look.trials < most_ ? look.trials : most_};
+}
+
+std::optional<std::uint64_t> Looks::next(std::uint64_t trials) const {
+    if (trials >= most_) return std::nullopt;
+    return first(trials + 1).trials;
+}
+
+std::optional<Interval> Looks::at(std::uint64_t successes, std::uint64_t trials) const {
+    const Look look = first(trials);
+    if (look.trials != trials) return std::nullopt;
+    const auto number = static_cast<double>(look.number);
+    const double share = look.trials == most_ ? error_ / number : error_ / (number * (number + 1));
+    return clopper_pearson(successes, trials, share);
+}
+
+}  // namespace robochart::statistics

@@ -1,0 +1,71 @@
+// Goes through every counterexample of a page by keyboard: `node tour.mjs PAGE JSON`. JSON: what `--format json` has printed
+// of the same run. Each step has to fill exactly the states that are active in its data; the page has to be quiet. Prints the
+// size of the page, how long it took to load, and how long a step takes in it. Faults are printed; exit code 1 if there are any.
+import assert from "node:assert";
+import { readFileSync, statSync } from "node:fs";
+import { inChromium } from "./chromium.mjs";
+
+const [page, json] = process.argv.slice(2);
+const report = JSON.parse(readFileSync(json, "utf8"));
+
+/** The next steps, at most 50: a sentence; of each machine its name and its filled states; milliseconds. */
+const walked = (id, first) => `(() => {
+    const claim = document.getElementById(${JSON.stringify(id)});
+    const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    const figures = Array.from(claim.querySelectorAll("figure[data-machine]"));
+    const machines = figures.filter((figure) => figure.querySelector(".values"));
+    const filled = (machine) => figures.filter((figure) => figure.dataset.machine === machine).flatMap((figure) =>
+        Array.from(figure.querySelectorAll(".on > title"), (title) => title.textContent.trim().split(" ").at(-1)));
+    const look = (ms) => ({ ms, status: claim.querySelector(".status").textContent, figures: machines.map((figure) => [
+        figure.querySelector("figcaption").textContent, filled(figure.dataset.machine),
+    ]) });
+    const steps = [];
+    if (${first}) {
+        claim.querySelector("button[data-to=first]").click();
+        steps.push(look(0));
+    }
+    const rows = Array.from(claim.querySelectorAll("tr.step"));
+    const here = rows.findIndex((row) => row.hasAttribute("aria-current"));
+    for (let left = Math.min(50, rows.length - 1 - here); left > 0; --left) {
+        const begin = performance.now();
+        press("ArrowRight");
+        claim.getBoundingClientRect();
+        steps.push(look(performance.now() - begin));
+    }
+    return steps;
+})()`;
+
+const nameOf = (element) => element.slice(element.lastIndexOf(":") + 1);
+
+function expected(machines, figures) {
+    return figures.map(([caption]) => [
+        caption,
+        (machines.find(({ component }) => component === caption)?.active ?? []).map(nameOf),
+    ]);
+}
+
+await inChromium(async (tab) => {
+    const begin = performance.now();
+    await tab.open(page);
+    const loaded = performance.now() - begin;
+    let steps = 0;
+    let longest = 0;
+    for (const [i, { counterexample }] of report.assertions.entries()) {
+        if (counterexample === undefined) continue;
+        const shown = await tab.evaluated(walked(`a${i}`, true));
+        for (let more = shown; more.length > 0; shown.push(...more)) more = await tab.evaluated(walked(`a${i}`, false));
+        assert.strictEqual(shown.length, counterexample.steps.length + 1, `a${i}`);
+        for (const [n, { status, figures, ms }] of shown.entries()) {
+            assert.ok(status.startsWith(`step ${n} of `), status);
+            const machines = n === 0 ? counterexample.initial : counterexample.steps[n - 1].machines;
+            const drawn = figures.map(([caption, states]) => [caption, states.toSorted()]);
+            const wanted = expected(machines, figures).map(([caption, states]) => [caption, states.toSorted()]);
+            assert.deepStrictEqual(drawn, wanted, `a${i}, ${status}`);
+            longest = Math.max(longest, ms);
+        }
+        steps += counterexample.steps.length;
+    }
+    assert.deepStrictEqual(tab.problems(), []);
+    const size = Math.round(statSync(page).size / 1000);
+    console.log(`${size} kB, loaded in ${Math.round(loaded)} ms; ${steps} steps fill the states of their data, each in at most ${Math.round(longest)} ms`);
+});
