@@ -33,7 +33,7 @@ struct Limits : diagnostics::Limits {
     std::size_t wide_level =
         2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
     /// Whether states that confluent taus lead on from are left out (docs/search.md). Verdicts do not depend on it.
-    bool reduction = true;
+    bool reduction = false;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
 };

@@ -14,10 +14,10 @@ Event RandomRules::event(std::uint32_t taus) {
 }
 
 ComponentPtr RandomRules::component(TermId meaning) {
-    const std::uint32_t size = 1 + below(4);
+    const std::uint32_t size = 2 + below(4);
     std::vector<std::vector<Component::RawEdge>> rows(size);
     for (auto& row : rows) {
-        for (std::uint32_t edges = below(4); edges > 0; --edges) {
+        for (std::uint32_t edges = below(3) + below(2); edges > 0; --edges) {
             const Event by = event(30);
             row.push_back({by, by, below(size)});
         }
@@ -46,13 +46,13 @@ Region RandomRules::region(const std::vector<Participant>& participants, const s
         std::vector<Assignment> assignments;
     };
     std::vector<Draft> drafts;
-    for (std::uint32_t count = 2 + below(9); count > 0; --count) {
+    for (std::uint32_t count = 4 + below(14); count > 0; --count) {
         Draft draft{event(50), {}, {}};
         for (std::uint32_t who = 0; who < participants.size(); ++who)
-            if (!made.alphabets[who].empty() && chance(45))
+            if (!made.alphabets[who].empty() && chance(35))
                 draft.parts.push_back({who, below(static_cast<std::uint32_t>(made.alphabets[who].size()))});
         if (draft.parts.empty()) continue;
-        if (chance(15)) {
+        if (chance(10)) {
             const std::uint32_t slot = slots[below(static_cast<std::uint32_t>(slots.size()))];
             draft.assignments.push_back({slot, below(static_cast<std::uint32_t>(made_.components[slot]->size()) + 1)});
         }
@@ -96,7 +96,7 @@ Region RandomRules::region(const std::vector<Participant>& participants, const s
 
 std::shared_ptr<const Supercombinator> RandomRules::next(const process::TermId& meaning) {
     made_ = {};
-    const std::uint32_t count = 2 + below(3);
+    const std::uint32_t count = 2 + below(4);
     for (std::uint32_t slot = 0; slot < count; ++slot) {
         made_.components.push_back(component(meaning));
         made_.initial.push_back(0);

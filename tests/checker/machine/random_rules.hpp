@@ -13,7 +13,7 @@ namespace robochart::machine {
 class RandomRules {
 public:
     explicit RandomRules(std::uint64_t seed) : numbers_(seed) {}
-    /// Two to four components of up to four states, in up to three regions. Visible events are those from first_visible
+    /// Two to five components of up to five states, in up to three regions. Visible events are those from first_visible
     /// on, `visible` in number.
     std::shared_ptr<const Supercombinator> next(const process::TermId& meaning);
     static constexpr Event visible = 4;
