@@ -17,6 +17,7 @@ Json statistics(const refine::Statistics& s) {
     return {{"states", s.states},
             {"transitions", s.transitions},
             {"depth", s.depth},
+            {"chased", s.chased},
             {"specNodes", s.spec_nodes},
             {"seconds", s.seconds}};
 }
