@@ -1,6 +1,6 @@
-// A rule that asks a region inside for an event is multiplied by the region's rules for that event. The order of changes
-// is that of SupercombinatorSystem: what participants do, in the order of the requirements, then the rule's assignments;
-// of several changes of one slot the last counts.
+// A rule that asks a region inside for an event is multiplied by the region's rules for that event. The order of
+// changes is that of SupercombinatorSystem: what participants do, in the order of the requirements, then the rule's
+// assignments; of several changes of one slot the last counts.
 #include "checker/machine/whole_rules.hpp"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ private:
     const Supercombinator& combined_;
     const std::function<void()>& poll_;
     std::size_t parts_ = 0;
-    std::vector<std::vector<Changes>> inside_;          // by region, its rules
+    std::vector<std::vector<Changes>> inside_;       // by region, its rules
     std::vector<std::vector<std::uint32_t>> slots_;  // by region, those below it
     WholeRules result_;
 };

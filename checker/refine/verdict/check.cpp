@@ -89,8 +89,8 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
 std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
                                            Search::Pairs pairs, Budget& budget, Statistics& statistics,
                                            const Violation* known) {
-    const bool with_divergence = known != nullptr ? known->kind == ViolationKind::divergence
-                                                  : model == Model::failures_divergences;
+    const bool with_divergence =
+        known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
     if (pairs == Search::Pairs::all) normal.refuse_growth();
     RefinementMonitor monitor(normal, model);
     Search search(implementation, monitor, budget, with_divergence, pairs);
@@ -106,10 +106,11 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
     NormalForm normal(specification, budget);
     verdict.outcome = Outcome::holds;
     const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_reduced(implementation, budget, verdict.statistics,
-                              [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
-                                  return search_refinement(normal, system, model, pairs, own, size, known);
-                              });
+        return search_reduced(
+            implementation, budget, verdict.statistics,
+            [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
+                return search_refinement(normal, system, model, pairs, own, size, known);
+            });
     });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
@@ -134,10 +135,11 @@ void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool for
                    Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
     const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_reduced(system, budget, verdict.statistics,
-                              [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
-                                  return search_states(searched, forbid_deadlock, forbid_divergence, own, size, known);
-                              });
+        return search_reduced(
+            system, budget, verdict.statistics,
+            [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
+                return search_states(searched, forbid_deadlock, forbid_divergence, own, size, known);
+            });
     });
     if (!violation) return;
     fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));

@@ -201,8 +201,8 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, Model mode
     if (known == nullptr && leaves_no_choice(system, budget, statistics)) return std::nullopt;
     statistics = {};
     std::optional<Violation> violation;
-    const bool may_diverge = known != nullptr ? known->kind == ViolationKind::divergence
-                                              : model == Model::failures_divergences;
+    const bool may_diverge =
+        known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
     if (may_diverge) violation = divergence_of(system, budget, statistics, known);
     if (!violation)
         if (const std::optional<Ambiguity> ambiguity = ambiguity_of(system, budget, statistics))
@@ -214,9 +214,8 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
     verdict.outcome = Outcome::holds;
     const std::optional<Violation> violation = found(earlier, verdict, [&] {
         return search_reduced(system, budget, verdict.statistics,
-                              [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
-                                  return search_choice(searched, model, own, size, known);
-                              });
+                              [&](lts::TransitionSystem& searched, Budget& own, Statistics& size,
+                                  const Violation* known) { return search_choice(searched, model, own, size, known); });
     });
     if (!violation) return;
     verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));

@@ -11,9 +11,10 @@
 
 namespace robochart::refine {
 
-/// Looks for a violation in a system. `known`: the whole system is known to have this one, and a shortest one is wanted.
-using ViolationSearch = std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&,
-                                                               const Violation* known)>;
+/// Looks for a violation in a system. `known`: the whole system is known to have this one, and a shortest one is
+/// wanted.
+using ViolationSearch =
+    std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>;
 
 /// What the search finds in the system, or where limits allow it and there is one, in its reduced form; statistics are
 /// those of that search. The violation is one of the system in both cases, and a shortest one, unless a limit ends the

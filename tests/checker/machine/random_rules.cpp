@@ -62,8 +62,7 @@ Region RandomRules::region(const std::vector<Participant>& participants, const s
     const auto lead = [](const Draft& draft) {
         return std::pair(draft.parts.front().participant, draft.parts.front().event);
     };
-    std::stable_sort(drafts.begin(), drafts.end(),
-                     [&](const Draft& a, const Draft& b) { return lead(a) < lead(b); });
+    std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) { return lead(a) < lead(b); });
     std::set<Event> events;
     for (const Draft& draft : drafts) events.insert(draft.event);
     made.alphabet.assign(events.begin(), events.end());

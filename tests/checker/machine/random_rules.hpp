@@ -1,5 +1,5 @@
-// Random compiled processes: components, regions inside each other, priorities and assignments as no script would combine
-// them.
+// Random compiled processes: components, regions inside each other, priorities and assignments as no script would
+// combine them.
 #pragma once
 
 #include <memory>

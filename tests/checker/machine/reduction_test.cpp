@@ -143,8 +143,8 @@ protected:
             for (int step = 0; step < 4; ++step) chain = s.prefix("h" + std::to_string(i), chain);
             chains.push_back(chain);
         }
-        const TermId term = s.over(Op::hide, {s.over(Op::parallel, chains, {"go"})},
-                                   {"h0", "h1", "h2", "h3", "h4", "h5"});
+        const TermId term =
+            s.over(Op::hide, {s.over(Op::parallel, chains, {"go"})}, {"h0", "h1", "h2", "h3", "h4", "h5"});
         whole = compiler.compile(term, {});
         nothing = compiler.compile(s.over(Op::parallel, {s.stop(), s.stop()}, {}), {});
     }

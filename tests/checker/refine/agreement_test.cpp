@@ -129,7 +129,8 @@ std::optional<std::string> Agreement::disagreement(const Case& asked, const Grap
     for (naive::Letter each : asked.trace) trace.push_back(translation.event(each));
     for (const Question& question : questions()) {
         const bool holds = expected(question, graphs, asked.trace);
-        const Verdict verdict = ask(question, *systems[question.left], *systems[question.right], trace, limits_of(engine));
+        const Verdict verdict =
+            ask(question, *systems[question.left], *systems[question.right], trace, limits_of(engine));
         if (const auto wrong = fault(question, verdict, graphs, holds, compressing))
             return assertion(question, asked.trace) + " " + *wrong;
         if (!counted) continue;
@@ -163,7 +164,8 @@ TEST_F(Agreement, OnRandomProcesses) {
     bool agreed = true;
     while (agreed && checks_ < wanted) {
         const RandomCases::Explored each = cases.next();
-        agreed = agrees(each, Engine::terms) && agrees(each, Engine::machines) && agrees(each, Engine::reduced_machines);
+        agreed =
+            agrees(each, Engine::terms) && agrees(each, Engine::machines) && agrees(each, Engine::reduced_machines);
         if (agreed && compressible(each.asked.script)) agreed = agrees(each, Engine::compressing_terms);
     }
     ASSERT_TRUE(agreed);
