@@ -320,7 +320,11 @@ std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::st
     prism::ModelFile alone;
     for (const prism::Module& each : model.modules)
         if (each.name.text == module) alone.modules.push_back(each);
-    const std::string text = std::regex_replace(prism::print(alone), std::regex("_[0-9]+|[ ()]"), "");
+    std::string text = std::regex_replace(prism::print(alone), std::regex("_[0-9]+|[ ()]"), "");
+    // Literals by their numbers.
+    for (const prism::Constant& each : model.constants)
+        if (each.value && each.value->op == prism::Op::integer)
+            text = std::regex_replace(text, std::regex("\\b" + each.name.text + "\\b"), each.value->text);
     std::multiset<std::string> result;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) result.insert(line);
