@@ -39,6 +39,9 @@ struct CoreReport {
     std::vector<std::string> unexercised = {};  ///< those of them that no run exercises
 };
 
+/// Said of a counterexample to which there may be a shorter one.
+inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
+
 /// One assertion with its answer.
 struct AssertionReport {
     std::string title;                  ///< "A1 [timed] AggregationFSM is deadlock-free"

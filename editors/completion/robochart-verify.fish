@@ -116,6 +116,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "chec
 complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm" "prism" "step" "draw" "simulate" "format"' -l timeout -x -d 'time bound of the whole run in seconds; 0 for none'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm"' -l threads -x -d 'threads of a check at most, used where its state space is wide; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l threads -x -d 'parallel trials at most; 0 for one for each core'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "cspm"' -l reduction -d 'leave out states that confluent hidden steps lead on from'
 complete -c robochart-verify -n '__robochart_verify_is "prism"' -l max-states -x -d 'bound on states of the model'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm"' -l max-states -x -d 'bound on states of a check'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -l no-cache -d 'work out everything anew, and keep nothing for later runs'
