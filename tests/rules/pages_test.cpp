@@ -34,11 +34,11 @@ std::vector<app::PageText> pages() {
     return result;
 }
 
-/// Advice beyond the published rules (RC-W, and of `conform` RC-K09) may be given on any example; it is looked at on
-/// its own pages only.
+/// Advice beyond the published rules (RC-W, and of `conform` RC-K09) may be given on any example, and each block
+/// Instantiations has its note (RC-C07); they are looked at on pages of their own.
 bool counts(const std::string& finding, std::string_view code) {
-    return code.starts_with("RC-W") || code == "RC-K09" ||
-           (finding.find(" RC-W") == std::string::npos && !finding.ends_with(" RC-K09"));
+    if (code.starts_with("RC-W") || finding.ends_with(" " + std::string(code))) return true;
+    return finding.find(" RC-W") == std::string::npos && !finding.ends_with(" RC-K09") && !finding.ends_with(" RC-C07");
 }
 
 std::multiset<std::string> of_interest(const std::multiset<std::string>& findings, std::string_view code) {
