@@ -143,7 +143,7 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
 
 /// Which event of a machine a hidden step is, its name does not tell; an answer without it would be too small.
 std::string ProcessNames::action(const std::string& path, const std::string& direction) {
-    throw NotExpressed(fmt::format("rewards of the event `{}.{}`: steps of the process are not told apart by events",
+    throw NotExpressed(fmt::format("rewards of the event `{}.{}`: steps of the process are not distinguished by events",
                                    path, direction));
 }
 

@@ -193,7 +193,7 @@ TEST(Process, WhatHasNoCounterpartIsRefusedByName) {
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally S::go.in.val == 0]")),
               "the value of `S::go.in`: states hold variables, not what was communicated last");
     EXPECT_EQ(decided(coin, "rewards r = [S::go.out] true : 1; endrewards " + property("Reward {r} =? of [Total]")),
-              "rewards of the event `S::go.out`: steps of the process are not told apart by events");
+              "rewards of the event `S::go.out`: steps of the process are not distinguished by events");
     EXPECT_EQ(
         decided(coin, "pmodules M: pmodule N { x : bool; } " + property("Prob=? of [Finally @M::N::x] with modules M")),
         "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");

@@ -154,7 +154,7 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
               "0.5");
 }
 
-/// Two machines throw a coin when they are told to; who is told first, and who moves first, is open.
+/// Two machines throw a coin when they are asked to; who is asked first, and who moves first, is open.
 const char* const race = R"(package race
 	robotic platform Table { event go }
 	stm Thrower {
@@ -242,7 +242,7 @@ TEST(RoboToolChain, WhatHasNoCounterpartIsRefusedByName) {
               "Game::hand::thrower::p: c=0.5:1:0.1: the range is empty");
 }
 
-TEST(RoboToolChain, MistakesOfAProbabilityAreToldWithTheState) {
+TEST(RoboToolChain, MistakesOfAProbabilityHaveTheState) {
     const std::string found =
         text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
                    "Game::hand::thrower::p set to 2"));

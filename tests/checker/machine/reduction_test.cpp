@@ -72,7 +72,7 @@ TEST(Reduction, KeepsRandomRules) {
 }
 
 /// A verdict in words, with the run of a violation; the size of the search where that is to be the same.
-std::string told(const refine::Verdict& verdict, bool with_size) {
+std::string described(const refine::Verdict& verdict, bool with_size) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     if (with_size)
         for (const std::uint64_t size : {verdict.statistics.states, verdict.statistics.transitions,
@@ -89,7 +89,7 @@ std::string told(const refine::Verdict& verdict, bool with_size) {
 std::vector<std::string> answers(lts::TransitionSystem& specification, lts::TransitionSystem& system, bool with_size,
                                  const refine::Limits& limits) {
     std::vector<std::string> result;
-    const auto add = [&](const refine::Verdict& verdict) { result.push_back(told(verdict, with_size)); };
+    const auto add = [&](const refine::Verdict& verdict) { result.push_back(described(verdict, with_size)); };
     for (const refine::Model model :
          {refine::Model::traces, refine::Model::failures, refine::Model::failures_divergences})
         add(refine::refines(specification, system, model, limits));

@@ -1,4 +1,4 @@
-#include "app/report/trial_data.hpp"
+#include "app/pages/trial_data.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-// See step_page.hpp. app/report/page/explorer.js reads the data. What others wrote is escaped where it is put into the
+// See step_page.hpp. app/pages/parts/explorer.js reads the data. What others wrote is escaped where it is put into the
 // page, and shown in the data.
-#include "app/verbs/step_page.hpp"
+#include "app/step/step_page.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "app/command/options.hpp"
-#include "app/report/page.hpp"
-#include "app/report/part_diagrams.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/part_diagrams.hpp"
 #include "diagnostics/budget.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
@@ -156,7 +156,7 @@ private:
     Strings strings_;
 };
 
-/// What is there without script: the first state. Its parts are filled into app/report/page/explorer.html.
+/// What is there without script: the first state. Its parts are filled into app/pages/parts/explorer.html.
 class Body {
 public:
     Body(const Exploration& space, const Stepped& stepped) : space_(space), stepped_(stepped) {}

@@ -7,13 +7,13 @@
 
 namespace robochart::app {
 
-/// The text of app/report/page/`path`.
+/// The text of app/pages/parts/`path`.
 [[nodiscard]] std::string page_part(std::string_view path);
 
 /// What makes a page. What others wrote is escaped already.
 struct Page {
     std::string title;   ///< as it is
-    std::string script;  ///< the file of app/report/page that it runs: "script.js"
+    std::string script;  ///< the file of app/pages/parts that it runs: "script.js"
     std::string body;    ///< HTML; each `<style>` in it, a diagram's, is let in
 };
 

@@ -1,5 +1,5 @@
 // See step_files.hpp.
-#include "app/verbs/step_files.hpp"
+#include "app/step/step_files.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // See simulation_html.hpp. What others wrote is escaped where it is put into the page; ids come from counters.
-#include "app/report/simulation_html.hpp"
+#include "app/pages/simulation_html.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "app/command/run.hpp"
-#include "app/report/page.hpp"
-#include "app/report/part_diagrams.hpp"
-#include "app/report/trial_data.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/part_diagrams.hpp"
+#include "app/pages/trial_data.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "diagnostics/text.hpp"

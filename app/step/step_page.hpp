@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/command/pipeline.hpp"
-#include "app/verbs/step_files.hpp"
+#include "app/step/step_files.hpp"
 #include "runs/exploration.hpp"
 
 namespace robochart::app {

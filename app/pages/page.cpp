@@ -1,5 +1,5 @@
 // See page.hpp.
-#include "app/report/page.hpp"
+#include "app/pages/page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

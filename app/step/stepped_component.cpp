@@ -1,5 +1,5 @@
 // See stepped_component.hpp.
-#include "app/verbs/stepped_component.hpp"
+#include "app/step/stepped_component.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // See html.hpp. What others wrote is escaped where it is put into the page; ids come from counters.
-#include "app/report/html.hpp"
+#include "app/pages/html.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "app/command/run.hpp"
-#include "app/report/page.hpp"
-#include "app/report/part_diagrams.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/part_diagrams.hpp"
+#include "app/pages/value_plot.hpp"
 #include "app/report/probability_report.hpp"
-#include "app/report/value_plot.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "runs/text.hpp"

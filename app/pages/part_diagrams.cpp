@@ -1,5 +1,5 @@
 // See part_diagrams.hpp.
-#include "app/report/part_diagrams.hpp"
+#include "app/pages/part_diagrams.hpp"
 
 #include <fmt/format.h>
 

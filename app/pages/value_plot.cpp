@@ -1,5 +1,5 @@
 // See value_plot.hpp.
-#include "app/report/value_plot.hpp"
+#include "app/pages/value_plot.hpp"
 
 #include <fmt/format.h>
 
