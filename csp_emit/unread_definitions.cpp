@@ -34,6 +34,14 @@ std::map<std::string, Places> definitions_of(const Project& project, const std::
     return result;
 }
 
+/// The script of the other time has been looked at before, with the same findings.
+bool is_known(const Project& project, diagnostics::Span place) {
+    const auto known = project.diagnostics.sorted();
+    return std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
+        return finding.rule == &rules::definition_unread && finding.span == place;
+    });
+}
+
 /// Named as RoboTool names carriers and constants.
 bool is_of_instantiations(const std::string& name) {
     return name.starts_with("core_") || name.starts_with("const_");
@@ -46,7 +54,7 @@ void check_instantiations_read(const Project& project, const std::vector<FileBlo
     for (const auto& [name, clauses] : definitions_of(project, files)) {
         if (known.count(name) != 0 || project.occurrences(name) > clauses.size()) continue;
         const std::string meant = diagnostics::nearest(name, left_out);
-        if (meant.empty() && !is_of_instantiations(name)) continue;
+        if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, clauses.front())) continue;
         project.diagnostics.report(rules::definition_unread, clauses.front(),
                                    {name, meant.empty() ? std::string() : fmt::format("; did you mean '{}'?", meant)});
     }

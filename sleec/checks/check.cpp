@@ -76,7 +76,7 @@ private:
     void declare(const Name& name, std::map<std::string, std::size_t>& table, std::size_t index) {
         if (const auto [first, added] = declared_.emplace(name.text, name.span); !added) {
             auto& finding = diagnostics_.report(rules::declared_twice, name.span, {name.text});
-            finding.notes.push_back({first->second, "declared here before"});
+            finding.notes.push_back({first->second, "declared here too"});
             return;
         }
         table.emplace(name.text, index);
