@@ -16,6 +16,7 @@ Exit run(const robochart::app::Options& options) {
     if (options.verb == Verb::format) return robochart::app::run_format(options);
     if (options.verb == Verb::init) return robochart::app::run_init(options);
     if (options.verb == Verb::prism) return robochart::app::run_prism(options);
+    if (options.verb == Verb::rules) return robochart::app::run_rules(options);
     if (options.verb == Verb::simulate) return robochart::app::run_simulate(options);
     if (options.verb == Verb::step) return robochart::app::run_step(options);
     if (options.verb == Verb::validate) return robochart::app::run_validate(options);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "csp_emit/base/rules.hpp"
@@ -11,15 +12,34 @@
 namespace robochart::csp_emit {
 namespace {
 
-using DefinitionsByName = std::map<std::string, std::vector<const cspm::Decl*>>;
+using Places = std::vector<diagnostics::Span>;
 
-/// Of the blocks Instantiations, by name: a function has several clauses.
-DefinitionsByName definitions_of(const std::vector<FileBlocks>& files) {
-    DefinitionsByName result;
+/// Part of a file as the user gave it: its blocks are read from copies.
+diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
+    const auto& blocks = project.system.csp_blocks;
+    const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const ir::CspBlock& each) {
+        return each.file == file && each.text_span.known();
+    });
+    if (block != blocks.end()) span.source = block->text_span.source;
+    return span;
+}
+
+/// Of the definitions in blocks Instantiations, by name: a function has several clauses.
+std::map<std::string, Places> definitions_of(const Project& project, const std::vector<FileBlocks>& files) {
+    std::map<std::string, Places> result;
     for (const FileBlocks& file : files)
         for (const cspm::DeclPtr& decl : file.instantiations)
-            for (const std::string& name : user_names({decl}).all) result[name].push_back(decl.get());
+            for (const std::string& name : user_names({decl}).all)
+                result[name].push_back(in_file(project, file.file, decl->span));
     return result;
+}
+
+/// The script of the other time has been looked at before, with the same findings.
+bool is_known(const Project& project, diagnostics::Span place) {
+    const auto known = project.diagnostics.sorted();
+    return std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
+        return finding.rule == &rules::definition_unread && finding.span == place;
+    });
 }
 
 /// Named as RoboTool names carriers and constants.
@@ -31,11 +51,11 @@ bool is_of_instantiations(const std::string& name) {
 
 void check_instantiations_read(const Project& project, const std::vector<FileBlocks>& files,
                                const std::set<std::string>& known, const std::vector<std::string>& left_out) {
-    for (const auto& [name, clauses] : definitions_of(files)) {
+    for (const auto& [name, clauses] : definitions_of(project, files)) {
         if (known.count(name) != 0 || project.occurrences(name) > clauses.size()) continue;
         const std::string meant = diagnostics::nearest(name, left_out);
-        if (meant.empty() && !is_of_instantiations(name)) continue;
-        project.diagnostics.report(rules::definition_unread, clauses.front()->span,
+        if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, clauses.front())) continue;
+        project.diagnostics.report(rules::definition_unread, clauses.front(),
                                    {name, meant.empty() ? std::string() : fmt::format("; did you mean '{}'?", meant)});
     }
 }

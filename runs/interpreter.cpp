@@ -85,7 +85,7 @@ std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<Te
     return reader_.machines_of(calls);
 }
 
-/// Behind so many steps of the run. Between an event and what a memory is told of it, a machine is in no definition.
+/// Behind so many steps of the run. Between an event and what a memory is given of it, a machine is in no definition.
 const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;

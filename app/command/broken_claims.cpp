@@ -86,27 +86,35 @@ public:
 
     [[nodiscard]] const std::vector<Item>& all() const { return items_; }
 
-    /// Those that an error touches, or a text in front of or behind them that belongs to none. False where it is in
-    /// front of all.
-    bool touched_by(diagnostics::Span error, std::vector<Item>& found) const {
-        if (items_.empty() || error.begin < items_.front().begin) return false;
+    /// Those that an error touches; one between two is left to `beside_strays`. Nothing where the error is in front of
+    /// all and not in a claim that was not understood; `head`: where such claims begin.
+    bool touched_by(diagnostics::Span error, std::vector<Item>& found, std::size_t& head) const {
+        if (items_.empty()) return false;
+        if (error.begin < items_.front().begin) {
+            const std::size_t line = error.begin == 0 ? 0 : text_.rfind('\n', error.begin - 1) + 1;
+            head = std::min(head, line);
+            return begins_claim(line);
+        }
         for (std::size_t i = 0; i < items_.size(); ++i) {
             const bool inside = items_[i].begin <= error.end && error.begin <= items_[i].end;
-            const bool behind = items_[i].end <= error.begin && error.begin <= next(i);
-            const bool before = i > 0 && error.end <= items_[i].begin && error.begin >= items_[i - 1].end;
-            if (inside || behind || before) found.push_back(items_[i]);
+            const bool behind =
+                items_[i].end <= error.begin && error.begin <= next(i) && !stray(items_[i].end, next(i));
+            if (inside || behind) found.push_back(items_[i]);
         }
         return true;
     }
-    /// Those in front of or behind a text that belongs to none.
-    void beside_strays(std::vector<Item>& found) const {
+    /// Those in front of or behind a text that belongs to none. A claim that was not understood says nothing about the
+    /// one in front of it, and nothing about the one behind it that begins a line.
+    void beside_strays(std::size_t head, std::vector<Item>& found) const {
+        if (head < items_.front().begin && !begins_line(items_.front().begin)) found.push_back(items_.front());
         for (std::size_t i = 0; i < items_.size(); ++i) {
             if (!stray(items_[i].end, next(i))) continue;
-            found.push_back(items_[i]);
-            if (i + 1 < items_.size()) found.push_back(items_[i + 1]);
+            if (!begins_claim(items_[i].end)) found.push_back(items_[i]);
+            if (i + 1 < items_.size() && !begins_line(next(i))) found.push_back(items_[i + 1]);
         }
     }
-    void blank_strays(std::string& text) const {
+    void blank_strays(std::size_t head, std::string& text) const {
+        if (head < items_.front().begin) blank(text, head, items_.front().begin);
         for (std::size_t i = 0; i < items_.size(); ++i)
             if (stray(items_[i].end, next(i))) blank(text, items_[i].end, next(i));
     }
@@ -125,6 +133,24 @@ private:
         while (end > 0 && is_space(text_[end - 1])) --end;
         const bool there = end >= word.size() && text_.compare(end - word.size(), word.size(), word) == 0;
         return there ? end - word.size() : begin;
+    }
+
+    /// `assertion`, `timed assertion` or `untimed assertion`, behind blanks.
+    [[nodiscard]] bool begins_claim(std::size_t at) const {
+        for (const std::string_view word : {"timed", "untimed", "assertion"}) {
+            while (at < text_.size() && is_space(text_[at])) ++at;
+            if (text_.compare(at, word.size(), word) != 0 ||
+                is_word(text_[std::min(at + word.size(), text_.size() - 1)]))
+                continue;
+            if (word == "assertion") return true;
+            at += word.size();
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool begins_line(std::size_t at) const {
+        while (at > 0 && text_[at - 1] != '\n' && is_space(text_[at - 1])) --at;
+        return at == 0 || text_[at - 1] == '\n';
     }
 
     [[nodiscard]] bool stray(std::size_t begin, std::size_t end) const {
@@ -191,9 +217,10 @@ private:
             if (!all_known(file)) return false;
             const ItemList items(file, text_of(file));
             std::vector<Item> found;
+            std::size_t& head = heads_.try_emplace(index, std::string::npos).first->second;
             bool apart = true;
-            for (const diagnostics::Span span : spans) apart = items.touched_by(span, found) && apart;
-            items.beside_strays(found);
+            for (const diagnostics::Span span : spans) apart = items.touched_by(span, found, head) && apart;
+            if (!items.all().empty()) items.beside_strays(head, found);
             // An error in front of all, or in what serves several claims, is one of the whole file.
             apart = apart && std::all_of(found.begin(), found.end(), [](const Item& item) {
                         return item.claim != nullptr || item.block != nullptr;
@@ -252,10 +279,11 @@ private:
             if (out) blank(sound, item.begin, item.end);
             if (!out && item.claim != nullptr) blank(broken, item.begin, item.end);
         }
-        items.blank_strays(sound);
+        if (const auto head = heads_.find(index); head != heads_.end() && !items.all().empty())
+            items.blank_strays(head->second, sound);
         const bool whole = whole_.contains(index) || (left == items.all().size() && errors_.contains(index));
         if (!whole) result.sound.unit.files.push_back(index);
-        if (left == 0 && !whole) return;
+        if (left == 0 && !errors_.contains(index)) return;
         result.broken.unit.files.push_back(index);
         if (whole) return;
         result.sound.texts[index] = std::move(sound);
@@ -264,6 +292,7 @@ private:
 
     const Project& project_;
     std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by place in Model::files
+    std::map<std::size_t, std::size_t> heads_;                      ///< of files with errors: ItemList::touched_by
     std::set<std::size_t> whole_;                                   ///< files of which nothing can be read apart
     std::set<const Assertion*> claims_;                             ///< that are left out; order never matters
     std::set<const CspBlock*> blocks_;                              ///< likewise

@@ -16,6 +16,7 @@ refine::Limits limits(const Options& o, const std::string& subject) {
     result.max_states = o.max_states;
     result.progress = progress_of(o, subject);
     result.threads = o.threads;
+    result.reduction = o.reduction;
     return result;
 }
 

@@ -38,6 +38,8 @@ const std::vector<VerbRow>& verb_table() {
         {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT..."},
         {Verb::prism, "prism", "", "explore a PRISM model (dtmc, mdp) and decide its properties",
          "MODEL [PROPERTIES...]"},
+        {Verb::rules, "rules", "", "decide whether rules in SLEEC conflict, and whether a model obeys them",
+         "FILE.sleec [MODEL]"},
         {Verb::step, "step", "", "animate the semantics by hand: of a component, or of a process of a CSPM script",
          "MODEL [COMPONENT]"},
         {Verb::draw, "draw", "", "draw diagrams of a model, or of some of its components", "MODEL [COMPONENT...]"},
@@ -101,7 +103,7 @@ constexpr Verbs checking = of(Verb::verify) | of(Verb::check);
 constexpr Verbs models = checking | emitting | of(Verb::conform);
 constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
-constexpr Verbs searching = models | of(Verb::cspm);
+constexpr Verbs searching = models | of(Verb::cspm) | of(Verb::rules);
 constexpr Verbs limited = searching | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) |
                           of(Verb::format) | of(Verb::simulate);
 constexpr Verbs all_verbs =
@@ -207,16 +209,23 @@ const std::vector<OptionRow>& option_table() {
         {"--seed", Group::checking, of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = any_number},
          "seed of the random paths of --sim",
          [](Options& o, const std::string& word) { o.seed = number(word); }},
+        {"--without-limit", Group::checking, of(Verb::rules),
+         {.kind = Kind::choice, .name = "READING", .usual = "eventually", .choices = "eventually,now"},
+         "what a response without limit means: that it comes some time, or, as LEGOS has it, at once",
+         [](Options& o, const std::string& word) { o.without_limit = word; }},
+        {"--as-sleec-tk", Group::checking, of(Verb::rules), {},
+         "compare pairs in the semantics of SLEEC-TK, its faults included",
+         [](Options& o, const std::string&) { o.as_sleec_tk = true; }, "--without-limit"},
 
         {"--const", Group::model, of(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant left open, or values to try: LOW:HIGH, LOW:STEP:HIGH; several with commas",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
         {"--const", Group::model,
-         checking | instantiating | of(Verb::conform) | of(Verb::step) | of(Verb::simulate),
+         checking | instantiating | of(Verb::conform) | of(Verb::rules) | of(Verb::step) | of(Verb::simulate),
          {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant the model leaves open",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
-        {"--range", Group::model, models | of(Verb::step), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
+        {"--range", Group::model, models | of(Verb::rules) | of(Verb::step), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
          "carrier of nat, int or real; lengths of Seq, times of clock, elements of given",
          [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
         {"--prefs", Group::model, checking | of(Verb::emit_prism), {.kind = Kind::file, .name = "FILE"},
@@ -225,13 +234,13 @@ const std::vector<OptionRow>& option_table() {
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
+        {"--allow", Group::model, models | of(Verb::prism) | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
-        {"--deny-warnings", Group::model, models | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate), {},
+        {"--deny-warnings", Group::model, models | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
-        {"--component", Group::code, coding | of(Verb::emit_prism), {.kind = Kind::name, .name = "NAME"},
+        {"--component", Group::code, coding | of(Verb::emit_prism) | of(Verb::rules), {.kind = Kind::name, .name = "NAME"},
          "only this module, controller or machine",
          [](Options& o, const std::string& word) { o.component = word; }},
         {"--cycle", Group::code, coding,
@@ -342,6 +351,7 @@ const std::vector<OptionRow>& option_table() {
          "how the result is printed; plain, json and framed_json as by FDR's refines", take_format},
         {"--format", Group::output, of(Verb::prism), format_of("text,json,csv"), "how the result is printed",
          take_format},
+        {"--format", Group::output, of(Verb::rules), format_of("text,json"), "how the result is printed", take_format},
         {"--html", Group::output, checking | of(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "also write the report as one page with diagrams, on which counterexamples are stepped through",
          [](Options& o, const std::string& word) { o.html = word; }},
@@ -410,6 +420,9 @@ const std::vector<OptionRow>& option_table() {
          "parallel trials at most; 0 for one for each core", take_threads},
         {"--threads", Group::limits, of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "sets of constants, answers or random paths at once at most; 0 for one for each core", take_threads},
+        {"--reduction", Group::limits, checking | of(Verb::cspm), {},
+         "leave out states that confluent hidden steps lead on from",
+         [](Options& o, const std::string&) { o.reduction = true; }},
         {"--max-states", Group::limits, of(Verb::prism),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "bound on states of the model",

@@ -43,6 +43,7 @@ enum class Verb {
     init,
     lsp,
     prism,
+    rules,
     simulate,
     step,
     validate,
@@ -88,27 +89,29 @@ struct Options {
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
     bool core = false;
-    bool sizes = false;                     ///< check: how large the components' processes are
-    bool check = false;                     ///< format: write nothing, tell what would change
-    bool diff = false;                      ///< format: write nothing, show what would change
-    bool assertions = false;                ///< format: standard input is an assertion file
-    std::vector<std::string> claims;        ///< only these, by name or number in a script; empty: all
-    bool typecheck = false;                 ///< cspm: names and types only
-    bool types = false;                     ///< cspm: print the types of the script's names and stop
-    bool brief = false;                     ///< cspm: no counterexamples
-    bool reveal_taus = false;               ///< cspm: hidden events by their names
-    bool split = false;                     ///< cspm: what each part did, however many they are
-    std::vector<std::string> exported;      ///< cspm: format and process to write out; empty: none
-    std::string picture = "svg";            ///< draw: the format of diagrams
-    std::string theme = "auto";             ///< draw: their colours
-    std::vector<std::string> properties;    ///< prism: questions beside those of the files
-    bool exact = false;                     ///< prism, probabilistic assertions: fractions
-    double epsilon = 1e-6;                  ///< the same: relative width of enclosures
-    std::string encoding = "csp";           ///< check: the Markov models that probabilistic assertions are decided on
-    std::string scheduler;                  ///< who resolves the choices; "": any scheduler
-    std::string exported_space;             ///< prism: what to write out of the state space; "": nothing
-    std::optional<prism::Method> sampling;  ///< prism: answer by random paths
-    std::string plot;                       ///< prism: file for a picture of the answers; "": none
+    bool sizes = false;                   ///< check: how large the components' processes are
+    bool check = false;                   ///< format: write nothing, tell what would change
+    bool diff = false;                    ///< format: write nothing, show what would change
+    bool assertions = false;              ///< format: standard input is an assertion file
+    std::vector<std::string> claims;      ///< only these, by name or number in a script; empty: all
+    bool typecheck = false;               ///< cspm: names and types only
+    bool types = false;                   ///< cspm: print the types of the script's names and stop
+    bool brief = false;                   ///< cspm: no counterexamples
+    bool reveal_taus = false;             ///< cspm: hidden events by their names
+    bool split = false;                   ///< cspm: what each part did, however many they are
+    std::vector<std::string> exported;    ///< cspm: format and process to write out; empty: none
+    std::string picture = "svg";          ///< draw: the format of diagrams
+    std::string theme = "auto";           ///< draw: their colours
+    std::vector<std::string> properties;  ///< prism: questions beside those of the files
+    bool exact = false;                   ///< prism, probabilistic assertions: fractions
+    double epsilon = 1e-6;                ///< the same: relative width of enclosures
+    std::string encoding = "csp";         ///< check: the Markov models that probabilistic assertions are decided on
+    std::string scheduler;                ///< who resolves the choices; "": any scheduler
+    bool as_sleec_tk = false;             ///< rules: in SLEEC-TK's semantics
+    std::string without_limit = "eventually";  ///< rules: what a response without limit means
+    std::string exported_space;                ///< prism: what to write out of the state space; "": nothing
+    std::optional<prism::Method> sampling;     ///< prism: answer by random paths
+    std::string plot;                          ///< prism: file for a picture of the answers; "": none
     ProgressMode progress = ProgressMode::automatic;
     std::string component;  ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
@@ -137,8 +140,9 @@ struct Options {
     std::uint64_t memory_bytes = 0;  ///< 0: what `default_memory` says
     double timeout_seconds = 0;      ///< of the whole run; 0: none
     std::uint64_t max_states = 500'000'000;
-    unsigned threads = 0;  ///< 0: one a core
-    Run* run = nullptr;    ///< the run that these options are of: its budget, and signals
+    bool reduction = false;  ///< states that confluent taus lead on from are left out
+    unsigned threads = 0;    ///< 0: one a core
+    Run* run = nullptr;      ///< the run that these options are of: its budget, and signals
 };
 
 }  // namespace robochart::app

@@ -19,6 +19,8 @@
 #include "prism_emit/rules.hpp"
 #include "semantics/rules.hpp"
 #include "simulation/scenario/rules.hpp"
+#include "sleec/checks/rules.hpp"
+#include "sleec/syntax/rules.hpp"
 
 namespace robochart::app {
 namespace rules {
@@ -73,6 +75,8 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(prism::rules::checks());
     add(prism::rules::explore());
     add(prism_emit::rules::all());
+    add(sleec::rules::syntax());
+    add(sleec::rules::checks());
     add(simulation::rules::all());
     add(conformance::rules::all());
     all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor});

@@ -180,6 +180,7 @@ Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Op
     if (counterexample.kind == ViolationKind::nondeterminism && counterexample.event)
         json["event"] = events.number(*counterexample.event);
     json["replayed_by"] = counterexample.replayed_by_terms ? "terms" : "compiled rules";
+    json["shortest"] = counterexample.shortest;
     return json;
 }
 
@@ -199,6 +200,7 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["compile_seconds"] = a.result.compile_seconds;
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
+    json["chased_states"] = verdict.statistics.chased;
     if (verdict.known) json["known"] = true;
     return json;
 }

@@ -179,6 +179,7 @@ std::string counterexample_text(const ScriptAssertion& a, const process::EventTa
     out += fmt::format("                 {}\n", offence(c, names));
     if (!c.replayed_by_terms)
         out += "                 (replayed by the compiled rules alone: its terms are too many)\n";
+    if (!c.shortest) out += fmt::format("                 ({})\n", not_shortest);
     return out + split(a, 17, names, options);
 }
 

@@ -41,6 +41,9 @@ struct CoreReport {
     std::vector<std::string> unexercised = {};  ///< those of them that no run exercises
 };
 
+/// Said of a counterexample to which there may be a shorter one.
+inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
+
 /// What a probabilistic assertion was decided on, and what was found for each combination of values of its constants.
 struct ProbabilityReport {
     std::string encoding;   ///< "robotool"

@@ -44,6 +44,7 @@ void add(refine::Statistics& sum, const refine::Statistics& one) {
     sum.depth = std::max(sum.depth, one.depth);
     sum.spec_nodes += one.spec_nodes;
     sum.seconds += one.seconds;
+    sum.chased += one.chased;
 }
 
 void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,
@@ -55,7 +56,9 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
         report.reason = verdict.reason;
     } else if (verdict.outcome == refine::Outcome::fails) {
         report.answer = Answer::fails;
-        if (verdict.counterexample) report.run = runs::interpret(reading(context), obligation, *verdict.counterexample);
+        if (!verdict.counterexample) return;
+        report.run = runs::interpret(reading(context), obligation, *verdict.counterexample);
+        if (!verdict.counterexample->shortest) report.reason = not_shortest;
     }
 }
 

@@ -12,7 +12,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/report/part_diagrams.hpp"
+#include "app/pages/part_diagrams.hpp"
 #include "app/verbs/verbs.hpp"
 #include "cpp_emit/load/shared_library.hpp"
 #include "diagnostics/files.hpp"

@@ -12,7 +12,7 @@
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/report/simulation_html.hpp"
+#include "app/pages/simulation_html.hpp"
 #include "app/verbs/monitor.hpp"
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"

@@ -10,9 +10,9 @@
 
 #include "app/command/numbers.hpp"
 #include "app/command/run.hpp"
-#include "app/report/html.hpp"
-#include "app/verbs/step_files.hpp"
-#include "app/verbs/stepped_component.hpp"
+#include "app/pages/html.hpp"
+#include "app/step/step_files.hpp"
+#include "app/step/stepped_component.hpp"
 
 namespace robochart::app {
 namespace {

@@ -14,6 +14,7 @@ Exit run_model(const Options&);  ///< verify, check, emit, conform
 Exit run_cspm(const Options&);
 Exit export_process(const Options&);  ///< cspm --export
 Exit run_prism(const Options&);
+Exit run_rules(const Options&);  ///< of SLEEC
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
 Exit run_draw(const Options&);

@@ -11,7 +11,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/report/html.hpp"
+#include "app/pages/html.hpp"
 #include "app/verbs/block_values.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"

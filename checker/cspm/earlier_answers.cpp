@@ -69,7 +69,8 @@ std::optional<QuestionKey> key_of(const Question& question, const std::function<
 
     diagnostics::Hasher hasher;
     for (const std::uint64_t part :
-         {static_cast<std::uint64_t>(question.kind), static_cast<std::uint64_t>(question.model), question.max_states})
+         {static_cast<std::uint64_t>(question.kind), static_cast<std::uint64_t>(question.model), question.max_states,
+          std::uint64_t{question.reduction ? 1U : 0U}})
         hasher.add(part);
     for (const process::Event event : named.named()) hasher.add(question.process->events().name(event));
     machine::add_content(*process, named, hasher);

@@ -21,6 +21,7 @@ struct Question {
     lts::TransitionSystem* specification = nullptr;  ///< of a refinement; else null
     lts::TransitionSystem* process = nullptr;
     std::uint64_t max_states = 0;
+    bool reduction = false;  ///< whether the search may leave states out: its figures are others then
 };
 
 /// The name of a question in the cache, and the events that its answer is written with.

@@ -224,8 +224,12 @@ struct Session::Impl {
         const auto ask = [&](refine::Earlier earlier) { return ask_of(both, assertion, in, limits, earlier); };
         if (memory.cache == nullptr || asked.kind == AssertionKind::has_trace) return ask(nullptr);
         const bool two = asked.kind == AssertionKind::refinement;
-        const Question question{asked.kind, in, two ? both.first.get() : nullptr,
-                                two ? both.second.get() : both.first.get(), limits.max_states};
+        const Question question{asked.kind,
+                                in,
+                                two ? both.first.get() : nullptr,
+                                two ? both.second.get() : both.first.get(),
+                                limits.max_states,
+                                limits.reduction};
         const auto key = key_of(question, [&evaluation] { evaluation.charge(); });
         return key ? answer(question, *key, memory, ask) : ask(nullptr);
     }

@@ -25,6 +25,8 @@ public:
     virtual void add(Event event, StateView target, Event revealed) = 0;
 };
 
+class ReducedSystem;
+
 /// What can be searched: an initial packed state, the successors of a state, names of events.
 class TransitionSystem {
 public:
@@ -44,6 +46,12 @@ public:
     /// finds here is replayed there before it is believed. Null: none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
+    /// The same process with fewer states: its initial state is equal to this one's by branching bisimilarity with
+    /// explicit divergence, which keeps every model. It may outlive this system. Null where no way is known. `poll` may
+    /// throw to stop.
+    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> reduced(const std::function<void()>& /*poll*/) const;
+    /// How many states the successors of all states so far were led on from.
+    [[nodiscard]] virtual std::uint64_t chased() const { return 0; }
     /// Whether a state is one word, a process::TermId.
     [[nodiscard]] virtual bool states_are_terms() const { return false; }
     /// The state as people read it: for processes the definitions each component is in, with arguments.
@@ -52,5 +60,16 @@ public:
 private:
     std::shared_ptr<TransitionSystem> reference_;
 };
+
+/// A system of which other states stand for some states, which a row of taus leads to. The states are the system's own.
+class ReducedSystem : public TransitionSystem {
+public:
+    /// The states after `state`, one tau after the other, up to the one that stands for it. Empty if it does so itself.
+    [[nodiscard]] virtual std::vector<std::vector<Word>> chase(StateView state) = 0;
+};
+
+inline std::unique_ptr<ReducedSystem> TransitionSystem::reduced(const std::function<void()>& /*poll*/) const {
+    return nullptr;
+}
 
 }  // namespace robochart::lts

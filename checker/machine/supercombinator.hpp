@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "checker/machine/component.hpp"
@@ -72,6 +73,10 @@ struct Region {
 /// Where a component's state lies in the packed state.
 struct Field {
     std::uint32_t word, shift, mask;
+    [[nodiscard]] Local get(std::span<const std::uint32_t> state) const { return (state[word] >> shift) & mask; }
+    void put(std::span<std::uint32_t> state, Local value) const {
+        state[word] = (state[word] & ~(mask << shift)) | (value << shift);
+    }
 };
 
 /// A compiled process as data.

@@ -20,26 +20,14 @@ SupercombinatorSystem::SupercombinatorSystem(std::shared_ptr<const Supercombinat
         moves_[region].by_event.resize(combined_->regions[region].alphabet.size());
 }
 
-namespace {
-
-Local get(lts::StateView state, const Field& field) {
-    return (state[field.word] >> field.shift) & field.mask;
-}
-
-void put(std::span<lts::Word> state, const Field& field, Local value) {
-    state[field.word] = (state[field.word] & ~(field.mask << field.shift)) | (value << field.shift);
-}
-
-}  // namespace
-
 void SupercombinatorSystem::initial(std::span<lts::Word> state) {
     std::fill(state.begin(), state.end(), 0);
     for (std::size_t slot = 0; slot < combined_->fields.size(); ++slot)
-        put(state, combined_->fields[slot], combined_->initial[slot]);
+        combined_->fields[slot].put(state, combined_->initial[slot]);
 }
 
 void SupercombinatorSystem::unpack(lts::StateView state) {
-    for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = get(state, combined_->fields[slot]);
+    for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = combined_->fields[slot].get(state);
 }
 
 /// Fires rules of one region in the present state.
@@ -165,9 +153,9 @@ private:
         std::vector<lts::Word>& target = system_.target_;
         std::copy(state_.begin(), state_.end(), target.begin());
         const std::vector<Field>& fields = system_.combined_->fields;
-        for (const Assignment& change : system_.changes_) put(target, fields[change.slot], change.value);
+        for (const Assignment& change : system_.changes_) fields[change.slot].put(target, change.value);
         for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)
-            put(target, fields[region_.assignments[i].slot], region_.assignments[i].value);
+            fields[region_.assignments[i].slot].put(target, region_.assignments[i].value);
         sink_->add(rule.event, target, revealed);
     }
 
@@ -244,7 +232,7 @@ void SupercombinatorSystem::pass_successors(lts::StateView state, lts::Successor
 std::string SupercombinatorSystem::describe(lts::StateView state) const {
     std::string text;
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) {
-        const Local local = get(state, combined_->fields[slot]);
+        const Local local = combined_->fields[slot].get(state);
         const Component& component = *combined_->components[slot];
         if (local >= component.size()) continue;
         text += (text.empty() ? "" : " ‖ ") + process::describe(terms_, component.meaning(local));

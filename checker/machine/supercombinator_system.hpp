@@ -20,6 +20,7 @@ public:
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
         return std::make_unique<SupercombinatorSystem>(combined_, terms_);
     }
+    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> reduced(const std::function<void()>& poll) const override;
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }

@@ -9,7 +9,7 @@ namespace robochart::prism {
 /// The right side within the bounds, the left side all the time before.
 StateVector Evaluator::timed_until(const StateSet& left, const StateSet& right, const StepBound& steps,
                                    Direction direction) {
-    const auto [from, to] = step_range(steps);
+    const auto [from, to] = step_range(steps, code_);
     const markov::Layers layers = markov::layers(chain_, to.value_or(from), !to.has_value(), options_.budget);
     StateSet before(layers.model.states());
     StateSet target(layers.model.states());

@@ -1,22 +1,23 @@
 # Completion of robochart-verify for bash, made by `robochart-verify help --generate bash`.
-_robochart_verify_verbs='verify init validate check emit conform cspm prism step draw simulate format explain lsp help version'
+_robochart_verify_verbs='verify init validate check emit conform cspm prism rules step draw simulate format explain lsp help version'
 _robochart_verify_emitted='csp cpp prism monitor tests'
 
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
     'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
-    'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
     'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
+    'rules') echo '--without-limit --as-sleec-tk --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
     'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
@@ -35,17 +36,20 @@ _robochart_verify_argument() {
     'verify --assertion' | 'check --assertion') echo '<value>' ;;
     'cspm --assertion') echo '<value>' ;;
     'prism --property') echo '<value>' ;;
-    'prism --epsilon') echo '<value>' ;;
+    'verify --encoding' | 'check --encoding') echo 'csp robotool' ;;
+    'verify --scheduler' | 'check --scheduler') echo 'any urgent uniform' ;;
+    'verify --epsilon' | 'check --epsilon' | 'prism --epsilon') echo '<value>' ;;
     'prism --sim') echo '<value>' ;;
     'prism --scheduler') echo 'uniform' ;;
     'prism --seed') echo '<value>' ;;
+    'rules --without-limit') echo 'eventually now' ;;
     'prism --const') echo '<value>' ;;
-    'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'step --const' | 'simulate --const') echo '<value>' ;;
-    'verify --range' | 'check --range' | 'emit csp --range' | 'emit cpp --range' | 'emit prism --range' | 'emit monitor --range' | 'emit tests --range' | 'conform --range' | 'step --range') echo '<value>' ;;
-    'emit prism --prefs') echo '<file>' ;;
+    'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'rules --const' | 'step --const' | 'simulate --const') echo '<value>' ;;
+    'verify --range' | 'check --range' | 'emit csp --range' | 'emit cpp --range' | 'emit prism --range' | 'emit monitor --range' | 'emit tests --range' | 'conform --range' | 'rules --range' | 'step --range') echo '<value>' ;;
+    'verify --prefs' | 'check --prefs' | 'emit prism --prefs') echo '<file>' ;;
     'verify --print' | 'check --print' | 'emit csp --print' | 'emit cpp --print' | 'emit prism --print' | 'emit monitor --print' | 'emit tests --print' | 'conform --print') echo 'ast model ir script timed-script' ;;
-    'verify --allow' | 'validate --allow' | 'check --allow' | 'emit csp --allow' | 'emit cpp --allow' | 'emit prism --allow' | 'emit monitor --allow' | 'emit tests --allow' | 'conform --allow' | 'prism --allow' | 'step --allow' | 'draw --allow' | 'simulate --allow') echo '<value>' ;;
-    'verify --component' | 'emit cpp --component' | 'emit prism --component' | 'emit monitor --component' | 'emit tests --component' | 'conform --component') echo '<value>' ;;
+    'verify --allow' | 'validate --allow' | 'check --allow' | 'emit csp --allow' | 'emit cpp --allow' | 'emit prism --allow' | 'emit monitor --allow' | 'emit tests --allow' | 'conform --allow' | 'prism --allow' | 'rules --allow' | 'step --allow' | 'draw --allow' | 'simulate --allow') echo '<value>' ;;
+    'verify --component' | 'emit cpp --component' | 'emit prism --component' | 'emit monitor --component' | 'emit tests --component' | 'conform --component' | 'rules --component') echo '<value>' ;;
     'verify --cycle' | 'emit cpp --cycle' | 'emit monitor --cycle' | 'emit tests --cycle' | 'conform --cycle') echo '<value>' ;;
     'emit cpp --target') echo 'library main ros2 enki argos' ;;
     'emit cpp --mapping') echo '<file>' ;;
@@ -68,22 +72,23 @@ _robochart_verify_argument() {
     'validate --format') echo 'text json sarif' ;;
     'cspm --format') echo 'text plain json framed_json junit' ;;
     'prism --format') echo 'text json csv' ;;
+    'rules --format') echo 'text json' ;;
     'verify --html' | 'check --html' | 'conform --html') echo '<file>' ;;
     'step --html') echo '<file>' ;;
     'simulate --html') echo '<file>' ;;
     'prism --plot') echo '<file>' ;;
-    'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit prism --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'prism --color' | 'step --color' | 'draw --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
+    'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit prism --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'prism --color' | 'rules --color' | 'step --color' | 'draw --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
     'cspm --export') echo 'aut dot csp' ;;
     'prism --export') echo 'tra sta lab dot strategy counterexample' ;;
-    'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit prism --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'simulate --progress') echo 'auto json never' ;;
+    'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit prism --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'rules --progress' | 'simulate --progress') echo 'auto json never' ;;
     'help --generate') echo 'man bash zsh fish' ;;
-    'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'format --memory') echo '<value>' ;;
-    'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'format --timeout') echo '<value>' ;;
-    'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads') echo '<value>' ;;
+    'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'rules --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'format --memory') echo '<value>' ;;
+    'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'rules --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'format --timeout') echo '<value>' ;;
+    'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads' | 'rules --threads') echo '<value>' ;;
     'simulate --threads') echo '<value>' ;;
     'prism --threads') echo '<value>' ;;
     'prism --max-states') echo '<value>' ;;
-    'verify --max-states' | 'check --max-states' | 'emit csp --max-states' | 'emit cpp --max-states' | 'emit prism --max-states' | 'emit monitor --max-states' | 'emit tests --max-states' | 'conform --max-states' | 'cspm --max-states') echo '<value>' ;;
+    'verify --max-states' | 'check --max-states' | 'emit csp --max-states' | 'emit cpp --max-states' | 'emit prism --max-states' | 'emit monitor --max-states' | 'emit tests --max-states' | 'conform --max-states' | 'cspm --max-states' | 'rules --max-states') echo '<value>' ;;
   esac
 }
 

@@ -141,34 +141,10 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
     absent("state", machine + "::" + state);
 }
 
+/// Which event of a machine a hidden step is, its name does not tell; an answer without it would be too small.
 std::string ProcessNames::action(const std::string& path, const std::string& direction) {
-    const std::vector<std::string> channels = joined_events(system_, subject_, path);
-    const std::string name = last_of(path);
-    const ir::Event* event = nullptr;
-    bool inside = true;  // as seen from where the event is declared, `in` is into the software
-    const auto look = [&](const std::vector<ir::Event>& events, bool turned) {
-        for (const ir::Event& each : events)
-            if (each.name == name) {
-                event = &each;
-                inside = (direction == "in") != turned;
-            }
-    };
-    if (const Seat* const where = seat(owner_of(path))) {
-        look(where->machine->events, false);
-    } else if (subject_.kind == ir::ComponentKind::module) {
-        const ir::Module& module = system_.modules[subject_.definition];
-        if (path == subject_.path + "::" + module.platform.name + "::" + name) look(module.platform.events, true);
-    }
-    if (event == nullptr || channels.empty()) absent("event", path + "." + direction);
-    if (event->input && event->output)
-        throw NotExpressed(fmt::format("`{}` goes both ways, which steps do not tell apart", path));
-    if (inside ? !event->input : !event->output) absent("event", path + "." + direction);
-    std::string result;
-    for (const std::string& each : channels)
-        if (const auto known = actions_.find(each); known != actions_.end()) result = known->second;
-    if (result.empty()) result = free_name(path);
-    for (const std::string& each : channels) actions_[each] = result;
-    return result;
+    throw NotExpressed(fmt::format("rewards of the event `{}.{}`: steps of the process are not distinguished by events",
+                                   path, direction));
 }
 
 ExprPtr ProcessNames::value(const std::string& path, const std::string& direction) {

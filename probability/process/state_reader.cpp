@@ -49,7 +49,8 @@ bool is_parallel(process::Op op) {
 /// Operators whose operands, or the first of them, are where the process is.
 bool is_around(process::Op op) {
     return op == process::Op::hide || op == process::Op::rename || op == process::Op::prioritise ||
-           op == process::Op::prioritise_order || op == process::Op::sequential || is_parallel(op);
+           op == process::Op::prioritise_order || op == process::Op::sequential || op == process::Op::exception ||
+           op == process::Op::interrupt || op == process::Op::sliding || op == process::Op::chase || is_parallel(op);
 }
 
 }  // namespace

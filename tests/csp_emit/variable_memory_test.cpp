@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 Remembered remembered(const std::string& name, const std::string& shared = "") {
-    return {"v_" + name, name, shared, b::name("core_nat"), b::number(0), "Memory_" + name};
+    return {"v_" + name, name, shared, b::name("core_nat"), b::number(0), "Memory_" + name, name};
 }
 
 // P holds x because it outputs it; Q passes both on, and reads neither.

@@ -188,25 +188,12 @@ TEST(Process, OfAModule) {
     EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
 }
 
-TEST(Process, StepsEarnRewardsByTheirEvents) {
-    for (const std::string event : {"World::robot::go.out", "World::mind::walker::go.in"})
-        EXPECT_EQ(decided(module_text, "rewards goes = [" + event + "] true : 1; endrewards " +
-                                           property("Reward {goes} max=? of [Reachable World::mind::walker is in "
-                                                    "Walker::Left]")),
-                  "Infinity")
-            << "the walker may go right, and never come there";
-    EXPECT_EQ(decided(module_text, "rewards goes = [World::mind::walker::go.in] true : 1; endrewards " +
-                                       property("Reward {goes} max=? of [Total]")),
-              "1")
-        << "it takes one";
-}
-
 TEST(Process, WhatHasNoCounterpartIsRefusedByName) {
     const std::string coin = thrower("", coin_ways);
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally S::go.in.val == 0]")),
               "the value of `S::go.in`: states hold variables, not what was communicated last");
     EXPECT_EQ(decided(coin, "rewards r = [S::go.out] true : 1; endrewards " + property("Reward {r} =? of [Total]")),
-              "the process has no event `S::go.out`");
+              "rewards of the event `S::go.out`: steps of the process are not distinguished by events");
     EXPECT_EQ(
         decided(coin, "pmodules M: pmodule N { x : bool; } " + property("Prob=? of [Finally @M::N::x] with modules M")),
         "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");

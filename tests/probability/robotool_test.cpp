@@ -154,7 +154,7 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
               "0.5");
 }
 
-/// Two machines throw a coin when they are told to; who is told first, and who moves first, is open.
+/// Two machines throw a coin when they are asked to; who is asked first, and who moves first, is open.
 const char* const race = R"(package race
 	robotic platform Table { event go }
 	stm Thrower {
@@ -242,7 +242,7 @@ TEST(RoboToolChain, WhatHasNoCounterpartIsRefusedByName) {
               "Game::hand::thrower::p: c=0.5:1:0.1: the range is empty");
 }
 
-TEST(RoboToolChain, MistakesOfAProbabilityAreToldWithTheState) {
+TEST(RoboToolChain, MistakesOfAProbabilityHaveTheState) {
     const std::string found =
         text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
                    "Game::hand::thrower::p set to 2"));
@@ -320,7 +320,11 @@ std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::st
     prism::ModelFile alone;
     for (const prism::Module& each : model.modules)
         if (each.name.text == module) alone.modules.push_back(each);
-    const std::string text = std::regex_replace(prism::print(alone), std::regex("_[0-9]+|[ ()]"), "");
+    std::string text = std::regex_replace(prism::print(alone), std::regex("_[0-9]+|[ ()]"), "");
+    // Literals by their numbers.
+    for (const prism::Constant& each : model.constants)
+        if (each.value && each.value->op == prism::Op::integer)
+            text = std::regex_replace(text, std::regex("\\b" + each.name.text + "\\b"), each.value->text);
     std::multiset<std::string> result;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) result.insert(line);

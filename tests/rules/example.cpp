@@ -22,6 +22,8 @@
 #include "conformance/model/rules.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
+#include "sleec/checks/check.hpp"
+#include "sleec/syntax/reader.hpp"
 
 namespace robochart::testing {
 namespace {
@@ -53,6 +55,7 @@ std::string file_name(const app::Block& block, std::size_t number) {
     if (block.language == "assertions") return "claims" + suffix + ".assertions";
     if (block.language == "cspm") return "script" + suffix + ".csp";
     if (block.language == "prism" || block.language == "props") return "model" + suffix + "." + block.language;
+    if (block.language == "sleec") return "rules" + suffix + ".sleec";
     return "model" + suffix + ".rct";
 }
 
@@ -119,6 +122,15 @@ void read_prism(const std::vector<std::string>& paths, Judgement& result) {
         const prism::CheckedProperties properties = prism::check_properties(*model, file, diagnostics);
         if (diagnostics.ok()) evaluate(*model, properties, diagnostics);
     }
+    take(sources, diagnostics, result);
+}
+
+void read_rules(const std::string& path, Judgement& result) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::string error;
+    const sleec::RuleFile file = sleec::read(sources, sources.load(path, error).value(), diagnostics);
+    if (diagnostics.ok()) (void)sleec::check(file, diagnostics);
     take(sources, diagnostics, result);
 }
 
@@ -223,6 +235,10 @@ Judgement judge(const std::vector<app::Block>& example) {
         if (block.language == "cspm") scripts.push_back(path.string());
         if (block.language == "prism" || block.language == "props") {
             prism.push_back(path.string());
+            continue;
+        }
+        if (block.language == "sleec") {
+            read_rules(path.string(), result);
             continue;
         }
         has_model = has_model || block.language != "cspm";

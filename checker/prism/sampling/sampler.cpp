@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "checker/prism/sampling/parallel.hpp"
 #include "checker/prism/sampling/unsampled.hpp"
-#include "diagnostics/parallel.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -42,7 +42,7 @@ Sampler::Sampler(const Instance& instance, const Expr& question, const Values& c
     : options_(options), most_(most) {
     if (instance.model().kind != ModelKind::dtmc)
         throw Unsampled("an mdp is sampled under a scheduler only: --scheduler uniform names one");
-    const std::uint64_t threads = std::min<std::uint64_t>(diagnostics::threads_wanted(options.threads), most);
+    const std::uint64_t threads = std::min<std::uint64_t>(threads_wanted(options.threads), most);
     for (std::uint64_t i = 0; i < threads; ++i)
         workers_.push_back(std::make_unique<Worker>(instance, question, constants, options.budget));
 }
@@ -60,11 +60,10 @@ void Sampler::fill() {
     taken_ = 0;
     const std::uint64_t size = std::clamp<std::uint64_t>(finished_, first_block, greatest_block);
     block_.assign(std::min(size, most_ - finished_), {});
-    diagnostics::in_parallel(
-        block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {
-            const Draws draws(options_.seed, finished_ + number);
-            block_[number] = workers_[thread]->question.ask(draws, options_.method.path, options_.budget);
-        });
+    in_parallel(block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {
+        const Draws draws(options_.seed, finished_ + number);
+        block_[number] = workers_[thread]->question.ask(draws, options_.method.path, options_.budget);
+    });
 }
 
 void Sampler::report(diagnostics::Diagnostics& diagnostics) const {

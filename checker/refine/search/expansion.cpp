@@ -59,7 +59,9 @@ void Expander::expand(lts::StateIndex pair) {
     offer_.events.clear();
     offer_.branches = false;
     pair_ = {};
+    const std::uint64_t chased_before = system_.chased();
     system_.successors(nodes_ ? words.subspan(1) : words, *this);
+    pair_.chased = system_.chased() - chased_before;
     settle_offer();
     pair_.fault = monitor_.examine(node_, offer_);
     pair_.end_row = static_cast<std::uint32_t>(out_->size());
@@ -94,10 +96,11 @@ void Expander::add(Event event, lts::StateView target, Event /*revealed*/) {
     }
     if (!nodes_) {  // that there is an event is all that matters
         if (offer_.events.empty()) offer_.events.push_back(event);
-        return add_row(node_, target, false);
+        if (!taus_alone_) add_row(node_, target, false);
+        return;
     }
     offer_.events.push_back(event);
-    if (pair_.forbidden) return;
+    if (pair_.forbidden || taus_alone_) return;
     const Monitor::Advance next = advance(event);
     if (next.effect == Monitor::Effect::violation) pair_.forbidden = event;
     if (next.effect == Monitor::Effect::follow) add_row(next.node, target, false);

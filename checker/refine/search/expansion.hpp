@@ -18,6 +18,7 @@ public:
     struct Pair {
         std::uint32_t end_row;  ///< its rows begin where those of the pair before end
         std::uint32_t transitions;
+        std::uint64_t chased;  ///< states that its transitions were led on from
         std::optional<ViolationKind> fault;
         std::optional<process::Event> forbidden;  ///< the first; there are no rows after it
     };
@@ -58,6 +59,8 @@ public:
 
     /// From `first` on, until `end` is reached, there are enough rows, or a pair has met an error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
+    /// From now on events that are no taus are not followed.
+    void follow_taus_alone() { taus_alone_ = true; }
 
 private:
     void add(process::Event event, lts::StateView target, process::Event revealed) override;
@@ -81,6 +84,7 @@ private:
     Expansion::Pair pair_{};
     Monitor::Node node_ = 0;
     Offer offer_;
+    bool taus_alone_ = false;
 };
 
 }  // namespace robochart::refine

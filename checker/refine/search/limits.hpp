@@ -32,6 +32,8 @@ struct Limits : diagnostics::Limits {
     unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it
     std::size_t wide_level =
         2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
+    /// Whether states that confluent taus lead on from are left out (docs/search.md). Verdicts do not depend on it.
+    bool reduction = false;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
 };
@@ -43,6 +45,7 @@ struct Statistics {
     std::uint64_t depth = 0;       ///< breadth-first level of the last state
     std::uint64_t spec_nodes = 0;  ///< normalised specification nodes made
     double seconds = 0;
+    std::uint64_t chased = 0;  ///< states left out: a step of a transition led to each, and a confluent tau led on
 };
 
 }  // namespace robochart::refine

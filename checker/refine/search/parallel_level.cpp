@@ -61,6 +61,10 @@ std::unique_ptr<ParallelLevel> ParallelLevel::make(const lts::TransitionSystem& 
 ParallelLevel::ParallelLevel(lts::StateStore& pairs, std::vector<Member> members)
     : pairs_(pairs), members_(std::move(members)), team_(static_cast<unsigned>(members_.size())), parts_(most_parts) {}
 
+void ParallelLevel::follow_taus_alone() {
+    for (Member& member : members_) member.expander->follow_taus_alone();
+}
+
 /// Numbers from 0 on to whoever has time, as long as there has not been enough.
 void ParallelLevel::share(std::size_t count, const std::function<void(unsigned, std::size_t)>& work) {
     next_ = 0;
@@ -115,6 +119,7 @@ void ParallelLevel::begin(Part& part, StateIndex first) {
     part.first = first;
     part.pairs = 0;
     part.transitions = 0;
+    part.chased = 0;
     part.back_targets.clear();
     part.claims.clear(pairs_.width());
     part.stopped = false;
@@ -128,7 +133,10 @@ void ParallelLevel::fill(Member& member, Part& part, std::size_t number, StateIn
             part.stopped = expansion.faulty();
         else
             part.stopped = expansion.eventful() || !has_space(part, expansion) || !enter(expansion, part, number);
-        for (const Expansion::Pair& pair : expansion.pairs) part.transitions += pair.transitions;
+        for (const Expansion::Pair& pair : expansion.pairs) {
+            part.transitions += pair.transitions;
+            part.chased += pair.chased;
+        }
         part.pairs += static_cast<StateIndex>(expansion.pairs.size());
     }
 }

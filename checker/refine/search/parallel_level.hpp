@@ -37,12 +37,15 @@ public:
     /// Whether the last call stopped because a pair is not for it. One thread then does so many pairs, or to the end.
     [[nodiscard]] bool stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
+    /// From now on events that are no taus are not followed.
+    void follow_taus_alone();
 
     /// What blocks of pairs have given, in order.
     struct Block {
         lts::StateIndex first = 0;
         lts::StateIndex pairs = 0;
         std::uint64_t transitions = 0;
+        std::uint64_t chased = 0;
         ParentIndex found;                          ///< unless only examined
         std::vector<lts::StateIndex> back_targets;  ///< of taus
     };

@@ -35,14 +35,24 @@ void Search::begin() {
     });
     std::vector<lts::Word> first(pairs_.width());
     if (nodes_) first[0] = monitor_.start();
+    const std::uint64_t chased_before = system_.chased();
     system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
+    chased_ += system_.chased() - chased_before;
     enter(first, lts::StateStore::hash(first));
     ahead_ = system_.another() != nullptr;
 }
 
-std::optional<Finding> Search::first_violation() {
+void Search::follow_taus_alone() {
+    taus_alone_ = true;
+    expander_.follow_taus_alone();
+    if (wide_) wide_->follow_taus_alone();
+}
+
+std::optional<Finding> Search::first_violation(std::uint64_t events_until) {
     begin();
-    for (StateIndex first = 0; first != pairs_.size();) {
+    std::uint64_t level = 0;
+    for (StateIndex first = 0; first != pairs_.size(); ++level) {
+        if (level == events_until) follow_taus_alone();
         const auto end = static_cast<StateIndex>(pairs_.size());
         if (const std::optional<Finding> finding = search_level(first, end)) return finding;
         if (forbidden_) return forbidden_;
@@ -91,6 +101,7 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
 bool Search::several_threads() {
     if (!wide_ && !one_thread_ && budget_.threads() > 1)
         wide_ = ParallelLevel::make(system_, monitor_, pairs_, budget_.threads());
+    if (wide_ && taus_alone_) wide_->follow_taus_alone();
     one_thread_ = !wide_;
     return !one_thread_;
 }
@@ -114,6 +125,7 @@ void Search::note(const ParallelLevel::Block& block) {
     budget_.charge(block.pairs);
     expanded_ += block.pairs;
     transitions_ += block.transitions;
+    chased_ += block.chased;
     if (!forbidden_) parents_.append(block.found);
     for (const StateIndex target : block.back_targets) back_taus_.add(target);
 }
@@ -125,6 +137,7 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
         budget_.charge();
         ++expanded_;
         transitions_ += pair.transitions;
+        chased_ += pair.chased;
         if (!forbidden_)
             insert(expansion, first, row, pair.end_row);  // after it only this level's states are still examined
         row = pair.end_row;

@@ -2,6 +2,7 @@
 // expanded in the order of their discovery, so the first finding has a shortest run, the same every time.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,9 @@ public:
 
     /// The first violation by length of run; among runs of one length a state's fault comes before a forbidden event.
     /// None when all pairs have been seen. Throws LimitReached.
-    std::optional<Finding> first_violation();
+    /// Pairs that are first reached by runs of `events_until` steps or more are followed by taus alone: enough for the
+    /// first pair on a cycle of taus, where it is known to be reached by so many steps.
+    std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// After a search without violation that noted taus: the first pair on a tau cycle.
     std::optional<lts::StateIndex> first_tau_cycle();
     /// A shortest cycle of taus through the pair, as pairs; ends with the pair itself.
@@ -56,9 +59,11 @@ public:
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
+    [[nodiscard]] std::uint64_t chased() const { return chased_; }
 
 private:
     void begin();
+    void follow_taus_alone();
     std::optional<Finding> search_level(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> search_antichain_level(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
@@ -84,12 +89,14 @@ private:
     std::uint64_t expanded_ = 0;
     std::uint64_t transitions_ = 0;
     std::uint64_t depth_ = 0;
+    std::uint64_t chased_ = 0;
 
     Expander expander_;
     Expansion expansion_;
     std::unique_ptr<Antichain> antichain_;  // if there is one, vertices of the tau graph are its states
     std::unique_ptr<ParallelLevel> wide_;
     bool one_thread_ = false;
+    bool taus_alone_ = false;
     bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
     std::optional<Finding> forbidden_;  // the first forbidden event, while its level is finished
 };

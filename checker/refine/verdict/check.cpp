@@ -10,6 +10,7 @@
 #include "checker/refine/verdict/counterexample.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
+#include "checker/refine/verdict/reduction.hpp"
 #include "checker/refine/verdict/reference.hpp"
 
 namespace robochart::refine {
@@ -46,7 +47,8 @@ std::optional<Violation> found(Earlier earlier, Verdict& verdict,
         return (*earlier)->violation;
     }
     std::optional<Violation> violation = search();
-    if (earlier != nullptr) *earlier = Findings{verdict.statistics, violation};
+    const bool final = !violation || violation->shortest;
+    if (earlier != nullptr && final) *earlier = Findings{verdict.statistics, violation};
     return violation;
 }
 
@@ -54,6 +56,7 @@ Tally::~Tally() {
     statistics_.states += search_.states();
     statistics_.transitions += search_.transitions();
     statistics_.depth = std::max(statistics_.depth, search_.depth());
+    statistics_.chased += search_.chased();
     if (specification_ != nullptr) statistics_.spec_nodes = specification_->size();
 }
 
@@ -84,14 +87,16 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
 
 /// The first fault of the implementation's runs against the normal form.
 std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
-                                           Search::Pairs pairs, Budget& budget, Statistics& statistics) {
-    const bool with_divergence = model == Model::failures_divergences;
+                                           Search::Pairs pairs, Budget& budget, Statistics& statistics,
+                                           const Violation* known) {
+    const bool with_divergence =
+        known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
     if (pairs == Search::Pairs::all) normal.refuse_growth();
     RefinementMonitor monitor(normal, model);
     Search search(implementation, monitor, budget, with_divergence, pairs);
     const Tally tally(search, statistics, &normal);
     if (with_divergence && normal.diverges(normal.initial())) return std::nullopt;  // everything refines divergence
-    if (const std::optional<Finding> finding = search.first_violation())
+    if (const std::optional<Finding> finding = search.first_violation(events_until(known)))
         return violation_of(search, implementation, *finding);
     return with_divergence ? first_divergence(search) : std::nullopt;
 }
@@ -101,7 +106,11 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
     NormalForm normal(specification, budget);
     verdict.outcome = Outcome::holds;
     const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_refinement(normal, implementation, model, pairs, budget, verdict.statistics);
+        return search_reduced(
+            implementation, budget, verdict.statistics,
+            [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
+                return search_refinement(normal, system, model, pairs, own, size, known);
+            });
     });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
@@ -113,11 +122,12 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
 }
 
 std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
-                                       Budget& budget, Statistics& statistics) {
+                                       Budget& budget, Statistics& statistics, const Violation* known) {
     StateMonitor monitor(forbid_deadlock);
     Search search(system, monitor, budget, forbid_divergence);
     const Tally tally(search, statistics);
-    if (const std::optional<Finding> finding = search.first_violation()) return violation_of(search, system, *finding);
+    if (const std::optional<Finding> finding = search.first_violation(events_until(known)))
+        return violation_of(search, system, *finding);
     return forbid_divergence ? first_divergence(search) : std::nullopt;
 }
 
@@ -125,7 +135,11 @@ void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool for
                    Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
     const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_states(system, forbid_deadlock, forbid_divergence, budget, verdict.statistics);
+        return search_reduced(
+            system, budget, verdict.statistics,
+            [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
+                return search_states(searched, forbid_deadlock, forbid_divergence, own, size, known);
+            });
     });
     if (!violation) return;
     fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));

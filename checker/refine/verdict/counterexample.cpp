@@ -31,6 +31,7 @@ Counterexample tell(const Confirmed& confirmed) {
     result.loop = steps_of(system, violation.loop);
     result.event = violation.event;
     result.replayed_by_terms = confirmed.by_terms;
+    result.shortest = violation.shortest;
     if (system.states_are_terms()) {
         result.terms = terms_of(violation.run);
         result.loop_terms = terms_of(violation.loop);

@@ -15,6 +15,7 @@
 #include "checker/refine/verdict/counterexample.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
+#include "checker/refine/verdict/reduction.hpp"
 #include "checker/refine/verdict/reference.hpp"
 
 namespace robochart::refine {
@@ -68,11 +69,12 @@ Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity
     return violation;
 }
 
-std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
+                                       const Violation* known) {
     StateMonitor monitor(false);
     Search search(system, monitor, budget, true);
     const Tally tally(search, statistics);
-    search.first_violation();
+    search.first_violation(events_until(known));
     return first_divergence(search);
 }
 
@@ -195,11 +197,13 @@ std::optional<Ambiguity> ambiguity_of(lts::TransitionSystem& system, Budget& bud
 }
 
 std::optional<Violation> search_choice(lts::TransitionSystem& system, Model model, Budget& budget,
-                                       Statistics& statistics) {
-    if (leaves_no_choice(system, budget, statistics)) return std::nullopt;
+                                       Statistics& statistics, const Violation* known) {
+    if (known == nullptr && leaves_no_choice(system, budget, statistics)) return std::nullopt;
     statistics = {};
     std::optional<Violation> violation;
-    if (model == Model::failures_divergences) violation = divergence_of(system, budget, statistics);
+    const bool may_diverge =
+        known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
+    if (may_diverge) violation = divergence_of(system, budget, statistics, known);
     if (!violation)
         if (const std::optional<Ambiguity> ambiguity = ambiguity_of(system, budget, statistics))
             violation = refusing_run(system, *ambiguity, budget);
@@ -208,8 +212,11 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, Model mode
 
 void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
-    const std::optional<Violation> violation =
-        found(earlier, verdict, [&] { return search_choice(system, model, budget, verdict.statistics); });
+    const std::optional<Violation> violation = found(earlier, verdict, [&] {
+        return search_reduced(system, budget, verdict.statistics,
+                              [&](lts::TransitionSystem& searched, Budget& own, Statistics& size,
+                                  const Violation* known) { return search_choice(searched, model, own, size, known); });
+    });
     if (!violation) return;
     verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));
     verdict.outcome = Outcome::fails;

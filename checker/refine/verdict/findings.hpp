@@ -17,6 +17,7 @@ struct Violation {
     Run run;
     Run loop;                             ///< divergence: taus from the run's last state back to it
     std::optional<process::Event> event;  ///< nondeterminism: the event that is both accepted and refused
+    bool shortest = true;                 ///< else a limit has ended the search for a shorter run
 };
 
 /// What a search that came to an end has found. Equal systems give equal findings.

@@ -201,7 +201,7 @@ Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& refe
     if (!run) run = paths.find(from, actions_of(violation.run), false, ends);
     if (!run) run = paths.find(from, trace_of(violation.run), true, ends);
     if (!run) throw std::logic_error("a counterexample failed its replay: the terms have no such run");
-    Violation again{violation.kind, std::move(*run), {}, violation.event};
+    Violation again{violation.kind, std::move(*run), {}, violation.event, violation.shortest};
     if (violation.kind == ViolationKind::divergence) {
         Lasso lasso = tau_loop(reference, again.run.last(), violation.loop, budget).value();
         append(again.run, lasso.stem);

@@ -25,10 +25,10 @@ struct Step {
     std::string state;                       ///< describe() of the state reached
 };
 
-/// A shortest run that violates an assertion, and what is wrong with it.
+/// A run that violates an assertion, and what is wrong with it.
 struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
-    std::vector<Step> steps;              ///< shortest run of the implementation, taus included
+    std::vector<Step> steps;              ///< run of the implementation, taus included
     std::string initial;                  ///< describe() of the initial state
     std::vector<process::Event> offered;  ///< refusal, deadlock: what the last state offers
     std::vector<process::EventSet>
@@ -40,6 +40,8 @@ struct Counterexample {
     /// Whether the run was replayed by the operational semantics of terms; else by the compiled rules alone, because
     /// the terms were too many or there are none.
     bool replayed_by_terms = false;
+    /// Whether there is no shorter one. Else a limit has ended the search for it (docs/search.md, "Confluent taus").
+    bool shortest = true;
 };
 
 /// The answer to an assertion, with its counterexample and the size of the search.

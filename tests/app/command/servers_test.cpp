@@ -103,7 +103,7 @@ TEST(Junit, HasWhatAllSchemasHave) {
 constexpr const char* files = R"(
 echo 'stm S { event e initial i state A { } state B { } transition t0 { from i to A } transition t1 { from A to B trigger e } }' > m.rct
 printf 'untimed assertion Good : S is divergence-free\nuntimed assertion Bad : S is deadlock-free\n' > m.assertions
-mkdir other; cp m.rct other; printf 'prob property P : Prob=? of [Finally S is in S::A]\n' > other/p.assertions
+mkdir other; cp m.rct other; printf 'prob property P : Prob=? of [Finally S is in S::A] using sim with CI at alpha=0.01, n=1000\n' > other/p.assertions
 printf 'channel a, b\nP = a -> P\nprint 1\nassert P :[deadlock free [F]]\nassert STOP [T= P\n' > s.csp
 )";
 

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/report/trial_data.hpp"
+#include "app/pages/trial_data.hpp"
 #include "tests/app/command.hpp"
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"

@@ -197,6 +197,18 @@ TEST(StepPage, ShowsTheFirstStateWithoutScript) {
     EXPECT_THAT(between(page, "<ul id=\"machines\"", "</ul>").at(0), HasSubstr("p::S: at initial node i"));
 }
 
+TEST(StepPage, OperationsThatAreCalledAreDrawnToo) {
+    const std::string page = page_of(
+        {{"m.rct",
+          R"(package p interface I { op() } operation unused() { initial i state V { } transition u0 { from i to V } }
+operation op() { initial i state W { } final F transition u0 { from i to W } transition u1 { from W to F } }
+stm S { requires I initial i state A { entry op() } transition t0 { from i to A } }
+controller C { opref r = op sref a = S })"}},
+        {"@m.rct", "C"});
+    EXPECT_EQ(between(page, "<figcaption>", "</figcaption>"),
+              (std::vector<std::string>{"p::C::a", "p::C::a: operation op"}));
+}
+
 TEST(StepPage, NothingOfTheModelActs) {
     const std::string evil = "</script><img src=x onerror=alert(1)>\\\"'\xe2\x80\xae";
     const std::string page =

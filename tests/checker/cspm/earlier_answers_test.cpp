@@ -33,14 +33,16 @@ protected:
         std::vector<std::uint64_t> states;
     };
 
-    Answers check(const std::string& text, bool remember = true) {
+    Answers check(const std::string& text, bool remember = true, bool reduction = false) {
         Reading reading(text);
         EXPECT_TRUE(reading.ok()) << reading.report();
         Session session(reading.script);
         if (remember) session.remember(cache_, 0);
         Answers answers;
+        refine::Limits limits;
+        limits.reduction = reduction;
         for (const DeclPtr& assertion : session.assertions()) {
-            const refine::Verdict verdict = session.check(*assertion, {}).verdict;
+            const refine::Verdict verdict = session.check(*assertion, limits).verdict;
             answers.outcomes += verdict.outcome == Outcome::holds ? 'h' : verdict.outcome == Outcome::fails ? 'f' : '?';
             answers.known += verdict.known ? 'y' : 'n';
             answers.states.push_back(verdict.statistics.states);
@@ -116,6 +118,16 @@ TEST_F(EarlierAnswersTest, TheModelIsPartOfAQuestion) {
     EXPECT_EQ(failures.known, "nyyyy");
     // After one value the buffer must take another; so do two cells.
     EXPECT_EQ(failures.outcomes, "ffhfh") << "the specification offers a third value while Two holds two";
+}
+
+TEST_F(EarlierAnswersTest, TheReductionIsPartOfAQuestion) {
+    (void)check(script);
+    const Answers reduced = check(script, true, true);
+    EXPECT_EQ(reduced.known, "nnnnn") << "the figures of a reduced search are others";
+    EXPECT_EQ(reduced.outcomes, "hfhfh");
+    const Answers again = check(script, true, true);
+    EXPECT_EQ(again.known, "yyyyy");
+    expect_equal(again, reduced);
 }
 
 TEST_F(EarlierAnswersTest, FindingsThatAreNotConfirmedAreNotUsed) {

@@ -38,10 +38,15 @@ std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& c
     for (std::size_t i = 0; i < assertions.size(); ++i) {
         const refine::Question& question = refine::questions()[i];
         const bool holds = expected(question, graphs, asked.trace);
-        const refine::Verdict verdict = session.check(*assertions[i], {}).verdict;
-        if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails))
-            return assertion(question, asked.trace) + (holds ? " should hold" : " should fail");
-        ++checks;
+        for (const bool reduction : {false, true}) {
+            refine::Limits limits;
+            limits.reduction = reduction;
+            const refine::Verdict verdict = session.check(*assertions[i], limits).verdict;
+            if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails))
+                return assertion(question, asked.trace) + (holds ? " should hold" : " should fail") +
+                       (reduction ? ", reduced" : "");
+            ++checks;
+        }
     }
     return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// Whether two explored systems are strongly bisimilar.
+// Whether two explored systems are bisimilar.
 #pragma once
 
 #include <stdexcept>
@@ -22,7 +22,7 @@ inline Graph graph_of(TransitionSystem& system, std::size_t most_states) {
 }
 
 /// Both graphs below a common root, which is minimised: are their initial states equal?
-inline bool bisimilar(const Graph& a, const Graph& b) {
+inline bool bisimilar(const Graph& a, const Graph& b, Equivalence equivalence = Equivalence::strong) {
     Graph both;
     const auto after = static_cast<StateIndex>(1 + a.size());
     both.add_edge({2, 1});
@@ -36,7 +36,7 @@ inline bool bisimilar(const Graph& a, const Graph& b) {
     };
     append(a, 1);
     append(b, after);
-    const Quotient quotient = minimise(both, Equivalence::strong);
+    const Quotient quotient = minimise(both, equivalence);
     return quotient.state_of[1] == quotient.state_of[after];
 }
 

@@ -27,7 +27,17 @@ struct Seen {
     void count(bool held) { ++checks, ++(held ? holds : fails); }
 };
 
-enum class Engine { terms, compressing_terms, machines };
+enum class Engine { terms, compressing_terms, machines, reduced_machines };
+
+/// Reduced machines are searched by several threads as well, however few states they have.
+Limits limits_of(Engine engine) {
+    Limits limits;
+    if (engine != Engine::reduced_machines) return limits;
+    limits.reduction = true;
+    limits.threads = 2;
+    limits.wide_level = 1;
+    return limits;
+}
 
 bool uses(const naive::Process& process, naive::Kind kind) {
     if (process->kind == kind) return true;
@@ -53,8 +63,7 @@ Model model(Semantics semantics) {
 }
 
 Verdict ask(const Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right,
-            const std::vector<process::Event>& trace) {
-    const Limits limits{};
+            const std::vector<process::Event>& trace, const Limits& limits) {
     switch (question.kind) {
         case Question::Kind::refinement:
             return refines(left, right, model(question.semantics), limits);
@@ -88,7 +97,7 @@ protected:
 
 std::unique_ptr<lts::TransitionSystem> Agreement::system(Translation& translation, const naive::Process& process,
                                                          Engine engine) {
-    if (engine == Engine::machines) {
+    if (engine == Engine::machines || engine == Engine::reduced_machines) {
         machine::Compiler compiler(translation.semantics());
         if (auto compiled = compiler.compile(translation.term(process), {})) return ++compiled_, std::move(compiled);
         ++left_as_terms_;
@@ -120,14 +129,15 @@ std::optional<std::string> Agreement::disagreement(const Case& asked, const Grap
     for (naive::Letter each : asked.trace) trace.push_back(translation.event(each));
     for (const Question& question : questions()) {
         const bool holds = expected(question, graphs, asked.trace);
-        const Verdict verdict = ask(question, *systems[question.left], *systems[question.right], trace);
+        const Verdict verdict =
+            ask(question, *systems[question.left], *systems[question.right], trace, limits_of(engine));
         if (const auto wrong = fault(question, verdict, graphs, holds, compressing))
             return assertion(question, asked.trace) + " " + *wrong;
         if (!counted) continue;
         ++checks_;
         seen_[topic(question)].count(holds);
     }
-    if (counted) ++(compressing ? compressed_ : plain_);
+    if (counted && engine != Engine::reduced_machines) ++(compressing ? compressed_ : plain_);
     return std::nullopt;
 }
 
@@ -140,9 +150,10 @@ bool Agreement::agrees(const RandomCases::Explored& each, Engine engine) {
         return disagreement(asked, *graphs, engine, false);
     };
     const Case least = shrink(each.asked, [&](const Case& asked) { return wrong(asked).has_value(); });
-    const char* const name = engine == Engine::terms      ? "as terms"
-                             : engine == Engine::machines ? "compiled"
-                                                          : "with compressions";
+    const char* const name = engine == Engine::terms              ? "as terms"
+                             : engine == Engine::machines         ? "compiled"
+                             : engine == Engine::reduced_machines ? "reduced"
+                                                                  : "with compressions";
     ADD_FAILURE() << name << ": " << wrong(least).value_or("?") << "\n" << show(least.script);
     return false;
 }
@@ -153,7 +164,8 @@ TEST_F(Agreement, OnRandomProcesses) {
     bool agreed = true;
     while (agreed && checks_ < wanted) {
         const RandomCases::Explored each = cases.next();
-        agreed = agrees(each, Engine::terms) && agrees(each, Engine::machines);
+        agreed =
+            agrees(each, Engine::terms) && agrees(each, Engine::machines) && agrees(each, Engine::reduced_machines);
         if (agreed && compressible(each.asked.script)) agreed = agrees(each, Engine::compressing_terms);
     }
     ASSERT_TRUE(agreed);

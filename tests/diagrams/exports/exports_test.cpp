@@ -78,7 +78,7 @@ TEST(Dot, SaysWhatIsDrawn) {
 }
 
 TEST(Dot, IsReadByGraphviz) {
-    ROBOCHART_NEEDS(std::system("dot -V > /dev/null 2>&1") == 0, "dot (Debian: graphviz)");
+    ROBOCHART_NEEDS(std::system("nop -p /dev/null > /dev/null 2>&1") == 0, "nop (Debian: graphviz)");
     std::string error;
     const diagnostics::TemporaryFolder folder("", error);
     ASSERT_EQ(error, "");
@@ -86,7 +86,7 @@ TEST(Dot, IsReadByGraphviz) {
     draw_own_models([&](const DrawnModel& drawn) {
         ASSERT_EQ(diagnostics::write_below(folder.path(), fmt::format("{}.dot", count++), dot(drawn.picture)), "");
     });
-    EXPECT_EQ(std::system(("dot -Tcanon '" + folder.path() + "'/*.dot > /dev/null").c_str()), 0) << "of " << count;
+    EXPECT_EQ(std::system(("nop -p '" + folder.path() + "'/*.dot").c_str()), 0) << "of " << count;
 }
 
 }  // namespace

@@ -155,11 +155,13 @@ TEST_F(Occurrences, FollowReferencesAlongPathsInAssertions) {
 /// Words of assertion files that only some places reserve.
 bool is_assertion_word(std::string_view word) {
     static const std::set<std::string_view> words = {
-        "assertion", "csp",       "timed",     "untimed",  "associated",  "deadlock", "divergence", "timelock",
-        "free",      "terminate", "does",      "refine",   "refines",     "equals",   "equal",      "deterministic",
-        "reachable", "model",     "traces",    "failures", "divergences", "tick",     "tock",       "initialised",
-        "with",      "constant",  "parameter", "of",       "set",         "value",    "assigned",   "and",
-        "missed",    "for",       "time",      "unit",     "units"};
+        "assertion", "csp",           "timed",       "untimed",    "associated", "deadlock",  "divergence",
+        "timelock",  "free",          "terminate",   "does",       "refine",     "refines",   "equals",
+        "equal",     "deterministic", "reachable",   "model",      "traces",     "failures",  "divergences",
+        "tick",      "tock",          "initialised", "with",       "constant",   "parameter", "of",
+        "set",       "value",         "assigned",    "and",        "missed",     "for",       "time",
+        "unit",      "units",         "prob",        "property",   "Prob",       "Reward",    "Finally",
+        "Reachable", "label",         "rewards",     "endrewards", "constants",  "by",        "step"};
     return words.contains(word);
 }
 

@@ -145,7 +145,7 @@ std::string strategy(const char* text, const std::string& property) {
     return result;
 }
 
-TEST(PrismStrategy, IsToldInTermsOfTheModel) {
+TEST(PrismStrategy, IsInTermsOfTheModel) {
     EXPECT_EQ(strategy(choice, "Pmax=? [ F s=1 ]"), "s=0: [left] M (line 3)\n");
     EXPECT_EQ(strategy(choice, "Pmin=? [ F s=1 ]"), "s=0: [right] M (line 4)\n");
     EXPECT_EQ(strategy(choice, "Pmax=? [ G s!=1 ]"), "s=0: [right] M (line 4)\n");

@@ -15,6 +15,7 @@ Findings divergence() {
     findings.statistics.transitions = 34;
     findings.statistics.depth = 3;
     findings.statistics.spec_nodes = 5;
+    findings.statistics.chased = 6;
     findings.violation = Violation{ViolationKind::divergence,
                                    {{1, 2}, {{7, 7, {3, 4}}, {0, 9, {5, 0xFFFFFFFFU}}}},
                                    {{5, 0xFFFFFFFFU}, {{0, 0, {5, 0xFFFFFFFFU}}}},
@@ -28,6 +29,7 @@ TEST(FindingsTest, ComeBackAsTheyWere) {
     ASSERT_TRUE(read && read->violation);
     EXPECT_EQ(read->statistics.states, 12U);
     EXPECT_EQ(read->statistics.spec_nodes, 5U);
+    EXPECT_EQ(read->statistics.chased, 6U);
     EXPECT_EQ(read->violation->kind, ViolationKind::divergence);
     EXPECT_EQ(read->violation->event, process::Event{9});
     ASSERT_EQ(read->violation->run.steps.size(), 2U);

@@ -1,0 +1,488 @@
+// See html.hpp. What others wrote is escaped where it is put into the page; ids come from counters.
+#include "app/pages/html.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "app/command/run.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/part_diagrams.hpp"
+#include "app/pages/value_plot.hpp"
+#include "app/report/probability_report.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/json.hpp"
+#include "runs/text.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::xml_text;
+
+/// Steps that are shown of one run; the first and the last of longer ones.
+constexpr std::size_t most_steps = 2000;
+
+const char* look(Answer answer) {
+    return answer == Answer::holds || answer == Answer::computed ? "holds"
+           : answer == Answer::fails                             ? "fails"
+                                                                 : "other";
+}
+
+std::string title_of(const AssertionReport& assertion) {
+    return assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
+}
+
+/// Lines that are wider than the page scroll, by keyboard too.
+std::string preformatted(const std::string& text) {
+    return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
+}
+
+/// The file's name; its whole path where the pointer rests.
+std::string place_text(const std::string& place) {
+    return fmt::format("<span class=\"place\" title=\"{}\">{}</span>", xml_text(place),
+                       xml_text(place.substr(place.rfind('/') + 1)));
+}
+
+std::string place_text(const runs::Place& place) {
+    return place_text(fmt::format("{}:{}", place.file, place.line));
+}
+
+/// The values of a probabilistic assertion: a row for each combination of the constants that vary.
+std::string values_table(const ProbabilityReport& report) {
+    if (report.rows.empty()) return "";
+    std::string head;
+    for (const auto& [name, value] : varying(report, report.rows.front()))
+        head += fmt::format("<th scope=\"col\">{}</th>", xml_text(name));
+    std::string body;
+    for (const probability::Row& row : report.rows) {
+        body += "<tr>";
+        for (const auto& [name, value] : varying(report, row))
+            body += fmt::format("<td class=\"number\">{}</td>", xml_text(value));
+        body += fmt::format("<td>{}</td></tr>", xml_text(row_text(row)));
+    }
+    return fmt::format("<br>{}<table><thead><tr>{}<th scope=\"col\">value</th></tr></thead><tbody>{}</tbody></table>{}",
+                       xml_text(reading_of(report)), head, body, value_plot(report));
+}
+
+/// Elements of diagrams: the number of the machine whose diagram it is, and the element's id.
+using Marks = std::vector<std::pair<std::size_t, std::string>>;
+
+/// "0:e5 1:e9".
+std::string text_of(const Marks& marks) {
+    std::vector<std::string> texts;
+    for (const auto& [machine, element] : marks) texts.push_back(fmt::format("{}:{}", machine, element));
+    return fmt::format("{}", fmt::join(texts, " "));
+}
+
+/// One page.
+class ReportPage {
+public:
+    ReportPage(const Report& report, const std::vector<Part>& parts, const Options& options)
+        : report_(report), diagrams_(parts, options.run->budget()) {}
+
+    std::string write() {
+        head();
+        verdicts();
+        for (std::size_t i = 0; i < report_.assertions.size(); ++i)
+            if (report_.assertions[i].run) claim(i, report_.assertions[i]);
+        code();
+        pictures();
+        return page_text({report_.model, "script.js", std::move(out_)});
+    }
+
+private:
+    void head();
+    void verdicts();
+    void verdict(std::size_t number, const AssertionReport& assertion);
+    void claim(std::size_t number, const AssertionReport& assertion);
+    void standstill(std::size_t number, const ConformanceReport& report);
+    void replay(const std::string& id, const runs::Run& run);
+    void steps(const std::string& id, const runs::Run& run);
+    void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+             const std::vector<runs::Machine>& after);
+    [[nodiscard]] std::vector<std::set<std::string>> marked(const runs::Run& run) const;
+    void figures(const std::string& id, const runs::Run& run);
+    void figure(const std::string& attributes, const std::string& caption, const std::string& svg);
+    void code();
+    void pictures();
+    [[nodiscard]] std::set<std::string> unexercised() const;
+    [[nodiscard]] Marks active(const std::vector<runs::Machine>& machines) const;
+    [[nodiscard]] Marks fired(const runs::Step& step) const;
+    [[nodiscard]] std::string lane(const std::string& component) const;
+    [[nodiscard]] std::string values(const std::vector<runs::Machine>& before,
+                                     const std::vector<runs::Machine>& after) const;
+
+    const Report& report_;
+    PartDiagrams diagrams_;
+    std::vector<std::pair<std::string, std::string>> machines_;  ///< of the run shown: instance, definition
+    bool timed_ = false;                                         ///< the run shown is
+    std::string out_;
+};
+
+void ReportPage::head() {
+    out_ += fmt::format("<h1>{}</h1>\n<p>{}", xml_text(report_.model), xml_text(report_.summary));
+    for (const std::string& note : report_.notes) out_ += fmt::format("<br>{}", xml_text(note));
+    std::vector<std::string> counts;
+    if (!report_.assertions.empty())
+        counts.push_back(fmt::format("{} hold, {} fail", report_.count(Answer::holds), report_.count(Answer::fails)));
+    if (const auto& code = report_.conformance; !code.empty())
+        counts.push_back(fmt::format("{} of {} components conform",
+                                     std::count_if(code.begin(), code.end(),
+                                                   [](const ConformanceReport& each) {
+                                                       return each.result.outcome == conformance::Outcome::conforms;
+                                                   }),
+                                     code.size()));
+    if (!report_.limit.empty()) counts.push_back("ended early: " + xml_text(report_.limit));
+    out_ += fmt::format("</p>\n<p>robochart-verify {}: {}</p>\n", program_version, fmt::join(counts, "; "));
+}
+
+void ReportPage::verdicts() {
+    if (report_.assertions.empty()) return;
+    out_ +=
+        "<section id=\"verdicts\">\n<h2>Verdicts</h2>\n"
+        "<p class=\"controls\"><label><input type=\"checkbox\" id=\"only\"> only what does not hold</label></p>\n"
+        "<table><thead><tr><th scope=\"col\">answer</th><th scope=\"col\">claim</th><th scope=\"col\">place</th>"
+        "<th scope=\"col\">states</th></tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < report_.assertions.size(); ++i) verdict(i, report_.assertions[i]);
+    out_ += "</tbody></table>\n";
+    for (const BoundReport& each : report_.bounds)
+        out_ += fmt::format("<p>a bound of the finite instantiation was reached: {}: {} [{}] {}</p>\n",
+                            xml_text(each.element), xml_text(each.text), each.time, xml_text(each.place));
+    out_ += "</section>\n";
+}
+
+void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
+    std::string shown = xml_text(title_of(assertion));
+    if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
+    if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
+    if (assertion.probability) shown += values_table(*assertion.probability);
+    const bool information = assertion.core && assertion.core->information;
+    out_ += fmt::format(
+        "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
+        assertion.answer == Answer::holds || assertion.answer == Answer::computed || information ? "good" : "bad",
+        information ? "" : look(assertion.answer),
+        information ? (assertion.answer == Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
+        place_text(assertion.place), assertion.statistics.states);
+}
+
+/// The active states of each machine of the run shown.
+Marks ReportPage::active(const std::vector<runs::Machine>& machines) const {
+    Marks marks;
+    for (const runs::Machine& machine : machines)
+        for (std::size_t i = 0; i < machines_.size(); ++i)
+            for (const std::string& state : machine.active)
+                if (const std::string id = diagrams_.named(state);
+                    machines_[i].first == machine.component && !id.empty())
+                    marks.emplace_back(i, id);
+    return marks;
+}
+
+/// What the step does, in the machines that do it.
+Marks ReportPage::fired(const runs::Step& step) const {
+    Marks marks;
+    const auto add = [&](const runs::Event& event) {
+        const std::string id = diagrams_.of(event);
+        for (std::size_t i = 0; i < machines_.size(); ++i)
+            if (!id.empty() && machines_[i].first == event.component) marks.emplace_back(i, id);
+    };
+    add(step.event);
+    for (const runs::Event& each : step.with) add(each);
+    return marks;
+}
+
+/// "x = 2"; "" where the words say it already.
+std::string change_text(const runs::Step& step, const runs::Change& change) {
+    std::string text = fmt::format("{} = {}", change.name, change.after);
+    return step.event.text.ends_with(text) ? "" : text;
+}
+
+std::string step_text(const runs::Step& step) {
+    std::string text = runs::text(step.event, step.with);
+    for (const runs::Change& change : step.changes)
+        if (const std::string news = change_text(step, change); !news.empty()) text += "; " + news;
+    return text;
+}
+
+/// What else could have happened, behind its number.
+std::string also_possible(const runs::Step& step) {
+    if (step.offered.empty()) return "";
+    std::vector<std::string> offered;
+    for (const runs::Event& each : step.offered) offered.push_back(xml_text(each.text));
+    if (step.more_offered > 0) offered.push_back(fmt::format("and {} more", step.more_offered));
+    return fmt::format("<details><summary>{}</summary>{}</details>", step.offered.size() + step.more_offered,
+                       fmt::join(offered, "<br>"));
+}
+
+/// "<dt>the specification allows</dt><dd>…</dd>"; "" for none.
+std::string end_entry(const char* title, const std::vector<runs::Event>& events) {
+    std::vector<std::string> texts;
+    for (const runs::Event& each : events) texts.push_back(xml_text(each.text));
+    return texts.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, fmt::join(texts, "<br>"));
+}
+
+/// What is possible where a run ends, and what the specification allows or requires there.
+std::string end_text(const runs::End& end) {
+    std::string text = end_entry("possible", end.offered) + end_entry("the specification allows", end.allowed) +
+                       end_entry("it refuses, against the specification", end.refused);
+    std::size_t number = 0;
+    for (const std::vector<runs::Event>& each : end.required)
+        text += end_entry(++number == 1 ? "the specification requires" : "or", each);
+    for (const runs::Cause& each : end.causes)
+        text += fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", xml_text(each.component), xml_text(each.text),
+                            each.place ? " " + place_text(*each.place) : "");
+    return text.empty() ? "" : fmt::format("<details><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
+}
+
+/// What a component does in a step, and what it changes.
+std::string does(const runs::Step& step, const std::string& component) {
+    std::vector<std::string> parts;
+    if (step.event.component == component) parts.push_back(runs::text(step.event));
+    for (const runs::Event& each : step.with)
+        if (each.component == component) parts.push_back(runs::text(each));
+    for (const runs::Change& change : step.changes)
+        if (const std::string news = change_text(step, change); change.component == component && !news.empty())
+            parts.push_back(news);
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+const runs::Machine* find(const std::vector<runs::Machine>& machines, const std::string& component) {
+    const auto found = std::find_if(machines.begin(), machines.end(),
+                                    [&](const runs::Machine& each) { return each.component == component; });
+    return found == machines.end() ? nullptr : &*found;
+}
+
+/// The last part of its name where that tells it from the others, else all but the first.
+std::string ReportPage::lane(const std::string& component) const {
+    const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
+    const auto alike = std::count_if(machines_.begin(), machines_.end(),
+                                     [&](const auto& each) { return last(each.first) == last(component); });
+    const std::size_t whole = component.find("::");
+    return alike == 1 ? last(component) : component.substr(whole == std::string::npos ? 0 : whole + 2);
+}
+
+/// The variables of the machines whose variables are not as before, by the machine's number: name, value, whether it
+/// has changed.
+std::string ReportPage::values(const std::vector<runs::Machine>& before,
+                               const std::vector<runs::Machine>& after) const {
+    diagnostics::Json all = diagnostics::Json::object();
+    for (std::size_t i = 0; i < machines_.size(); ++i) {
+        const runs::Machine* const was = find(before, machines_[i].first);
+        const runs::Machine* const is = find(after, machines_[i].first);
+        if (is == nullptr || (was != nullptr && runs::values_text(*was) == runs::values_text(*is))) continue;
+        diagnostics::Json list = diagnostics::Json::array();
+        for (const runs::Variable& each : is->variables) {
+            if (each.kind == runs::VariableKind::constant || !each.value) continue;
+            const bool same =
+                was != nullptr &&
+                std::any_of(was->variables.begin(), was->variables.end(), [&](const runs::Variable& other) {
+                    return other.name == each.name && other.value == each.value;
+                });
+            list.push_back({each.name, *each.value, was != nullptr && !same});
+        }
+        all[fmt::format("{}", i)] = std::move(list);
+    }
+    return diagnostics::json_text(all);
+}
+
+/// A lane for each machine: what it does, and below it where it is then, if that is new. `step`: null for the
+/// beginning.
+void ReportPage::row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+                     const std::vector<runs::Machine>& after) {
+    const std::string what = step == nullptr ? "the beginning" : step_text(*step);
+    out_ += fmt::format(
+        "<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-values=\"{}\" data-text=\"{}\"><td "
+        "class=\"number\">{}</td>",
+        text_of(active(after)), step == nullptr ? "" : text_of(fired(*step)), xml_text(values(before, after)),
+        xml_text(what), number);
+    if (timed_)
+        out_ += fmt::format("<td class=\"number\">{}</td>",
+                            step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
+    bool said = false;
+    for (const auto& [component, definition] : machines_) {
+        const std::string done = step == nullptr ? "" : does(*step, component);
+        const runs::Machine* const was = find(before, component);
+        const runs::Machine* const is = find(after, component);
+        const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : is->text;
+        const bool news = step == nullptr || was == nullptr || is == nullptr || was->text != then;
+        said = said || !done.empty();
+        out_ += fmt::format("<td class=\"lane\">{}{}</td>", xml_text(done),
+                            news && !then.empty() ? fmt::format("<div class=\"then\">{}</div>", xml_text(then)) : "");
+    }
+    out_ += fmt::format("<td>{}</td>", step == nullptr || said ? "" : xml_text(what));
+    const bool placed = step != nullptr && step->event.place;
+    out_ += fmt::format("<td>{}</td><td>{}</td></tr>\n", placed ? place_text(*step->event.place) : "",
+                        step == nullptr ? "" : also_possible(*step));
+}
+
+void ReportPage::steps(const std::string& id, const runs::Run& run) {
+    out_ += fmt::format(
+        "<div class=\"steps\" tabindex=\"0\" role=\"region\" aria-label=\"steps of {}\">\n<table><thead><tr>"
+        "<th scope=\"col\">step</th>{}",
+        id, timed_ ? "<th scope=\"col\">time</th>" : "");
+    for (const auto& [component, definition] : machines_)
+        out_ += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component), xml_text(lane(component)));
+    out_ +=
+        "<th scope=\"col\">elsewhere</th><th scope=\"col\">place</th><th scope=\"col\" title=\"what else "
+        "was possible\">also</th></tr></thead>\n"
+        "<tbody>\n";
+    const std::size_t columns = machines_.size() + (timed_ ? 5 : 4);
+    row(0, nullptr, {}, run.initial);
+    const std::size_t count = run.steps.size();
+    const std::vector<runs::Machine>* shown = &run.initial;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i == most_steps / 2 && count > most_steps) {
+            i = count - most_steps / 2;
+            out_ +=
+                fmt::format("<tr><td colspan=\"{}\">{} steps are left out</td></tr>\n", columns, count - most_steps);
+        }
+        if (run.loop_start == i) out_ += fmt::format("<tr><td colspan=\"{}\">then for ever:</td></tr>\n", columns);
+        row(i + 1, &run.steps[i], *shown, run.steps[i].machines);
+        shown = &run.steps[i].machines;
+    }
+    out_ += "</tbody></table>\n</div>\n";
+}
+
+/// The elements that are marked at some time, by machine.
+std::vector<std::set<std::string>> ReportPage::marked(const runs::Run& run) const {
+    std::vector<std::set<std::string>> result(machines_.size());
+    const auto add = [&](const Marks& marks) {
+        for (const auto& [machine, element] : marks) result[machine].insert(element);
+    };
+    for (const runs::Step& step : run.steps) {
+        add(active(step.machines));
+        add(fired(step));
+    }
+    return result;
+}
+
+/// Each machine's diagram as it is after the last step, so that it is read without script; and those of the operations
+/// that it calls.
+void ReportPage::figures(const std::string& id, const runs::Run& run) {
+    const std::vector<runs::Machine>& last = run.steps.empty() ? run.initial : run.steps.back().machines;
+    std::vector<PartDiagrams::Classes> classes(machines_.size());
+    for (const auto& [machine, element] : active(last)) classes[machine][element] = "on";
+    if (!run.steps.empty())
+        for (const auto& [machine, element] : fired(run.steps.back())) classes[machine][element] += " fired";
+    const std::vector<std::set<std::string>> marks = marked(run);
+    out_ += "<div class=\"drawn\">\n";
+    for (std::size_t i = 0; i < machines_.size(); ++i) {
+        const std::string svg = diagrams_.drawn(machines_[i].second, fmt::format("{}-{}-", id, i), classes[i]);
+        const runs::Machine* const machine = find(last, machines_[i].first);
+        const std::string values = machine == nullptr ? "" : runs::values_text(*machine);
+        if (!svg.empty())
+            figure(fmt::format(" data-machine=\"{}\"", i), machines_[i].first,
+                   fmt::format("<p class=\"values\">{}</p>\n{}", xml_text(values), svg));
+        for (const auto& [name, drawn] : diagrams_.operations(marks[i], fmt::format("{}-{}-", id, i), classes[i]))
+            figure(fmt::format(" data-machine=\"{}\"", i), fmt::format("{}: operation {}", machines_[i].first, name),
+                   drawn);
+    }
+    out_ += "</div>\n";
+}
+
+/// One that is wider than its place scrolls, by keyboard too.
+void ReportPage::figure(const std::string& attributes, const std::string& caption, const std::string& svg) {
+    out_ += fmt::format(
+        "<figure{} tabindex=\"0\" aria-label=\"diagram of "
+        "{}\"><figcaption>{}</figcaption>\n{}</figure>\n",
+        attributes, xml_text(caption), xml_text(caption), svg);
+}
+
+/// The steps of a run beside the diagrams of its machines.
+void ReportPage::replay(const std::string& id, const runs::Run& run) {
+    machines_.clear();
+    timed_ = run.timed;
+    const auto add = [&](const std::vector<runs::Machine>& machines) {
+        for (const runs::Machine& each : machines) {
+            const auto known = std::any_of(machines_.begin(), machines_.end(),
+                                           [&](const auto& pair) { return pair.first == each.component; });
+            if (!known) machines_.emplace_back(each.component, each.machine);
+        }
+    };
+    add(run.initial);
+    for (const runs::Step& step : run.steps) add(step.machines);
+    out_ +=
+        "<p class=\"controls\"><button type=\"button\" data-to=\"first\">first</button>"
+        "<button type=\"button\" data-to=\"back\">back</button><button type=\"button\" data-to=\"next\">next</button>"
+        "<button type=\"button\" data-to=\"last\">last</button>"
+        "<button type=\"button\" class=\"size\" aria-pressed=\"false\">diagrams in full size</button> "
+        "<span class=\"status\" aria-live=\"polite\"></span></p>\n<div class=\"replay\">\n";
+    steps(id, run);
+    figures(id, run);
+    out_ += "</div>\n" + end_text(run.end);
+    out_ += fmt::format("<details><summary>events of the script</summary>{}</details>\n",
+                        preformatted(fmt::format("{}", fmt::join(run.raw, "\n"))));
+}
+
+void ReportPage::claim(std::size_t number, const AssertionReport& assertion) {
+    const std::string id = fmt::format("a{}", number);
+    out_ += fmt::format(
+        "<section class=\"claim\" id=\"{}\">\n<h2><span class=\"{}\">{}</span> {}</h2>\n<p>{}</p>\n<p>{}</p>\n", id,
+        look(assertion.answer), answer_word(assertion.answer), xml_text(title_of(assertion)), xml_text(assertion.place),
+        xml_text(assertion.run->end.why));
+    replay(id, *assertion.run);
+    out_ += "</section>\n";
+}
+
+/// What shows that a model cannot be run in cycles.
+void ReportPage::standstill(std::size_t number, const ConformanceReport& report) {
+    const conformance::Explanation& explanation = report.result.explanation;
+    const std::string id = fmt::format("c{}", number);
+    const std::string code = explanation.rule == nullptr ? "" : fmt::format(" [{}]", explanation.rule->code);
+    out_ +=
+        fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{} is not schedulable{}</h3>\n<p>{}</p>\n<p>{}</p>\n", id,
+                    xml_text(report.component), code, xml_text(explanation.run->end.why), xml_text(explanation.remedy));
+    replay(id, *explanation.run);
+    out_ += "</section>\n";
+}
+
+void ReportPage::code() {
+    if (report_.conformance.empty()) return;
+    out_ += "<section id=\"conformance\">\n<h2>Conformance of the generated C++</h2>\n";
+    for (std::size_t i = 0; i < report_.conformance.size(); ++i) {
+        const ConformanceReport& each = report_.conformance[i];
+        out_ += preformatted(conformance_text(each)) + "\n";
+        if (each.result.explanation.run) standstill(i, each);
+    }
+    out_ += "</section>\n";
+}
+
+/// The elements that some claim asks about and no run exercises.
+std::set<std::string> ReportPage::unexercised() const {
+    std::set<std::string> result, exercised;
+    for (const AssertionReport& each : report_.assertions) {
+        if (!each.core || (each.answer != Answer::holds && each.answer != Answer::fails)) continue;
+        const std::vector<std::string>& never = each.core->unexercised;
+        result.insert(never.begin(), never.end());
+        for (const std::string& element : each.core->elements)
+            if (std::find(never.begin(), never.end(), element) == never.end()) exercised.insert(element);
+    }
+    for (const std::string& each : exercised) result.erase(each);
+    return result;
+}
+
+void ReportPage::pictures() {
+    const std::vector<PartSubject>& subjects = diagrams_.subjects();
+    if (subjects.empty()) return;
+    out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
+    PartDiagrams::Classes classes;
+    for (const std::string& each : unexercised())
+        if (const std::string id = diagrams_.named(each); !id.empty()) classes[id] = "unexercised";
+    if (!classes.empty())
+        out_ += fmt::format("<p>{} {} dashed: no run exercises {}.</p>\n", classes.size(),
+                            classes.size() == 1 ? "element is" : "elements are", classes.size() == 1 ? "it" : "them");
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        figure("", subjects[i].subject.name, diagrams_.drawn(subjects[i], fmt::format("d{}-", i), classes));
+    out_ += "</section>\n";
+}
+
+}  // namespace
+
+std::string render_html(const Report& report, const std::vector<Part>& parts, const Options& options) {
+    return ReportPage(report, parts, options).write();
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,86 @@
+// The diagrams of a run's parts: which subjects they have, and which element of a diagram a place or a name of the
+// model is. Elements are numbered through all parts, so that one element has one id in a whole page.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "app/command/pipeline.hpp"
+#include "diagnostics/budget.hpp"
+#include "diagrams/notation/subjects.hpp"
+#include "diagrams/stored/stored_diagrams.hpp"
+#include "runs/run.hpp"
+
+namespace robochart::app {
+
+/// What has a diagram, with the part of the input that it is of.
+struct PartSubject {
+    Project* project = nullptr;
+    const diagrams::Elements* elements = nullptr;
+    diagrams::Subject subject;                       ///< its file is alike with no other of all parts
+    const diagrams::StoredLayout* layout = nullptr;  ///< that a person drew; null for our own
+};
+
+class PartDiagrams {
+public:
+    /// Parts that could not be read and those that come a second time have none.
+    PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget);
+    /// Of one project.
+    PartDiagrams(Project& project, diagnostics::Budget& budget);
+
+    /// In the order of the text.
+    [[nodiscard]] const std::vector<PartSubject>& subjects() const { return subjects_; }
+    /// What is to be said of files with diagrams that people drew, and, in the findings of its project, of that of a
+    /// subject.
+    [[nodiscard]] const diagnostics::Diagnostics& stored_findings() const { return stored_findings_; }
+    void explain_layout(const PartSubject& subject) const;
+    /// The id of what begins at a place; "" if nothing does.
+    [[nodiscard]] std::string at(const runs::Place& place) const;
+    [[nodiscard]] std::string at(const diagnostics::SourceManager& sources, diagnostics::Span span) const;
+    /// The id of a state or transition by its name in the resolved model; "" if it has none.
+    [[nodiscard]] std::string named(const std::string& element) const;
+
+    /// The id of the element that makes an event happen; "" if none is drawn.
+    [[nodiscard]] std::string of(const runs::Event& event) const;
+
+    /// What groups of elements are besides, by their ids.
+    using Classes = std::map<std::string, std::string>;
+    /// The diagram for a page, with what its lines join as text; in its place a paragraph with the reason where it is
+    /// too large. `prefix`: of all its ids.
+    [[nodiscard]] std::string drawn(const PartSubject& subject, const std::string& prefix, const Classes& = {}) const;
+    /// The same of a component by its qualified name; "" if it has none.
+    [[nodiscard]] std::string drawn(const std::string& component, const std::string& prefix, const Classes& = {}) const;
+    /// Those of the operations that show one of these elements, by id.
+    struct Drawn {
+        std::string name, diagram;
+    };
+    [[nodiscard]] std::vector<Drawn> operations(const std::set<std::string>& elements, const std::string& prefix,
+                                                const Classes& = {}) const;
+
+private:
+    using Position = std::tuple<std::string, std::uint32_t, std::uint32_t>;
+
+    [[nodiscard]] static std::optional<Position> position(const diagnostics::SourceManager& sources,
+                                                          diagnostics::Span span);
+    void add(Project& project);
+    void note(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id);
+    void name_elements(const Project& project);
+
+    diagnostics::Budget& budget_;
+    std::vector<std::unique_ptr<diagrams::Elements>> elements_;
+    diagrams::StoredDiagrams stored_;
+    diagnostics::Diagnostics stored_findings_;
+    std::vector<PartSubject> subjects_;
+    std::set<std::string> files_;  ///< of the subjects
+    std::size_t next_ = 1;         ///< number of the next element
+    std::map<Position, std::string> by_place_;
+    std::map<std::string, std::string> by_name_;
+};
+
+}  // namespace robochart::app

@@ -1,0 +1,491 @@
+// See simulation_html.hpp. What others wrote is escaped where it is put into the page; ids come from counters.
+#include "app/pages/simulation_html.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/command/run.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/part_diagrams.hpp"
+#include "app/pages/trial_data.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/json.hpp"
+#include "diagnostics/text.hpp"
+#include "simulation/report/plot.hpp"
+#include "simulation/report/report.hpp"
+#include "simulation/report/series.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::Json;
+using diagnostics::xml_text;
+
+/// Rows of the table of trials, and of the robots at the end.
+constexpr std::size_t most_rows = 200;
+/// Times of the plots.
+constexpr std::size_t most_times = 140;
+/// Lines of single trials are in plots of so many series and trials at most.
+constexpr std::size_t most_line_series = 2;
+constexpr std::size_t most_line_trials = 20;
+/// Links between robots are shown of so many robots at most.
+constexpr std::size_t most_linked = 300;
+
+/// "1 trial", "3 trials".
+std::string counted(std::size_t count, const char* noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+class SimulationPage {
+public:
+    SimulationPage(const SimulationRun& run, const Options& options)
+        : run_(run),
+          scenario_(run.scenario),
+          result_(run.result),
+          machines_(machines_of(run)),
+          shown_(shown_trials(run.scenario, run.result, machines_.size())),
+          charts_(simulation::charts_of(run.scenario, run.result.trials, machines_, most_times)),
+          diagrams_(run.project, options.run->budget()) {}
+
+    std::string write() {
+        out_ = fmt::format("<style>{}</style>\n<style>{}</style>\n", simulation::picture_style(),
+                           page_part("simulation.css"));
+        head();
+        bands();
+        claims();
+        if (!shown_.trials.empty()) world();
+        plots();
+        trials();
+        diagrams();
+        notes();
+        return page_text({scenario_.name.text, "simulation.js", std::move(out_)});
+    }
+
+private:
+    static simulation::Machines machines_of(const SimulationRun& run) {
+        simulation::Machines machines;
+        for (const cpp_emit::DriveMachine& each : run.emission.machines) {
+            machines.push_back({each.name, {}});
+            for (const ir::NodeId state : each.states)
+                machines.back().states.push_back(machine(run, each).nodes[state.index].path);
+        }
+        return machines;
+    }
+    static const ir::Machine& machine(const SimulationRun& run, const cpp_emit::DriveMachine& each) {
+        return run.project.system.machines[each.machine.index];
+    }
+
+    void head();
+    [[nodiscard]] std::string verdict() const;
+    void bands();
+    void claims();
+    [[nodiscard]] std::string strip(std::size_t band) const;
+    void world();
+    void controls();
+    void legend();
+    void robot();
+    void robots_at_the_end(const simulation::TrialResult& trial);
+    [[nodiscard]] Json data() const;
+    [[nodiscard]] Json elements(std::size_t machine) const;
+    [[nodiscard]] simulation::View view() const;
+    void plots();
+    void trials();
+    void trial(std::size_t number);
+    void diagrams();
+    void notes();
+    [[nodiscard]] std::vector<std::string> left_out() const;
+
+    const SimulationRun& run_;
+    const simulation::Scenario& scenario_;
+    const simulation::RunResult& result_;
+    simulation::Machines machines_;
+    ShownTrials shown_;
+    simulation::Charts charts_;
+    PartDiagrams diagrams_;
+    std::string out_;
+};
+
+void SimulationPage::head() {
+    out_ += fmt::format("<h1>{}</h1>\n", xml_text(scenario_.name.text));
+    out_ += fmt::format("<p>{}, {} of {:g} s, seed {}; controller {}{}</p>\n", counted(scenario_.robots, "robot"),
+                        counted(scenario_.trials, "trial"), scenario_.duration, scenario_.seed,
+                        xml_text(scenario_.component.text),
+                        run_.simulator.empty() ? "" : "; in " + xml_text(run_.simulator));
+    out_ += verdict();
+    out_ += fmt::format("<p class=\"sim-small\">robochart-verify {}; {}</p>\n", program_version,
+                        xml_text(diagnostics::on_one_line(simulation::run_text(scenario_, result_))));
+}
+
+std::string SimulationPage::verdict() const {
+    std::size_t stopped = 0;
+    for (const auto& trial : result_.trials) stopped += trial.stop ? 1U : 0U;
+    std::string text;
+    if (stopped > 0 && result_.stops_are_errors)
+        text = fmt::format("<p class=\"answer fails\">a controller stopped in {}</p>\n", counted(stopped, "trial"));
+    else if (!result_.bands.empty() || !result_.claims.empty())
+        text = fmt::format("<p class=\"answer {}\">{}</p>\n",
+                           result_.holds()   ? "holds"
+                           : result_.fails() ? "fails"
+                                             : "other",
+                           simulation::summary(result_));
+    if (run_.monitors.empty()) return text + "<p>No monitor compared the controllers with the model (--monitor).</p>\n";
+    return text + fmt::format("<p>{}{}</p>\n", xml_text(diagnostics::on_one_line(run_.monitors)),
+                              stopped == 0 ? "; none did what its model does not allow" : "");
+}
+
+void SimulationPage::bands() {
+    if (result_.bands.empty()) return;
+    out_ +=
+        "<section id=\"bands\">\n<h2>Bands</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "scope=\"col\">number</th><th scope=\"col\">answer</th>"
+        "<th scope=\"col\">band</th><th scope=\"col\">value</th><th scope=\"col\">trials, beside what is "
+        "accepted</th></tr></thead>\n<tbody>\n";
+    for (std::size_t b = 0; b < result_.bands.size(); ++b) {
+        const simulation::Band& band = scenario_.bands[b];
+        const simulation::BandResult& found = result_.bands[b];
+        const std::string value = simulation::value_text(scenario_, band, found.value);
+        const std::string outside =
+            found.trials_outside == 0 ? "" : fmt::format(", {} outside", counted(found.trials_outside, "trial"));
+        out_ += fmt::format(
+            "<tr><td class=\"number\">{}</td><td class=\"answer {}\">{}</td><td>{}</td><td>{} "
+            "{}{}</td><td>{}</td></tr>\n",
+            b + 1, found.holds ? "holds" : "fails", found.holds ? "holds" : "FAILS", xml_text(band.text),
+            band.each ? "worst" : "mean", value, outside, strip(b));
+    }
+    out_ += "</tbody></table></div>\n</section>\n";
+}
+
+void SimulationPage::claims() {
+    if (result_.claims.empty()) return;
+    out_ +=
+        "<section id=\"claims\">\n<h2>Claims</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "scope=\"col\">answer</th><th scope=\"col\">claim</th><th scope=\"col\">rests on</th></tr></thead>\n<tbody>\n";
+    for (std::size_t c = 0; c < result_.claims.size(); ++c) {
+        const simulation::ClaimResult& found = result_.claims[c];
+        const std::string word = simulation::verdict_word(found.verdict);
+        out_ += fmt::format("<tr><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td></tr>\n",
+                            word == "open" ? "other" : word, word, xml_text(scenario_.claims[c].text),
+                            xml_text(simulation::evidence_text(scenario_.claims[c], found)));
+    }
+    out_ += "</tbody></table></div>\n<p>In this world:</p>\n<ul>\n";
+    for (const std::string& line : simulation::world_lines(scenario_))
+        out_ += fmt::format("<li>{}</li>\n", xml_text(line));
+    out_ += "</ul>\n</section>\n";
+}
+
+/// The values of the trials as ticks beside what is accepted.
+std::string SimulationPage::strip(std::size_t band) const {
+    const simulation::Band& accepted = scenario_.bands[band];
+    double low = INFINITY, high = -INFINITY;
+    const auto take = [&](double value) {
+        if (!std::isfinite(value)) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    };
+    take(accepted.low);
+    take(accepted.high);
+    for (const auto& trial : result_.trials) take(trial.statistics.at(band));
+    if (!(low <= high)) return "";
+    const double edge = high > low ? 0.08 * (high - low) : 1;
+    low -= edge;
+    high += edge;
+    const auto x = [&](double value) { return 160 * (std::clamp(value, low, high) - low) / (high - low); };
+    std::string marks;
+    std::size_t never = 0;
+    for (const auto& trial : result_.trials) {
+        const double value = trial.statistics.at(band);
+        if (std::isnan(value))
+            ++never;
+        else
+            marks += fmt::format("M{:.1f} 3v12", x(value));
+    }
+    const double value = result_.bands[band].value;
+    const bool mean = !accepted.each && std::isfinite(value);
+    const std::string dot =
+        mean ? fmt::format("<circle class=\"sim-mark\" cx=\"{:.1f}\" cy=\"9\" r=\"4\"/>", x(value)) : "";
+    return fmt::format(
+        "<svg class=\"sim-strip\" viewBox=\"0 0 160 18\" role=\"img\"><title>accepted: {}; a line for each "
+        "trial{}{}</title>"
+        "<rect class=\"sim-accepted\" x=\"{:.1f}\" width=\"{:.1f}\" height=\"18\" rx=\"2\"/><path class=\"sim-target\" "
+        "stroke-width=\"1.4\" d=\"{}\"/>{}</svg>",
+        xml_text(accepted.text), mean ? ", a dot for the mean" : "",
+        never == 0 ? "" : fmt::format(", but {} never", counted(never, "trial")), x(accepted.low),
+        x(accepted.high) - x(accepted.low), marks, dot);
+}
+
+simulation::View SimulationPage::view() const {
+    simulation::View all = simulation::view_of(scenario_, {});
+    for (const std::size_t t : shown_.trials) {
+        const simulation::View each = simulation::view_of(scenario_, result_.trials[t].frames);
+        if (each.width > all.width) all.left = each.left, all.width = each.width;
+        if (each.height > all.height) all.top = each.top, all.height = each.height;
+    }
+    return all;
+}
+
+void SimulationPage::world() {
+    const simulation::TrialResult& first = result_.trials[shown_.trials.front()];
+    simulation::Frame last = first.frames.back();
+    const std::size_t columns = last.states.size() / last.poses.size();
+    last.poses.resize(shown_.robots);
+    last.states.resize(shown_.robots * columns);
+    out_ += "<section id=\"world\">\n<h2>The world</h2>\n<div class=\"sim-columns\">\n<div class=\"sim-scene\">\n";
+    controls();
+    legend();
+    out_ += simulation::world_svg(scenario_, view(), last, machines_, "w");
+    out_ += fmt::format(
+        "<noscript><p>The picture shows trial {} after {:g} s. With script, the page plays the "
+        "trials.</p></noscript>\n",
+        shown_.trials.front() + 1, last.time);
+    out_ += "</div>\n";
+    robot();
+    out_ += "</div>\n";
+    robots_at_the_end(first);
+    out_ += page_data("data", diagnostics::json_text(data())) + "</section>\n";
+}
+
+void SimulationPage::controls() {
+    out_ +=
+        "<p class=\"controls sim-controls\"><button type=\"button\" id=\"play\" "
+        "aria-keyshortcuts=\"Space\">play</button>"
+        "<button type=\"button\" data-move=\"first\" aria-label=\"to the start\">|◀</button>"
+        "<button type=\"button\" data-move=\"back\" aria-label=\"back\">◀</button>"
+        "<button type=\"button\" data-move=\"next\" aria-label=\"next\">▶</button>"
+        "<button type=\"button\" data-move=\"last\" aria-label=\"to the end\">▶|</button>"
+        "<input type=\"range\" id=\"time\" min=\"0\" step=\"1\" aria-label=\"time\"><output "
+        "id=\"clock\"></output></p>\n";
+    out_ += "<p class=\"controls sim-controls\"><label>trial <select id=\"trial\">";
+    for (std::size_t i = 0; i < shown_.trials.size(); ++i) {
+        const auto& trial = result_.trials[shown_.trials[i]];
+        out_ +=
+            fmt::format("<option value=\"{}\">{}{}</option>", i, shown_.trials[i] + 1, trial.stop ? ", stopped" : "");
+    }
+    out_ += "</select></label><label>speed <select id=\"speed\">";
+    for (const int speed : {1, 2, 5, 10, 20, 50, 100})
+        out_ += fmt::format("<option value=\"{0}\">{0} ×</option>", speed);
+    out_ += "</select></label>";
+    if (scenario_.robots <= most_linked && scenario_.robots > 1)
+        out_ += fmt::format("<label><input type=\"checkbox\" id=\"links\"> links of at most {:g} cm</label>",
+                            simulation::link_of(scenario_));
+    out_ +=
+        "<label><input type=\"checkbox\" id=\"trail\" checked> path of the robot</label></p>\n"
+        "<p class=\"sim-status\" id=\"status\" role=\"status\"></p>\n";
+}
+
+/// The states of the first machine, with how many robots are in each.
+void SimulationPage::legend() {
+    out_ += "<ul class=\"sim-legend\">";
+    const auto entries =
+        simulation::state_entries(machines_.front(), simulation::page_world(scenario_, view(), "w").radius(), "w");
+    for (std::size_t s = 0; s < entries.size(); ++s)
+        out_ += fmt::format(
+            "<li><svg viewBox=\"-8 -8 16 16\" aria-hidden=\"true\">{}</svg>{} <span class=\"sim-count\" "
+            "data-state=\"{}\"></span></li>",
+            entries[s].sign, xml_text(entries[s].text), s);
+    for (const simulation::Light& light : scenario_.lights)
+        out_ += fmt::format(
+            "<li><svg viewBox=\"-8 -8 16 16\" aria-hidden=\"true\"><circle r=\"6\" fill=\"#f5c400\" "
+            "stroke=\"#8a6d00\"/></svg>light {}</li>",
+            xml_text(light.name.text));
+    out_ += "</ul>\n";
+}
+
+/// The chosen robot: where it is, and its machines.
+void SimulationPage::robot() {
+    out_ +=
+        "<div class=\"sim-chosen-robot\">\n<p class=\"controls\"><label for=\"robot\">Robot</label> <select "
+        "id=\"robot\">";
+    for (std::size_t r = 0; r < shown_.robots; ++r) out_ += fmt::format("<option value=\"{0}\">{0}</option>", r);
+    out_ +=
+        "</select></p>\n<table id=\"pose\" hidden><tbody><tr><th scope=\"row\">x</th><td></td></tr>"
+        "<tr><th scope=\"row\">y</th><td></td></tr><tr><th scope=\"row\">heading</th><td></td></tr>";
+    for (const simulation::MachineStates& machine : machines_)
+        out_ += fmt::format("<tr><th scope=\"row\">{}</th><td></td></tr>",
+                            machine.name.empty() ? "state" : "state of " + xml_text(machine.name));
+    out_ += "</tbody></table>\n";
+    for (std::size_t m = 0; m < machines_.size(); ++m) {
+        const ir::Machine& definition = machine(run_, run_.emission.machines[m]);
+        const std::string name =
+            definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
+        const std::string svg = diagrams_.drawn(name, fmt::format("m{}-", m));
+        if (svg.empty()) continue;
+        out_ += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", m,
+                            xml_text(machines_[m].name.empty() ? name : machines_[m].name + ": " + name), svg);
+    }
+    out_ += "</div>\n";
+}
+
+void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
+    const simulation::Frame& last = trial.frames.back();
+    out_ += fmt::format(
+        "<details><summary>robots of trial {} after {:g} s</summary>\n<table><thead><tr><th "
+        "scope=\"col\">robot</th><th scope=\"col\">x [cm]</th><th scope=\"col\">y [cm]</th><th "
+        "scope=\"col\">heading [°]</th>",
+        shown_.trials.front() + 1, last.time);
+    for (const simulation::MachineStates& machine : machines_)
+        out_ += fmt::format("<th scope=\"col\">{}</th>", machine.name.empty() ? "state" : xml_text(machine.name));
+    out_ += "</tr></thead>\n<tbody>\n";
+    for (std::size_t r = 0; r < std::min(last.poses.size(), most_rows); ++r) {
+        const simulation::Pose& pose = last.poses[r];
+        out_ += fmt::format(
+            "<tr><td>{}</td><td class=\"number\">{:.1f}</td><td class=\"number\">{:.1f}</td><td "
+            "class=\"number\">{:.0f}</td>",
+            r, pose.at.x, pose.at.y, pose.heading * 180 / std::numbers::pi);
+        for (std::size_t m = 0; m < machines_.size(); ++m)
+            out_ += fmt::format("<td>{}</td>", xml_text(machines_[m].state(last.state(r, m))));
+        out_ += "</tr>\n";
+    }
+    out_ += "</tbody></table></details>\n";
+}
+
+/// The elements of the diagram that are active in each state of a machine: the state and those around it.
+Json SimulationPage::elements(std::size_t number) const {
+    const cpp_emit::DriveMachine& drive = run_.emission.machines[number];
+    const ir::Machine& definition = machine(run_, drive);
+    Json states = Json::array();
+    for (const ir::NodeId state : drive.states) {
+        Json ids = Json::array();
+        for (ir::NodeId node = state; node.valid(); node = definition.nodes[node.index].parent)
+            if (std::string id = diagrams_.at(run_.project.sources, definition.nodes[node.index].origin.span);
+                !id.empty())
+                ids.push_back(std::move(id));
+        states.push_back(std::move(ids));
+    }
+    return states;
+}
+
+Json SimulationPage::data() const {
+    Json json = trials_json(view(), result_, shown_, machines_.size());
+    json["link"] = scenario_.robots <= most_linked ? simulation::link_of(scenario_) : 0;
+    json["states"] = Json::array();
+    for (std::size_t m = 0; m < machines_.size(); ++m)
+        json["states"].push_back({{"names", machines_[m].states}, {"elements", elements(m)}});
+    for (std::size_t i = 0; i < shown_.trials.size(); ++i)
+        if (const auto& stop = result_.trials[shown_.trials[i]].stop)
+            json["trials"][i]["stop"] = {{"robot", stop->robot},
+                                         {"time", diagnostics::rounded(stop->time, 3)},
+                                         {"why", fmt::format("{} ({})", stop->cause, stop->place)}};
+    return json;
+}
+
+void SimulationPage::plots() {
+    if (charts_.charts.empty()) return;
+    out_ += "<section id=\"plots\">\n<h2>Over time</h2>\n<div class=\"sim-plots\">\n";
+    for (const simulation::Chart& chart : charts_.charts) {
+        const bool lines = !shown_.trials.empty() && chart.series.size() <= most_line_series &&
+                           chart.series.front().trials.size() <= most_line_trials;
+        const simulation::Plot made = simulation::plot(chart, charts_.times, {lines, !shown_.trials.empty()});
+        out_ += fmt::format(
+            "<figure><svg class=\"sim-plot\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" font-size=\"12\" "
+            "data-left=\"{:g}\" "
+            "data-width=\"{:g}\" data-end=\"{:g}\" font-family=\"DejaVu Sans, Verdana, "
+            "sans-serif\"><title>{}</title>\n{}"
+            "</svg>\n<figcaption>{}</figcaption></figure>\n",
+            made.width, made.height, made.area.left, made.area.width, charts_.times.back(), xml_text(chart.title),
+            made.svg, xml_text(chart.definition));
+    }
+    out_ += "</div>\n</section>\n";
+}
+
+void SimulationPage::trials() {
+    out_ +=
+        "<section id=\"trials\">\n<h2>Trials</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "scope=\"col\">trial</th><th "
+        "scope=\"col\">seed</th><th scope=\"col\">outcome</th>";
+    for (std::size_t b = 0; b < scenario_.bands.size(); ++b)
+        out_ += fmt::format("<th scope=\"col\" title=\"{}\">band {}</th>", xml_text(scenario_.bands[b].text), b + 1);
+    out_ += "</tr></thead>\n<tbody>\n";
+    for (std::size_t t = 0; t < std::min(result_.trials.size(), most_rows); ++t) trial(t);
+    out_ += "</tbody></table></div>\n</section>\n";
+}
+
+void SimulationPage::trial(std::size_t number) {
+    const simulation::TrialResult& trial = result_.trials[number];
+    const auto found = std::find(shown_.trials.begin(), shown_.trials.end(), number);
+    const std::string name = fmt::format("{}", number + 1);
+    out_ += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td>",
+                        found == shown_.trials.end() ? name : fmt::format("<a href=\"#trial/{0}\">{0}</a>", name),
+                        scenario_.seed + number);
+    if (trial.stop)
+        out_ += fmt::format("<td class=\"fails\">stopped at {:g} s: robot {}: {} ({})</td>", trial.stop->time,
+                            trial.stop->robot, xml_text(trial.stop->cause), xml_text(trial.stop->place));
+    else
+        out_ += fmt::format("<td>{}</td>", trial.complete ? "complete" : "not complete");
+    for (std::size_t b = 0; b < scenario_.bands.size(); ++b) {
+        const simulation::Band& band = scenario_.bands[b];
+        const double value = trial.statistics.at(b);
+        const bool outside = band.each && !(band.low <= value && value <= band.high);
+        out_ += fmt::format("<td class=\"number{}\">{}{}</td>", outside ? " fails" : "",
+                            simulation::value_text(scenario_, band, value), outside ? ", outside" : "");
+    }
+    out_ += "</tr>\n";
+}
+
+void SimulationPage::diagrams() {
+    const std::vector<PartSubject>& subjects = diagrams_.subjects();
+    if (subjects.empty()) return;
+    out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+        out_ += fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xml_text(subjects[i].subject.name),
+                            diagrams_.drawn(subjects[i], fmt::format("d{}-", i)));
+    out_ += "</section>\n";
+}
+
+/// What the page does not show as it was, so that it stays small and clear.
+std::vector<std::string> SimulationPage::left_out() const {
+    std::vector<std::string> list;
+    const std::size_t recorded = simulation::recorded_trials(scenario_);
+    if (shown_.trials.empty())
+        list.push_back("no trial can be played: no positions were kept (record less often)");
+    else if (shown_.trials.size() < result_.trials.size())
+        list.push_back(
+            fmt::format("{} of {} can be played", shown_.trials.size(), counted(result_.trials.size(), "trial")));
+    if (shown_.every > 1)
+        list.push_back(
+            fmt::format("of the recorded positions one in {} is here, every {:g} s, and the last of each trial",
+                        shown_.every, static_cast<double>(shown_.every) * scenario_.record));
+    if (shown_.robots < scenario_.robots)
+        list.push_back(
+            fmt::format("the first {} of {} robots are drawn; the plots are of all", shown_.robots, scenario_.robots));
+    if (simulation::page_world(scenario_, view(), "w").radius() > scenario_.world.body.radius)
+        list.push_back("robots are drawn larger than they are, so that they can be seen");
+    if (charts_.every > 1) list.push_back(fmt::format("the plots have one in {} of the recorded times", charts_.every));
+    if (!charts_.charts.empty() && recorded < result_.trials.size())
+        list.push_back(fmt::format("the plots are of the first {} trials", recorded));
+    if (!charts_.distances) list.push_back("mean distances between robots: too many pairs of robots");
+    if (result_.trials.size() > most_rows) list.push_back(fmt::format("the table has the first {} trials", most_rows));
+    return list;
+}
+
+void SimulationPage::notes() {
+    out_ += "<section id=\"notes\">\n<h2>About this page</h2>\n";
+    out_ +=
+        "<p>Positions are rounded to 1/4095 of the width and height of the world; between two recorded times the "
+        "animation moves the robots evenly. The active state is that of the recorded time: the innermost one, or the "
+        "one whose action is running. Keys: space plays, left and right (or k and j) go from time to time, Home and "
+        "End to the ends, [ and ] from robot to robot.</p>\n";
+    const std::vector<std::string> missing = left_out();
+    if (!missing.empty()) out_ += "<p>What the page leaves out or changes:</p>\n<ul>";
+    for (const std::string& each : missing) out_ += fmt::format("<li>{}</li>", each);
+    if (!missing.empty()) out_ += "</ul>\n";
+    if (!run_.files.empty()) {
+        out_ += "<p>Files of this run:</p>\n<ul>";
+        for (const std::string& file : run_.files) out_ += fmt::format("<li>{}</li>", xml_text(file));
+        out_ += "</ul>\n";
+    }
+    if (!run_.notes.empty()) out_ += fmt::format("<pre>{}</pre>\n", xml_text(run_.notes));
+    out_ += "</section>\n";
+}
+
+}  // namespace
+
+std::string render_simulation_html(const SimulationRun& run, const Options& options) {
+    return SimulationPage(run, options).write();
+}
+
+}  // namespace robochart::app

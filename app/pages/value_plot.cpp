@@ -1,0 +1,92 @@
+// See value_plot.hpp.
+#include "app/pages/value_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "app/report/probability_report.hpp"
+#include "diagnostics/escape.hpp"
+
+namespace robochart::app {
+namespace {
+
+struct Point {
+    double x = 0, low = 0, high = 0;
+};
+
+std::optional<double> number(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (end == text.c_str() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<Point> point(const ProbabilityReport& report, const probability::Row& row) {
+    const auto constants = varying(report, row);
+    if (constants.size() != 1 || row.results.empty()) return std::nullopt;
+    const auto x = number(constants.front().second);
+    const bool numbers = std::all_of(row.results.begin(), row.results.end(), [](const prism::Result& each) {
+        return each.kind == prism::Result::Kind::number && std::isfinite(each.low.bounds().high);
+    });
+    if (!x || !numbers) return std::nullopt;
+    return Point{*x, row.results.front().low.bounds().low, row.results.back().low.bounds().high};
+}
+
+std::vector<Point> points(const ProbabilityReport& report) {
+    std::vector<Point> result;
+    for (const probability::Row& row : report.rows) {
+        const auto one = point(report, row);
+        if (!one) return {};
+        result.push_back(*one);
+    }
+    std::sort(result.begin(), result.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    return result;
+}
+
+}  // namespace
+
+std::string value_plot(const ProbabilityReport& report) {
+    constexpr double left = 60, top = 10, width = 320, height = 120;
+    const std::vector<Point> all = points(report);
+    if (all.size() < 2 || all.front().x == all.back().x) return "";
+    double least = all.front().low;
+    double most = all.front().high;
+    for (const Point& each : all) {
+        least = std::min(least, each.low);
+        most = std::max(most, each.high);
+    }
+    if (least == most) most = least + 1;
+    const auto at = [&](double x, double y) {
+        return fmt::format("{:.2f},{:.2f} ", left + width * (x - all.front().x) / (all.back().x - all.front().x),
+                           top + height * (most - y) / (most - least));
+    };
+    std::string line;
+    for (const Point& each : all) line += at(each.x, each.high);
+    const bool band = std::any_of(report.rows.begin(), report.rows.end(),
+                                  [](const probability::Row& row) { return row.results.size() > 1; });
+    for (auto each = all.rbegin(); band && each != all.rend(); ++each) line += at(each->x, each->low);
+    const auto label = [](double x, double y, const char* anchor, const std::string& text) {
+        return fmt::format(
+            "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"{}\" fill=\"currentColor\">{}</text>", x, y, anchor,
+            diagnostics::xml_text(text));
+    };
+    const std::string name = varying(report, report.rows.front()).front().first;
+    return fmt::format(
+               "<svg role=\"img\" aria-label=\"values over {}\" viewBox=\"0 0 400 170\" width=\"400\" height=\"170\">"
+               "<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"currentColor\"/>"
+               "<{} points=\"{}\" fill=\"{}\" fill-opacity=\"0.2\" stroke=\"currentColor\"/>",
+               diagnostics::xml_text(name), left, top, top + height, left + width, band ? "polygon" : "polyline", line,
+               band ? "currentColor" : "none") +
+           label(left - 4, top + 9, "end", fmt::format("{:.4g}", most)) +
+           label(left - 4, top + height, "end", fmt::format("{:.4g}", least)) +
+           label(left, top + height + 16, "middle", fmt::format("{:.4g}", all.front().x)) +
+           label(left + width, top + height + 16, "middle", fmt::format("{:.4g}", all.back().x)) +
+           label(left + width / 2, top + height + 32, "middle", name) + "</svg>";
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,212 @@
+#include "app/report/rules_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include "diagnostics/json.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::Json;
+
+std::string names(const RulesReport& report, const std::vector<std::size_t>& rules) {
+    std::string text;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == rules.size() ? " and " : ", ") + report.rules[rules[i]].name;
+    return text;
+}
+
+bool open(const ComparedPair& pair) {
+    return !pair.deadline_missed || !pair.only_time_passes || !pair.first_redundant || !pair.second_redundant;
+}
+
+bool in_conflict(const ComparedPair& pair) {
+    return pair.deadline_missed.value_or(false) || pair.only_time_passes.value_or(false);
+}
+
+std::string conflict_text(const RulesReport& report, const RuleConflict& conflict) {
+    const std::string rules = names(report, conflict.rules) + (conflict.rules.size() == 1 ? " with itself" : "");
+    if (!conflict.decided) return fmt::format("not decided: conflict of {}: {}\n", rules, conflict.reason);
+    std::string text = fmt::format("conflict: {}\n", rules);
+    for (const std::string& line : conflict.lines) text += fmt::format("  {}\n", line);
+    return text;
+}
+
+std::string redundant_text(const RulesReport& report, std::size_t rule, std::size_t by) {
+    return fmt::format("redundant: {}, which {} implies ({}, {})\n", report.rules[rule].name, report.rules[by].name,
+                       report.rules[rule].place, report.rules[by].place);
+}
+
+std::string pair_text(const RulesReport& report, const ComparedPair& pair) {
+    std::string text;
+    const std::string both = names(report, {pair.first, pair.second});
+    if (pair.deadline_missed.value_or(false))
+        text += fmt::format("conflict: {}: a deadline is missed\n", both);
+    else if (pair.only_time_passes.value_or(false))
+        text += fmt::format("conflict: {}: only time can pass\n", both);
+    if (pair.first_redundant.value_or(false)) text += redundant_text(report, pair.first, pair.second);
+    if (pair.second_redundant.value_or(false)) text += redundant_text(report, pair.second, pair.first);
+    if (open(pair)) text += fmt::format("not decided: {}\n", both);
+    return text;
+}
+
+std::string number_of(std::size_t count, const char* noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string closing_text(const RulesReport& report) {
+    std::size_t conflicts = 0, redundant = report.redundant.size(), undecided = 0;
+    for (const RuleConflict& each : report.conflicts) ++(each.decided ? conflicts : undecided);
+    for (const ComparedPair& each : report.pairs) {
+        if (in_conflict(each)) ++conflicts;
+        if (open(each)) ++undecided;
+        for (const auto& each_redundant : {each.first_redundant, each.second_redundant})
+            if (each_redundant.value_or(false)) ++redundant;
+    }
+    std::string text =
+        fmt::format("{}: {}, {}", number_of(report.rules.size(), "rule"), number_of(conflicts, "conflict"),
+                    redundant == 1 ? "1 redundancy" : fmt::format("{} redundancies", redundant));
+    if (undecided > 0) text += fmt::format(", {} not decided", undecided);
+    return text + "\n";
+}
+
+const char* verdict_word(RuleVerdict::Kind kind) {
+    switch (kind) {
+        case RuleVerdict::Kind::obeyed:
+            return "obeyed";
+        case RuleVerdict::Kind::broken:
+            return "broken";
+        case RuleVerdict::Kind::never_asked:
+            return "never asked";
+        case RuleVerdict::Kind::not_applicable:
+            return "not applicable";
+        case RuleVerdict::Kind::not_decided:
+            break;
+    }
+    return "not decided";
+}
+
+std::string verdict_text(const RulesReport& report, const RuleVerdict& verdict) {
+    std::string text = fmt::format("{} by {}: {}{}{}\n", report.rules[verdict.rule].name, verdict.component,
+                                   verdict_word(verdict.kind), verdict.reason.empty() ? "" : ": ", verdict.reason);
+    for (const std::string& line : verdict.lines) text += fmt::format("  {}\n", line);
+    return text;
+}
+
+std::string verdicts_text(const RulesReport& report, bool quiet) {
+    std::string text;
+    std::size_t broken = 0, undecided = 0;
+    for (const RuleVerdict& each : report.verdicts) {
+        const bool wrong = each.kind == RuleVerdict::Kind::broken || each.kind == RuleVerdict::Kind::not_decided;
+        if (wrong || !quiet) text += verdict_text(report, each);
+        if (each.kind == RuleVerdict::Kind::broken) ++broken;
+        if (each.kind == RuleVerdict::Kind::not_decided) ++undecided;
+    }
+    for (const std::string& each : report.time_stops) text += fmt::format("time can stop in {}\n", each);
+    if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
+    return text + fmt::format("{}: {} broken, {} not decided\n", number_of(report.verdicts.size(), "verdict"), broken,
+                              undecided);
+}
+
+Json verdict_json(const RulesReport& report, const RuleVerdict& verdict) {
+    Json json{{"rule", report.rules[verdict.rule].name},
+              {"component", verdict.component},
+              {"verdict", verdict_word(verdict.kind)}};
+    if (!verdict.reason.empty()) json["reason"] = verdict.reason;
+    if (!verdict.lines.empty()) json["run"] = verdict.lines;
+    json["states"] = verdict.states;
+    return json;
+}
+
+Json answer_json(const std::optional<bool>& answer) {
+    return answer ? Json(*answer) : Json(nullptr);
+}
+
+Json pair_json(const RulesReport& report, const ComparedPair& pair) {
+    return {{"rules", {report.rules[pair.first].name, report.rules[pair.second].name}},
+            {"deadlineMissed", answer_json(pair.deadline_missed)},
+            {"onlyTimePasses", answer_json(pair.only_time_passes)},
+            {"firstRedundant", answer_json(pair.first_redundant)},
+            {"secondRedundant", answer_json(pair.second_redundant)}};
+}
+
+Json conflict_json(const RulesReport& report, const RuleConflict& conflict) {
+    Json json{{"rules", Json::array()}, {"decided", conflict.decided}};
+    for (const std::size_t rule : conflict.rules) json["rules"].push_back(report.rules[rule].name);
+    if (!conflict.decided) json["reason"] = conflict.reason;
+    if (conflict.decided) json["situation"] = conflict.lines;
+    json["states"] = conflict.states;
+    return json;
+}
+
+}  // namespace
+
+Exit exit_of(const RulesReport& report) {
+    if (!report.errors.empty()) return Exit::bad_input;
+    bool failed = !report.time_stops.empty();
+    bool undecided = !report.limit.empty() || !report.not_read.empty();
+    for (const RuleVerdict& each : report.verdicts) {
+        failed = failed || each.kind == RuleVerdict::Kind::broken;
+        undecided = undecided || each.kind == RuleVerdict::Kind::not_decided;
+    }
+    for (const RuleConflict& each : report.conflicts) (each.decided ? failed : undecided) = true;
+    for (const ComparedPair& each : report.pairs) {
+        failed = failed || in_conflict(each);
+        undecided = undecided || open(each);
+    }
+    return failed ? Exit::failed : undecided ? Exit::inconclusive : Exit::success;
+}
+
+std::string rules_text(const RulesReport& report, const Options& options) {
+    if (!report.model.empty()) return verdicts_text(report, options.quiet);
+    std::string text;
+    if (!options.quiet && report.as_sleec_tk) {
+        text += fmt::format("{}: as SLEEC-TK has it\n", report.file);
+        for (const std::string& each : report.ranges) text += fmt::format("  numeric values: {}\n", each);
+    }
+    for (const std::string& each : report.not_read) text += fmt::format("not decided: {}\n", each);
+    for (const RuleConflict& each : report.conflicts) text += conflict_text(report, each);
+    for (const ComparedPair& each : report.pairs) text += pair_text(report, each);
+    for (const RedundantRule& each : report.redundant) text += redundant_text(report, each.rule, each.by);
+    for (const std::size_t rule : report.asking_nothing)
+        text += fmt::format("asks for nothing: {}, whatever the measures are ({})\n", report.rules[rule].name,
+                            report.rules[rule].place);
+    if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
+    return text + closing_text(report);
+}
+
+std::string rules_json(const RulesReport& report) {
+    Json json{{"schema", "robochart-verify/rules/1"}, {"file", report.file}, {"dialect", report.dialect}};
+    json["semantics"] = report.as_sleec_tk ? "SLEEC-TK" : "default";
+    if (!report.as_sleec_tk) json["withoutLimit"] = report.without_limit;
+    json["rules"] = Json::array();
+    for (const RuleName& each : report.rules) json["rules"].push_back({{"name", each.name}, {"place", each.place}});
+    if (!report.model.empty()) {
+        json["model"] = report.model;
+        json["verdicts"] = Json::array();
+        for (const RuleVerdict& each : report.verdicts) json["verdicts"].push_back(verdict_json(report, each));
+        json["timeStops"] = report.time_stops;
+    } else if (report.as_sleec_tk) {
+        json["numericValues"] = report.ranges;
+        json["pairs"] = Json::array();
+        for (const ComparedPair& each : report.pairs) json["pairs"].push_back(pair_json(report, each));
+        if (!report.not_read.empty()) json["notRead"] = report.not_read;
+    } else {
+        json["questions"] = report.questions;
+        json["conflicts"] = Json::array();
+        for (const RuleConflict& each : report.conflicts) json["conflicts"].push_back(conflict_json(report, each));
+        json["redundant"] = Json::array();
+        for (const RedundantRule& each : report.redundant)
+            json["redundant"].push_back({{"rule", report.rules[each.rule].name}, {"by", report.rules[each.by].name}});
+        json["askingNothing"] = Json::array();
+        for (const std::size_t rule : report.asking_nothing) json["askingNothing"].push_back(report.rules[rule].name);
+    }
+    if (!report.errors.empty()) json["errors"] = report.errors;
+    if (!report.limit.empty()) json["limit"] = report.limit;
+    return diagnostics::json_text(json) + "\n";
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,326 @@
+// See step_files.hpp.
+#include "app/step/step_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "conformance/traces/trace_text.hpp"
+#include "diagnostics/files.hpp"
+
+namespace robochart::app {
+namespace {
+
+using runs::Kind;
+
+/// States that are looked at for one cycle of a log.
+constexpr std::size_t most_searched = 100'000;
+
+struct Unsayable {
+    std::string why;
+};
+
+/// Throws Unsayable for values with parts.
+std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
+    const runs::Event& event = offer.happening.event;
+    if (auto word = log_word(event, offer.name, stepped)) return std::move(*word);
+    throw Unsayable{fmt::format("{} has a value with parts, which is not written to logs", event.text)};
+}
+
+/// A control cycle of one time unit.
+struct Cycle {
+    std::vector<std::string> inputs, outputs;
+    bool ends = false;  ///< with its time unit
+    bool terminates = false;
+};
+
+std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& stepped) {
+    std::vector<Cycle> cycles(1);
+    for (const runs::Taken& each : stepper.way()) {
+        if (each.offer.hidden) continue;
+        const LogRole role = log_role(each.offer.happening.event);
+        Cycle& cycle = cycles.back();
+        if (role == LogRole::tock) {
+            for (const runs::Offer& other : stepper.offers_at(each.before))
+                if (!other.hidden && log_role(other.happening.event) == LogRole::output)
+                    throw Unsayable{fmt::format("time passes where {} is on offer; in cycles it is done at once",
+                                                other.happening.event.text)};
+            cycle.ends = true;
+            cycles.emplace_back();
+        } else if (role == LogRole::termination) {
+            cycle.terminates = true;
+        } else if (role == LogRole::input) {
+            const std::string word = word_of(each.offer, stepped);
+            const std::string name = word.substr(0, word.find('?'));
+            for (const std::string& before : cycle.inputs)
+                if (before.substr(0, before.find('?')) == name)
+                    throw Unsayable{fmt::format("{} happens twice within one time unit; a cycle reads each input once",
+                                                each.offer.happening.event.text)};
+            cycle.inputs.push_back(word);
+        } else if (role == LogRole::output) {
+            cycle.outputs.push_back(word_of(each.offer, stepped));
+        }
+    }
+    return cycles;
+}
+
+std::string log_text(const runs::Stepper& stepper, const Stepped& stepped) {
+    std::string text = log_head(stepped);
+    for (const Cycle& cycle : cycles_of(stepper, stepped)) {
+        std::vector<std::string> words = cycle.inputs;
+        words.insert(words.end(), cycle.outputs.begin(), cycle.outputs.end());
+        if (cycle.ends) words.emplace_back("tock");
+        if (cycle.terminates) words.emplace_back("terminate");
+        if (!words.empty()) text += fmt::format("{}\n", fmt::join(words, " "));
+    }
+    return text;
+}
+
+/// A name for what is made of a path: letters, digits and _ only.
+std::string name_of(const std::string& path) {
+    std::string name = std::filesystem::path(path).stem().string();
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    return "Way_" + name;
+}
+
+/// Events in one definition: texts of scripts are nested only so far.
+constexpr std::size_t most_in_one = 100;
+
+/// The way as definitions of processes, the first of this name.
+std::string process_text(const runs::Stepper& stepper, const std::string& name) {
+    std::string text = fmt::format("\t{} =", name);
+    std::size_t events = 0;
+    for (const runs::Taken& each : stepper.way()) {
+        if (each.offer.hidden) continue;
+        if (each.offer.happening.event.kind == Kind::terminate) return text + " SKIP\n";
+        text += fmt::format(" {} ->\n\t ", each.offer.name);
+        if (++events % most_in_one == 0) text += fmt::format(" {0}_{1}\n\t{0}_{1} =", name, events / most_in_one + 1);
+    }
+    return text + " STOP\n";
+}
+
+/// The claim that the component can go the way: it is a trace of it.
+std::string assertion_text(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path) {
+    const std::string name = name_of(path);
+    const char* const time = stepped.time == csp_emit::Time::timed ? "timed" : "untimed";
+    const std::size_t package = stepped.name.find("::");
+    return fmt::format(
+        "package {0}_assertions\n\n{1}{2} csp {0} csp-begin\n{3}csp-end\n\n"
+        "{2} assertion Goes_{0} : {0} refines {4} in the traces model\n",
+        name, package == std::string::npos ? "" : fmt::format("import {}::*\n\n", stepped.name.substr(0, package)),
+        time, process_text(stepper, name), stepped.name);
+}
+
+/// One state of the search through a cycle.
+struct Node {
+    process::TermId term{};
+    std::set<std::string> left;  ///< inputs that are there and not taken yet
+    std::size_t outputs = 0, tocks = 0;
+    std::size_t parent = 0, offer = 0;
+};
+
+/// A cycle of a log: its words.
+struct Wanted {
+    std::uint64_t line = 0;  ///< of its first word
+    std::set<std::string> inputs;
+    std::vector<std::string> outputs;
+    std::size_t tocks = 0;
+    bool terminates = false;
+};
+
+/// Where the cycle ends after the event, if the log allows it there.
+std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& wanted, const Stepped& stepped) {
+    Node result = node;
+    result.term = offer.step.target;
+    if (offer.hidden) return result;
+    const LogRole role = log_role(offer.happening.event);
+    if (role == LogRole::tock) {
+        if (node.tocks == wanted.tocks || node.outputs < wanted.outputs.size()) return std::nullopt;
+        ++result.tocks;
+        return result;
+    }
+    if (role == LogRole::termination) return wanted.terminates ? std::optional(result) : std::nullopt;
+    const std::string word = word_of(offer, stepped);
+    if (role == LogRole::input) return result.left.erase(word) > 0 ? std::optional(result) : std::nullopt;
+    if (role != LogRole::output) return result;
+    if (node.outputs == wanted.outputs.size() || wanted.outputs[node.outputs] != word) return std::nullopt;
+    ++result.outputs;
+    return result;
+}
+
+/// Takes the steps of one cycle; false if there is no such way.
+bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
+    std::vector<Node> nodes{{stepper.here(), wanted.inputs, 0, 0, 0, 0}};
+    using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
+    std::set<Key> seen;
+    const auto take_way_to = [&](std::size_t at) {
+        std::vector<std::size_t> offers;
+        for (; at != 0; at = nodes[at].parent) offers.push_back(nodes[at].offer);
+        for (auto each = offers.rbegin(); each != offers.rend(); ++each) stepper.take(*each);
+    };
+    for (std::size_t at = 0; at < nodes.size() && at < most_searched; ++at) {
+        run.budget().poll();
+        if (nodes[at].outputs == wanted.outputs.size() && nodes[at].tocks == wanted.tocks) {
+            take_way_to(at);
+            return true;
+        }
+        const std::vector<runs::Offer> offers = stepper.offers_at(nodes[at].term);
+        for (std::size_t i = 0; i < offers.size(); ++i) {
+            auto found = next(nodes[at], offers[i], wanted, stepped);
+            if (!found || !seen.insert({found->term, found->left, found->outputs, found->tocks}).second) continue;
+            found->parent = at;
+            found->offer = i;
+            nodes.push_back(std::move(*found));
+        }
+    }
+    return false;
+}
+
+/// The cycles of the first run; what cannot be read is thrown as Unsayable.
+std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
+    std::ifstream in(path);
+    if (!in) throw Unsayable{fmt::format("{}: cannot be read", path)};
+    conformance::LineReader reader(in);
+    conformance::TraceHeader header;
+    std::vector<Wanted> cycles;
+    std::vector<conformance::TraceToken> tokens;
+    bool run = false, first = true;
+    try {
+        while (reader.next()) {
+            conformance::split_line(reader.text(), tokens);
+            if (tokens.empty()) continue;
+            if (first && tokens.front().text != "robochart-trace")
+                throw Unsayable{fmt::format("{}: is no log: it does not begin with `robochart-trace 1`", path)};
+            if (std::exchange(first, false)) continue;
+            if (tokens.front().text == "run") {
+                if (run) break;
+                run = true;
+                cycles.emplace_back();
+                continue;
+            }
+            if (!run) {
+                (void)conformance::read_header_line(tokens, header, reader.number());
+                continue;
+            }
+            for (const conformance::TraceToken& token : tokens) {
+                const std::string word(token.text);
+                Wanted& cycle = cycles.back();
+                if (cycle.line == 0) cycle.line = reader.number();
+                if (word == "tock") {
+                    if (++cycle.tocks == header.cycle) cycles.emplace_back();
+                } else if (word == "terminate") {
+                    cycle.terminates = true;
+                } else if (word.find('?') != std::string::npos) {
+                    cycle.inputs.insert(word);
+                } else {
+                    cycle.outputs.push_back(word);
+                }
+            }
+        }
+    } catch (const conformance::TraceFault&) {
+        throw Unsayable{fmt::format("{}:{}: is no line of a log", path, reader.number())};
+    }
+    if (!header.component.empty() && header.component != stepped.name)
+        throw Unsayable{fmt::format("{}: is a log of {}", path, header.component)};
+    return cycles;
+}
+
+}  // namespace
+
+LogRole log_role(const runs::Event& event) {
+    switch (event.kind) {
+        case Kind::input:
+        case Kind::external_write:
+            return LogRole::input;
+        case Kind::output:
+        case Kind::call:
+        case Kind::assignment:
+            return LogRole::output;
+        case Kind::tock:
+            return LogRole::tock;
+        case Kind::terminate:
+            return LogRole::termination;
+        case Kind::transition:
+        case Kind::entered:
+        case Kind::exited:
+        case Kind::refusal:
+        case Kind::internal:
+        case Kind::event:
+            return LogRole::none;
+    }
+    return LogRole::none;
+}
+
+std::optional<std::string> log_word(const runs::Event& event, std::string name, const Stepped& stepped) {
+    name = name.substr(0, name.find('.'));
+    if (const std::string prefix = stepped.name + "::"; name.starts_with(prefix)) name = name.substr(prefix.size());
+    for (const std::string_view before : {"set_EXT_", "set_"})
+        if (name.starts_with(before) && (event.kind == Kind::assignment || event.kind == Kind::external_write)) {
+            name = name.substr(before.size());
+            break;
+        }
+    if (event.kind == Kind::call && name.ends_with("Call")) name.resize(name.size() - 4);
+    std::string word = name + (log_role(event) == LogRole::input ? "?" : "!");
+    for (std::size_t i = 0; i < event.values.size(); ++i) {
+        const std::string& text = event.values[i].text;
+        const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+        });
+        if (!plain) return std::nullopt;
+        word += (i > 0 ? "!" : "") + text;
+    }
+    return word;
+}
+
+std::string log_head(const Stepped& stepped) {
+    return fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\nrun by hand\n", stepped.name);
+}
+
+std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (stepped.project == nullptr) return "only the ways of components are saved";
+    try {
+        std::string text;
+        if (extension == ".trace")
+            text = log_text(stepper, stepped);
+        else if (extension == ".assertions")
+            text = assertion_text(stepper, stepped, path);
+        else
+            return fmt::format("{}: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", path);
+        std::error_code code;
+        if (std::filesystem::exists(std::filesystem::symlink_status(path, code)))
+            return fmt::format("{} is there already, and stays as it is", path);
+        if (extension == ".trace" && stepped.time != csp_emit::Time::timed)
+            return "logs have time; the untimed semantics has none";
+        return diagnostics::replace_file(path, text, &run.budget());
+    } catch (const Unsayable& what) {
+        return what.why;
+    }
+}
+
+Followed follow_log(runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {
+    if (stepped.project == nullptr || stepped.time != csp_emit::Time::timed) return {"logs are of components, in time"};
+    try {
+        const std::vector<Wanted> cycles = read_log(path, stepped);
+        stepper.back_to(0);
+        for (std::size_t i = 0; i < cycles.size(); ++i)
+            if (!follow(stepper, cycles[i], stepped, run))
+                return {fmt::format("{}:{}: cycle {} cannot be followed from here", path, cycles[i].line, i + 1)};
+        return {};
+    } catch (const Unsayable& what) {
+        return {what.why};
+    }
+}
+
+}  // namespace robochart::app

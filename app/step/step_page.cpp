@@ -1,0 +1,269 @@
+// See step_page.hpp. app/pages/parts/explorer.js reads the data. What others wrote is escaped where it is put into the
+// page, and shown in the data.
+#include "app/step/step_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "app/command/options.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/part_diagrams.hpp"
+#include "diagnostics/budget.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/json.hpp"
+#include "diagnostics/text.hpp"
+#include "runs/text.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::Json;
+using diagnostics::xml_text;
+using runs::Exploration;
+
+std::string place_text(const std::optional<runs::Place>& place) {
+    return place ? fmt::format("{}:{}", place->file, place->line) : "";
+}
+
+/// The texts of the data, each once. The first is empty.
+class Strings {
+public:
+    Strings() { (void)number(""); }
+
+    std::size_t number(const std::string& text) {
+        const auto [found, added] = numbers_.try_emplace(diagnostics::shown(text), list_.size());
+        if (added) list_.push_back(found->first);
+        return found->second;
+    }
+    [[nodiscard]] const Json& list() const { return list_; }
+
+private:
+    Json list_ = Json::array();
+    std::map<std::string, std::size_t> numbers_;
+};
+
+/// A machine of the process: the instance, and its definition, which is drawn.
+struct Instance {
+    std::string component, machine;
+};
+
+std::vector<Instance> instances_of(const Exploration& space) {
+    std::map<std::string, std::string> found;
+    for (const runs::Machine& each : space.machines) found.try_emplace(each.component, each.machine);
+    std::vector<Instance> result;
+    for (const auto& [component, machine] : found) result.push_back({component, machine});
+    return result;
+}
+
+/// What explorer.js steps through. Numbers stand for texts, machines, labels, absences and states by their places.
+class Data {
+public:
+    Data(const Exploration& space, const Stepped& stepped, const std::vector<Instance>& instances,
+         const PartDiagrams& diagrams)
+        : space_(space), stepped_(stepped), instances_(instances), diagrams_(diagrams) {}
+
+    Json write() {
+        const auto listed = [](const auto& items, const auto& one) {
+            Json list = Json::array();
+            for (const auto& each : items) list.push_back(one(each));
+            return list;
+        };
+        Json json{{"timed", stepped_.time == csp_emit::Time::timed},
+                  {"log", stepped_.project == nullptr ? Json(nullptr) : Json(log_head(stepped_))},
+                  {"limit", space_.limit},
+                  {"instances", listed(instances_, [&](const Instance& each) { return text(each.component); })},
+                  {"machines", listed(space_.machines, [&](const auto& each) { return machine(each); })},
+                  {"labels", listed(space_.labels, [&](const auto& each) { return label(each); })},
+                  {"absences", listed(space_.absences, [&](const auto& each) { return absence(each); })},
+                  {"states", listed(space_.states, [&](const auto& each) { return state(each); })}};
+        json["texts"] = strings_.list();
+        return json;
+    }
+
+private:
+    std::size_t text(const std::string& text) { return strings_.number(text); }
+    [[nodiscard]] std::size_t instance(const std::string& component) const {
+        const auto found = std::find_if(instances_.begin(), instances_.end(),
+                                        [&](const Instance& each) { return each.component == component; });
+        return static_cast<std::size_t>(found - instances_.begin());
+    }
+
+    /// [instance, text, place, [active elements], [name, value or -1, ...]]
+    Json machine(const runs::Machine& machine) {
+        Json active = Json::array();
+        for (const std::string& each : machine.active)
+            if (const std::string id = diagrams_.named(each); !id.empty()) active.push_back(text(id));
+        Json values = Json::array();
+        for (const runs::Variable& each : machine.variables) {
+            if (each.kind == runs::VariableKind::constant) continue;
+            values.push_back(text(each.name));
+            values.push_back(each.value ? Json(text(*each.value)) : Json(-1));
+        }
+        return Json::array({instance(machine.component), text(machine.text), text(place_text(machine.place)),
+                            std::move(active), std::move(values)});
+    }
+
+    /// [text, place, hidden, role in a log, word in a log or -1, [instance, element, ...]]
+    Json label(const Exploration::Label& label) {
+        const runs::Event& event = label.happening.event;
+        Json fired = Json::array();
+        add_fired(event, fired);
+        for (const runs::Event& each : label.happening.with) add_fired(each, fired);
+        const LogRole role = stepped_.project == nullptr ? LogRole::none : log_role(event);
+        const auto word = role == LogRole::input || role == LogRole::output ? log_word(event, label.name, stepped_)
+                                                                            : std::optional<std::string>();
+        return Json::array({text(runs::text(event, label.happening.with)), text(place_text(event.place)),
+                            label.hidden ? 1 : 0, static_cast<int>(role), word ? Json(text(*word)) : Json(-1),
+                            std::move(fired)});
+    }
+    void add_fired(const runs::Event& event, Json& fired) {
+        const std::string id = diagrams_.of(event);
+        const std::size_t where = instance(event.component);
+        if (id.empty() || where == instances_.size()) return;
+        fired.push_back(where);
+        fired.push_back(text(id));
+    }
+
+    /// [component, text, reason, place]
+    Json absence(const runs::Absence& absence) {
+        return Json::array(
+            {text(absence.component), text(absence.text), text(absence.reason), text(place_text(absence.place))});
+    }
+
+    /// [[machines], [label, target or -1, ...], [absences], process, error]
+    Json state(const Exploration::State& state) {
+        Json offers = Json::array();
+        for (const Exploration::Transition& each : state.offers) {
+            offers.push_back(each.label);
+            offers.push_back(each.target ? Json(*each.target) : Json(-1));
+        }
+        Json json = Json::array({state.machines, std::move(offers), state.absences});
+        if (!state.process.empty() || !state.error.empty()) json.push_back(text(state.process));
+        if (!state.error.empty()) json.push_back(text(state.error));
+        return json;
+    }
+
+    const Exploration& space_;
+    const Stepped& stepped_;
+    const std::vector<Instance>& instances_;
+    const PartDiagrams& diagrams_;
+    Strings strings_;
+};
+
+/// What is there without script: the first state. Its parts are filled into app/pages/parts/explorer.html.
+class Body {
+public:
+    Body(const Exploration& space, const Stepped& stepped) : space_(space), stepped_(stepped) {}
+
+    std::string write(const std::string& figures) const {
+        const bool timed = stepped_.time == csp_emit::Time::timed;
+        const bool component = stepped_.project != nullptr;
+        return diagnostics::filled(
+            page_part("explorer.html"),
+            {{"NAME", xml_text(stepped_.name)},
+             {"OF", fmt::format("{}{}", xml_text(stepped_.model),
+                                !component ? ""
+                                : timed    ? ", timed semantics"
+                                           : ", untimed semantics")},
+             {"COUNTS", xml_text(counts_text(space_))},
+             {"VERSION", program_version},
+             {"BUTTONS", std::string(timed ? "<button type=\"button\" id=\"tock\">one time unit</button>\n" : "") +
+                             (timed && component ? "<button type=\"button\" id=\"log\">copy as log</button>" : "")},
+             {"LAYOUT", figures.empty() ? "stepper plain" : "stepper"},
+             {"OFFERS", offers()},
+             {"ENDS", ends()},
+             {"ABSENCES", absences()},
+             {"MACHINES-TITLE", component ? "Machines" : "Process"},
+             {"MACHINES", machines()},
+             {"FIGURES", figures.empty() ? "" : fmt::format("<div class=\"drawn\">\n{}</div>", figures)},
+             {"KEYS", timed ? "<kbd>t</kbd> one time unit; " : ""}});
+    }
+
+private:
+    [[nodiscard]] std::string offers() const {
+        std::string text;
+        for (const Exploration::Transition& each : first_.offers) {
+            const Exploration::Label& label = space_.labels[each.label];
+            text += fmt::format("<li>{}{} <small>{}</small></li>\n", label.hidden ? "(hidden) " : "",
+                                xml_text(runs::text(label.happening.event, label.happening.with)),
+                                xml_text(place_text(label.happening.event.place)));
+        }
+        return text;
+    }
+    [[nodiscard]] std::string ends() const {
+        if (space_.states.empty()) return "No state is embedded.";
+        return first_.error.empty() ? "" : "What can happen cannot be evaluated: " + xml_text(first_.error);
+    }
+    [[nodiscard]] std::string absences() const {
+        std::string text;
+        for (const std::size_t each : first_.absences) {
+            const runs::Absence& absence = space_.absences[each];
+            text += fmt::format("<li>{}: {}: {}</li>\n", xml_text(absence.component), xml_text(absence.text),
+                                xml_text(absence.reason));
+        }
+        return text.empty() ? "<li>nothing</li>\n" : text;
+    }
+    [[nodiscard]] std::string machines() const {
+        std::string text;
+        for (const std::size_t each : first_.machines)
+            text += fmt::format("<li>{}: {}</li>\n", xml_text(space_.machines[each].component),
+                                xml_text(runs::text(space_.machines[each])));
+        if (!first_.process.empty()) text += fmt::format("<li>{}</li>\n", xml_text(first_.process));
+        return text;
+    }
+
+    const Exploration& space_;
+    const Stepped& stepped_;
+    const Exploration::State first_ = space_.states.empty() ? Exploration::State() : space_.states.front();
+};
+
+std::string figure(std::size_t machine, const std::string& caption, const std::string& drawn) {
+    return fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", machine,
+                       xml_text(caption), drawn);
+}
+
+/// The machines' diagrams, each with those of the operations that it may be in.
+std::string figures_of(const Exploration& space, const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
+    std::string text;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const std::string& component = instances[i].component;
+        const std::string prefix = fmt::format("m{}-", i);
+        if (const std::string drawn = diagrams.drawn(instances[i].machine, prefix); !drawn.empty())
+            text += figure(i, component, drawn);
+        std::set<std::string> active;
+        for (const runs::Machine& each : space.machines)
+            if (each.component == component)
+                for (const std::string& state : each.active) active.insert(diagrams.named(state));
+        for (const auto& [name, drawn] : diagrams.operations(active, prefix))
+            text += figure(i, fmt::format("{}: operation {}", component, name), drawn);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string counts_text(const Exploration& space) {
+    const std::size_t count = space.states.size();
+    const std::string states = fmt::format("{} state{}", count, count == 1 ? "" : "s");
+    return space.limit.empty() ? states + ", all that can be reached"
+                               : fmt::format("{}; {}; found and left out: {}", states, space.limit, space.left_out);
+}
+
+std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<Part>& parts) {
+    diagnostics::Budget drawing;  // a limit of the run that has ended the exploration does not end the page
+    const PartDiagrams diagrams(parts, drawing);
+    const std::vector<Instance> instances = instances_of(space);
+    const Json data = Data(space, stepped, instances, diagrams).write();
+    return page_text({stepped.name, "explorer.js",
+                      fmt::format("<style>{}</style>\n{}{}", page_part("explorer.css"),
+                                  Body(space, stepped).write(figures_of(space, instances, diagrams)),
+                                  page_data("space", diagnostics::json_text(data)))});
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,30 @@
+// See stepped_component.hpp.
+#include "app/step/stepped_component.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/command/run.hpp"
+
+namespace robochart::app {
+namespace {
+
+const cspm::ExprPtr& process_of(const csp_emit::Emission& emission, const std::string& name) {
+    const auto found = std::find_if(emission.components.begin(), emission.components.end(),
+                                    [&](const csp_emit::ComponentProcesses& each) { return each.path == name; });
+    if (found == emission.components.end()) throw UsageError(fmt::format("{} has no process of its own", name));
+    return found->process;
+}
+
+}  // namespace
+
+SteppedComponent::SteppedComponent(Project& project, const std::string& name, csp_emit::Time time,
+                                   const Options& options)
+    : emission_(emit_csp(project, options, time)),
+      session_(emission_.script, &options.run->budget()),
+      context_{emission_.provenance, project.system, project.instantiation, project.sources, session_},
+      reader_(context_),
+      stepper_(reader_, session_.process(process_of(emission_, name))) {}
+
+}  // namespace robochart::app

@@ -1,0 +1,387 @@
+// The verb `rules`: conflicts and redundancies of rules in SLEEC, and whether a model obeys them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/command/limits.hpp"
+#include "app/command/output.hpp"
+#include "app/command/run.hpp"
+#include "app/report/rules_report.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/session.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "diagnostics/render.hpp"
+#include "sleec/analysis/explain.hpp"
+#include "sleec/checks/check.hpp"
+#include "sleec/conformance/watch.hpp"
+#include "sleec/model/linking.hpp"
+#include "sleec/published/encoding.hpp"
+#include "sleec/syntax/reader.hpp"
+#include "sleec/syntax/rules.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// The file with the findings about it.
+struct LoadedRules {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::optional<sleec::CheckedRules> rules;
+};
+
+void load(const std::string& path, LoadedRules& loaded) {
+    std::string error;
+    std::optional<diagnostics::SourceId> source;
+    if (path == "-") {
+        std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+        if (error.empty()) source = loaded.sources.add("standard input", std::move(text));
+    } else {
+        source = loaded.sources.load(path, error);
+    }
+    if (!source) {
+        loaded.diagnostics.report(sleec::rules::unreadable, {}, {diagnostics::shown(path), error});
+        return;
+    }
+    const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.rules = sleec::check(file, loaded.diagnostics);
+}
+
+void print_report(const RulesReport& report, const Options& options) {
+    if (options.format == Format::json)
+        print_exact(rules_json(report));
+    else
+        print_text(rules_text(report, options));
+}
+
+/// Decides everything, and keeps the report up to date for the last word.
+class RulesVerb {
+public:
+    RulesVerb(const Options& options, std::shared_ptr<RulesReport> report)
+        : options_(options), report_(std::move(report)) {
+        loaded_.diagnostics.within(&options.run->budget());
+        for (const std::string& code : options.allowed) loaded_.diagnostics.allow(code);
+    }
+
+    Exit operator()() {
+        const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
+        load(options_.inputs.front(), loaded_);
+        show_findings();
+        if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warnings() > 0)) return refused();
+        describe();
+        if (options_.inputs.size() > 1) {
+            if (!conform()) return Exit::bad_input;
+        } else if (options_.as_sleec_tk)
+            compare();
+        else
+            analyse();
+        options_.run->finish();
+        print_report(*report_, options_);
+        return exit_of(*report_);
+    }
+
+private:
+    void show_findings() {
+        diagnostics::TextStyle style;
+        style.color = color_wanted(options_.color, STDERR_FILENO);
+        print_error_styled(diagnostics::render_text(loaded_.sources, loaded_.diagnostics, style));
+    }
+
+    Exit refused() {
+        options_.run->finish();
+        for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted())
+            if (each.rule->severity != diagnostics::Severity::note)
+                report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.place(each.span),
+                                                      each.span.known() ? ": " : "", each.message()));
+        if (options_.format == Format::json) print_exact(rules_json(*report_));
+        return Exit::bad_input;
+    }
+
+    void describe() {
+        const auto edit = options_.run->edit();
+        report_->dialect = sleec::dialect_name(rules().file->dialect);
+        for (const sleec::CheckedRule& each : rules().rules)
+            report_->rules.push_back({each.written->name.text, loaded_.sources.place(each.written->span)});
+    }
+
+    // by default
+
+    void analyse() {
+        const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules");
+        sleec::AnalysisOptions analysis;
+        analysis.without_limit =
+            options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually;
+        analysis.limits = limits(options_);
+        analysis.budget = &options_.run->budget();
+        sleec::for_each_question(rules(), analysis, [&](const sleec::ConflictAnswer& answer) { note(answer); });
+        redundancies(analysis);
+    }
+
+    void note(const sleec::ConflictAnswer& answer) {
+        RuleConflict conflict{answer.rules, answer.conflict == sleec::Answer::yes, answer.reason, {}, answer.states};
+        if (answer.example) conflict.lines = sleec::explain(*answer.example, rules(), loaded_.sources);
+        const auto edit = options_.run->edit();
+        ++report_->questions;
+        if (answer.conflict != sleec::Answer::no) report_->conflicts.push_back(std::move(conflict));
+    }
+
+    void redundancies(const sleec::AnalysisOptions& analysis) {
+        for (std::size_t i = 0; i < rules().rules.size(); ++i) {
+            try {
+                if (sleec::asks_for_nothing(rules(), i, analysis)) {
+                    const auto edit = options_.run->edit();
+                    report_->asking_nothing.push_back(i);
+                    continue;
+                }
+                for (std::size_t k = 0; k < rules().rules.size(); ++k) {
+                    if (i == k || rules().rules[i].assumed || !sleec::redundant(rules(), i, k, analysis)) continue;
+                    const auto edit = options_.run->edit();
+                    report_->redundant.push_back({i, k});
+                }
+            } catch (const sleec::NotDecided&) {  // the question about conflicts of this rule has said so
+            }
+        }
+    }
+
+    // as SLEEC-TK has it
+
+    /// Rules that the published encoding has; the others are named.
+    std::vector<std::size_t> encoded(const sleec::Encoding& encoding) {
+        std::vector<std::size_t> result;
+        for (std::size_t i = 0; i < rules().rules.size(); ++i) {
+            try {
+                (void)encoding.processes({i});
+                result.push_back(i);
+            } catch (const sleec::NotDecided& error) {
+                const auto edit = options_.run->edit();
+                report_->not_read.push_back(fmt::format("{}: {}", report_->rules[i].name, error.what()));
+            }
+        }
+        return result;
+    }
+
+    void note_ranges(const sleec::Encoding& encoding) {
+        const auto edit = options_.run->edit();
+        for (std::size_t i = 0; i < rules().file->measures.size(); ++i)
+            if (rules().measure(i).type == sleec::MeasureType::numeric)
+                report_->ranges.push_back(
+                    fmt::format("{} in {{{}}}", rules().measure(i).name.text, fmt::join(encoding.values(i), ", ")));
+    }
+
+    void compare() {
+        const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules as SLEEC-TK has it");
+        std::optional<sleec::Encoding> encoding;
+        try {
+            encoding.emplace(rules());
+        } catch (const sleec::NotDecided& error) {
+            const auto edit = options_.run->edit();
+            report_->not_read.emplace_back(error.what());
+            return;
+        }
+        note_ranges(*encoding);
+        const std::vector<std::size_t> asked = encoded(*encoding);
+        std::vector<std::pair<std::size_t, std::size_t>> pairs;
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            for (std::size_t k = i + 1; k < asked.size(); ++k)
+                if (encoding->related(asked[i], asked[k])) pairs.emplace_back(asked[i], asked[k]);
+        {
+            const auto edit = options_.run->edit();
+            for (const auto& [first, second] : pairs) report_->pairs.push_back({first, second, {}, {}, {}, {}});
+        }
+        if (!pairs.empty()) decide(*encoding, pairs);
+    }
+
+    void decide(const sleec::Encoding& encoding, const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+        cspm::Session session(encoding.script(pairs), &options_.run->budget());
+        if (diagnostics::Cache* const cache = options_.run->cache()) session.remember(*cache);
+        const auto assertions = session.assertions();
+        const auto holds = [&](std::size_t i) -> std::optional<bool> {
+            const refine::Outcome outcome = session.check(*assertions[i], limits(options_)).verdict.outcome;
+            if (outcome == refine::Outcome::inconclusive) return std::nullopt;
+            return outcome == refine::Outcome::holds;
+        };
+        const auto negated = [](std::optional<bool> answer) {
+            return answer ? std::optional<bool>(!*answer) : std::nullopt;
+        };
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            ComparedPair pair{pairs[i].first,   pairs[i].second, negated(holds(4 * i)), negated(holds(4 * i + 1)),
+                              holds(4 * i + 2), holds(4 * i + 3)};
+            const auto edit = options_.run->edit();
+            report_->pairs[i] = pair;
+        }
+    }
+
+    // whether a model obeys
+
+    /// False where the model is wrong; its findings are printed.
+    bool conform() {
+        Options of_model = options_;
+        of_model.inputs.erase(of_model.inputs.begin());
+        of_model.verb = Verb::check;
+        of_model.times = Times::timed;
+        of_model.core = true;
+        const std::unique_ptr<Project> project = app::load(of_model);
+        const csp_emit::Emission* emission = nullptr;
+        if (project->diagnostics.ok()) emission = &emit_csp(*project, of_model, csp_emit::Time::timed);
+        app::show_findings(*project, options_);
+        if (emission == nullptr || !acceptable(*project, of_model)) return false;
+        for (const ir::ComponentRef& each : code_components(project->system, options_.component))
+            for (const csp_emit::ComponentProcesses& component : emission->components)
+                if (component.path == each.path || component.path == each.package + "::" + each.path)
+                    judge(*project, *emission, component);
+        return true;
+    }
+
+    void judge(const Project& project, const csp_emit::Emission& emission,
+               const csp_emit::ComponentProcesses& component) {
+        const sleec::ComponentLinking linking =
+            sleec::link(rules(), emission, component.path, project.system, project.instantiation);
+        for (std::size_t i = 0; i < rules().rules.size(); ++i) {
+            if (rules().rules[i].assumed) continue;
+            const diagnostics::Budget::Phase phase(
+                options_.run->budget(), fmt::format("asking whether {} obeys {}", component.path, rules().name(i)));
+            RuleVerdict verdict;
+            verdict.component = component.path;
+            verdict.rule = i;
+            verdict.reason = sleec::not_applicable(rules(), i, linking);
+            if (verdict.reason.empty())
+                follow(project, emission, component, linking.linking, verdict);
+            else
+                verdict.kind = RuleVerdict::Kind::not_applicable;
+            const auto edit = options_.run->edit();
+            report_->verdicts.push_back(std::move(verdict));
+        }
+        if (stops_time(emission, component.path)) {
+            const auto edit = options_.run->edit();
+            report_->time_stops.push_back(component.path);
+        }
+    }
+
+    void follow(const Project& project, const csp_emit::Emission& emission,
+                const csp_emit::ComponentProcesses& component, const sleec::Linking& linking, RuleVerdict& verdict) {
+        try {
+            const sleec::Watch watch(rules(), verdict.rule, linking, component.process);
+            cspm::Script script = emission.script;
+            for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
+            script.decls.push_back(watch.obeyed());
+            const cspm::DeclPtr obeyed = script.decls.back();
+            std::vector<std::size_t> ways, without_limit;
+            for (std::size_t i = 0; i < watch.ways().size(); ++i) {
+                if (watch.ways()[i].obligation >= watch.obligations().size()) continue;
+                ways.push_back(i);
+                const auto& demands = watch.obligations()[watch.ways()[i].obligation].any;
+                if (std::any_of(demands.begin(), demands.end(),
+                                [](const sleec::Demand& each) { return !each.forbids && each.end == sleec::forever; }))
+                    without_limit.push_back(i);
+            }
+            cspm::Session session(script, &options_.run->budget());
+            if (diagnostics::Cache* const cache = options_.run->cache()) session.remember(*cache);
+            const refine::Verdict found = session.check(*obeyed, limits(options_)).verdict;
+            verdict.states = found.statistics.states;
+            verdict.reason = found.reason;
+            if (found.outcome == refine::Outcome::inconclusive) return;
+            if (found.outcome == refine::Outcome::fails) {
+                verdict.kind = RuleVerdict::Kind::broken;
+                verdict.lines =
+                    how_broken(project, emission, session, watch, linking, verdict.rule, *found.counterexample);
+                return;
+            }
+            verdict.kind = RuleVerdict::Kind::obeyed;
+            const auto never = [&](const std::vector<std::size_t>& asked) {
+                return asked.empty() || session.check(*watch.never_asked(asked), limits(options_)).verdict.outcome ==
+                                            refine::Outcome::holds;
+            };
+            if (never(ways)) {
+                verdict.kind = RuleVerdict::Kind::never_asked;
+            } else if (!never(without_limit)) {
+                verdict.kind = RuleVerdict::Kind::not_decided;
+                verdict.reason = "no finite run shows that what has no limit never comes; nothing else is broken";
+            }
+        } catch (const sleec::NotDecided& error) {
+            verdict.reason = error.what();
+        }
+    }
+
+    /// The counterexample in the words of the rule: where the obligation began that is broken, and what broke it.
+    std::vector<std::string> how_broken(const Project& project, const csp_emit::Emission& emission,
+                                        cspm::Session& session, const sleec::Watch& watch,
+                                        const sleec::Linking& linking, std::size_t rule,
+                                        const refine::Counterexample& run) {
+        std::int64_t now = 0, began = 0;
+        std::size_t way = 0;
+        std::string last;
+        for (const refine::Step& step : run.steps) {
+            const std::string name = session.event_table().name(step.revealed);
+            if (name == "sleec_broken") continue;
+            last = name;
+            if (name == "tock") ++now;
+            if (const auto asked = sleec::Watch::way_of(name)) {
+                began = now;
+                way = *asked;
+            }
+        }
+        const sleec::Asked& asked = watch.ways()[way];
+        std::vector<std::string> lines;
+        for (const sleec::Demand& each : watch.obligations()[asked.obligation].any)
+            lines.push_back(sleec::side_text({rule, began, asked.values, each}, rules(), loaded_.sources));
+        if (last == "tock") {
+            lines.push_back(fmt::format("second {} ends without it", now - 1));
+            return lines;
+        }
+        for (std::size_t i = 0; i < linking.events.size(); ++i)
+            if (linking.events[i] && (last == *linking.events[i] || last.starts_with(*linking.events[i] + ".")))
+                lines.push_back(fmt::format("{} comes at second {}{}", rules().event(i), now,
+                                            place_in_model(project, emission, last)));
+        return lines;
+    }
+
+    /// " (model.rct:12)": where the event, or the operation, is declared.
+    static std::string place_in_model(const Project& project, const csp_emit::Emission& emission,
+                                      const std::string& event) {
+        const auto found = emission.provenance.events.find(event);
+        if (found == emission.provenance.events.end() || !found->second.origin.span.known()) return "";
+        return fmt::format(" ({})", project.sources.place(found->second.origin.span));
+    }
+
+    /// A component that stops time would obey every rule: its core property is asked too.
+    bool stops_time(const csp_emit::Emission& emission, const std::string& component) {
+        for (const csp_emit::Obligation& each : emission.obligations) {
+            if (each.kind != ir::PropertyKind::timelock_free || each.property != ir::no_id) continue;
+            if (each.title.find(" " + component + ":") == std::string::npos) continue;
+            cspm::Session session(emission.script, &options_.run->budget());
+            for (const cspm::DeclPtr& assertion : each.assertions)
+                if (session.check(*assertion, limits(options_)).verdict.outcome == refine::Outcome::fails) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] const sleec::CheckedRules& rules() const { return *loaded_.rules; }
+
+    const Options& options_;
+    std::shared_ptr<RulesReport> report_;
+    LoadedRules loaded_;
+};
+
+}  // namespace
+
+Exit run_rules(const Options& options) {
+    const auto report = std::make_shared<RulesReport>();
+    report->file = options.inputs.front();
+    report->as_sleec_tk = options.as_sleec_tk;
+    if (options.inputs.size() > 1) report->model = options.inputs[1];
+    if (options.as_sleec_tk && !report->model.empty())
+        throw UsageError("--as-sleec-tk compares rules; with a model they are taken as they are written");
+    report->without_limit = options.without_limit;
+    options.run->last_word([report, &options](const std::string& why) {
+        report->limit = why;
+        print_report(*report, options);
+        print_error("robochart-verify: {}\n", why);
+        return exit_of(*report);
+    });
+    return RulesVerb(options, report)();
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,50 @@
+// A compiled process without the states that confluent taus lead on from (docs/search.md, "Confluent taus").
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/machine/confluence.hpp"
+#include "checker/machine/supercombinator_system.hpp"
+
+namespace robochart::machine {
+
+/// States are the process's own. The states that transitions lead to are replaced by those that stand for them.
+class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
+public:
+    ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
+                  std::shared_ptr<const WholeRules> rules);
+
+    [[nodiscard]] std::size_t width() const override { return whole_->width(); }
+    void initial(std::span<lts::Word> state) override;
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
+        return std::make_unique<ReducedSystem>(whole_->another(), combined_, rules_);
+    }
+    [[nodiscard]] const process::EventTable& events() const override { return whole_->events(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override { return whole_->describe(state); }
+    void watch(const std::function<void()>& poll) override;
+    [[nodiscard]] std::uint64_t chased() const override { return chased_; }
+    [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
+
+private:
+    void add(Event event, lts::StateView target, Event revealed) override;
+    void unpack(lts::StateView state);
+    void pack(std::span<lts::Word> state) const;
+    std::size_t run();
+    std::size_t enter_cycle(std::size_t length);
+    bool follow();
+
+    std::unique_ptr<lts::TransitionSystem> whole_;
+    std::shared_ptr<const Supercombinator> combined_;
+    std::shared_ptr<const WholeRules> rules_;
+    Confluence confluence_;
+    std::vector<Local> locals_, seen_, least_, begin_;
+    std::vector<lts::Word> target_;
+    lts::SuccessorSink* sink_ = nullptr;
+    std::uint64_t chased_ = 0;
+    std::function<void()> poll_;
+};
+
+}  // namespace robochart::machine

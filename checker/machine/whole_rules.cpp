@@ -1,0 +1,168 @@
+// A rule that asks a region inside for an event is multiplied by the region's rules for that event. The order of
+// changes is that of SupercombinatorSystem: what participants do, in the order of the requirements, then the rule's
+// assignments; of several changes of one slot the last counts.
+#include "checker/machine/whole_rules.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace robochart::machine {
+namespace {
+
+constexpr std::size_t most_parts = 4'000'000;
+
+struct TooMany {};
+
+class Flattening {
+public:
+    Flattening(const Supercombinator& combined, const std::function<void()>& poll)
+        : combined_(combined), poll_(poll), inside_(combined.regions.size()), slots_(combined.regions.size()) {}
+
+    WholeRules run() {
+        const auto whole = static_cast<std::uint32_t>(combined_.regions.size() - 1);
+        for (std::uint32_t region = 0; region <= whole; ++region) list_slots(region);
+        for (std::uint32_t region = 0; region < whole; ++region) inside_[region] = flattened(region);
+        for (Changes& each : flattened(whole)) result_.rules.push_back(finished(std::move(each)));
+        index();
+        return std::move(result_);
+    }
+
+private:
+    /// What happens to one slot: the component performs an event, or is put into a state.
+    struct Change {
+        std::uint32_t slot;
+        std::optional<std::uint32_t> event;
+        Local value;
+    };
+    /// A rule of a region in terms of components, changes in order.
+    struct Changes {
+        Event event = process::tau;
+        std::uint32_t place = 0;
+        std::vector<Change> list;
+        std::vector<Passage> passages;
+    };
+
+    void list_slots(std::uint32_t region) {
+        for (const Participant& each : combined_.regions[region].participants) {
+            if (!each.is_region) {
+                slots_[region].push_back(each.index);
+                continue;
+            }
+            const std::vector<std::uint32_t>& inner = slots_[each.index];
+            slots_[region].insert(slots_[region].end(), inner.begin(), inner.end());
+        }
+    }
+
+    std::vector<Changes> flattened(std::uint32_t number) {
+        const Region& region = combined_.regions[number];
+        std::vector<Changes> result;
+        for (const Rule& rule : region.rules) {
+            std::vector<Changes> open{{rule.event, rule.place, {}, {{number, rule.level}}}};
+            extend(region, rule.lead, open);
+            for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
+                extend(region, region.requirements[i], open);
+            for (Changes& each : open) {
+                for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)
+                    each.list.push_back({region.assignments[i].slot, std::nullopt, region.assignments[i].value});
+                result.push_back(std::move(each));
+            }
+        }
+        return result;
+    }
+
+    void extend(const Region& region, const Requirement& wanted, std::vector<Changes>& open) {
+        const Participant& who = region.participants[wanted.participant];
+        if (!who.is_region) {
+            charge(open.size());
+            for (Changes& each : open) each.list.push_back({who.index, wanted.event, 0});
+            return;
+        }
+        std::vector<Changes> longer;
+        for (const Changes& inner : inside_[who.index]) {
+            if (inner.place != wanted.event) continue;
+            for (const Changes& each : open) {
+                charge(each.list.size() + inner.list.size());
+                longer.push_back(each);
+                Changes& joint = longer.back();
+                joint.list.insert(joint.list.end(), inner.list.begin(), inner.list.end());
+                joint.passages.insert(joint.passages.end(), inner.passages.begin(), inner.passages.end());
+            }
+        }
+        open = std::move(longer);
+    }
+
+    void charge(std::size_t parts) {
+        if (poll_) poll_();
+        parts_ += parts;
+        if (parts_ > most_parts) throw TooMany();
+    }
+
+    static WholeRule finished(Changes changes) {
+        std::map<std::uint32_t, Part> parts;
+        for (const Change& change : changes.list) {
+            Part& part = parts[change.slot];
+            part.slot = change.slot;
+            if (change.event) {
+                part.event = change.event;
+                part.assigned.reset();
+            } else {
+                part.assigned = change.value;
+            }
+        }
+        WholeRule rule;
+        rule.event = changes.event;
+        for (const auto& [slot, part] : parts) rule.parts.push_back(part);
+        for (const Passage& each : changes.passages) {
+            if (each.level == no_level) continue;
+            if (each.level == 0)
+                rule.preventing.push_back(each.region);
+            else
+                rule.prevented.push_back(each);
+        }
+        return rule;
+    }
+
+    void index() {
+        result_.asking.resize(combined_.components.size());
+        result_.assigning.resize(combined_.components.size());
+        result_.preventable.resize(combined_.components.size());
+        for (std::size_t slot = 0; slot < result_.asking.size(); ++slot)
+            result_.asking[slot].resize(combined_.components[slot]->alphabet().size());
+        for (std::uint32_t number = 0; number < result_.rules.size(); ++number) {
+            const WholeRule& rule = result_.rules[number];
+            for (const Part& part : rule.parts) {
+                if (part.event) result_.asking[part.slot][*part.event].push_back(number);
+                if (part.assigned) result_.assigning[part.slot].push_back(number);
+            }
+            for (const Passage& each : rule.prevented) {
+                charge(slots_[each.region].size());
+                for (const std::uint32_t slot : slots_[each.region]) result_.preventable[slot].push_back(number);
+            }
+        }
+    }
+
+    const Supercombinator& combined_;
+    const std::function<void()>& poll_;
+    std::size_t parts_ = 0;
+    std::vector<std::vector<Changes>> inside_;       // by region, its rules
+    std::vector<std::vector<std::uint32_t>> slots_;  // by region, those below it
+    WholeRules result_;
+};
+
+}  // namespace
+
+const Part* WholeRule::part(std::uint32_t slot) const {
+    const auto found = std::lower_bound(parts.begin(), parts.end(), slot,
+                                        [](const Part& part, std::uint32_t wanted) { return part.slot < wanted; });
+    return found != parts.end() && found->slot == slot ? &*found : nullptr;
+}
+
+std::optional<WholeRules> whole_rules(const Supercombinator& combined, const std::function<void()>& poll) {
+    try {
+        return Flattening(combined, poll).run();
+    } catch (const TooMany&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace robochart::machine

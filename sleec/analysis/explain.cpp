@@ -1,0 +1,68 @@
+// See explain.hpp.
+#include "sleec/analysis/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sleec/obligations/samples.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+/// "Alarm at second 3, Help at second 4", of many the first few.
+std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
+    constexpr std::size_t most = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, conflict.besides.size()); ++i)
+        text += fmt::format("{}{} at second {}", i == 0 ? "" : ", ", rules.event(conflict.besides[i].second),
+                            conflict.besides[i].first);
+    return text + (conflict.besides.size() > most ? ", ..." : "");
+}
+
+std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
+    std::string events;
+    for (const Side& each : conflict.due) events += (events.empty() ? "" : " or ") + rules.event(each.demand.event);
+    if (conflict.for_ever) return fmt::format("{} has to come some time, and never may", events);
+    return fmt::format("at second {} {} has to come, and {}", conflict.instant, events,
+                       conflict.due.size() > 1 ? "neither may" : "may not");
+}
+
+}  // namespace
+
+std::string side_text(const Side& side, const CheckedRules& rules, const diagnostics::SourceManager& sources) {
+    const std::string values = values_text(rules, side.rule, side.values);
+    return fmt::format("{} begins at second {} with {}{}: it {} ({})", rules.name(side.rule), side.began,
+                       rules.event(rules.rules[side.rule].trigger), values.empty() ? "" : ", " + values,
+                       demand_text(rules, side.demand, side.began), sources.place(side.demand.written->span));
+}
+
+std::string values_text(const CheckedRules& rules, std::size_t rule, const Valuation& values) {
+    std::string text;
+    for (const std::size_t each : measures_of(rules.rules[rule]))
+        text += (text.empty() ? "" : ", ") + value_text(rules.measure(each), values[each]);
+    return text;
+}
+
+std::string demand_text(const CheckedRules& rules, const Demand& demand, std::int64_t began) {
+    std::string text = fmt::format("{} {}", demand.forbids ? "forbids" : "asks for", rules.event(demand.event));
+    if (demand.begin > 0) text += fmt::format(" from second {}", began + demand.begin);
+    if (demand.end == forever) return text + (demand.forbids ? " for ever" : ", without limit");
+    return text + fmt::format("{} second {}", demand.begin > 0 ? " to" : " up to", began + demand.end);
+}
+
+std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& rules,
+                                 const diagnostics::SourceManager& sources) {
+    std::vector<const Side*> sides;
+    for (const auto* each : {&conflict.due, &conflict.forbidding})
+        for (const Side& side : *each) sides.push_back(&side);
+    std::stable_sort(sides.begin(), sides.end(), [](const Side* a, const Side* b) { return a->began < b->began; });
+    std::vector<std::string> lines;
+    for (const Side* each : sides) lines.push_back(side_text(*each, rules, sources));
+    if (!conflict.besides.empty())
+        lines.push_back(fmt::format("to keep the rules before, {}", besides_text(conflict, rules)));
+    lines.push_back(end_text(conflict, rules));
+    return lines;
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,262 @@
+// See rule_system.hpp.
+#include "sleec/analysis/rule_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace robochart::sleec {
+namespace {
+
+/// Obligations that one question keeps open at once, and words for each.
+constexpr std::size_t most_open = 8;
+constexpr std::size_t words = 2;
+constexpr std::uint32_t kind_bits = 12;
+
+void check_sizes(const Obligation& obligation) {
+    if (obligation.any.size() > most_demands)
+        throw NotDecided(fmt::format("a rule has more than {} responses behind each other", most_demands));
+    for (const Demand& each : obligation.any)
+        if (each.begin > 0x7fffffff || (each.end != forever && each.end > 0x7fffffff))
+            throw NotDecided("a limit is longer than 68 years");
+}
+
+/// Every event that a demand, a trigger, or `unless EVENT` names.
+std::set<std::size_t> named_events(const CheckedRules& rules, const Question& question) {
+    std::set<std::size_t> events;
+    for (std::size_t i = 0; i < question.rules.size(); ++i) {
+        events.insert(rules.rules[question.rules[i]].trigger);
+        for (const Obligation& obligation : question.obligations[i]) {
+            for (const Demand& demand : obligation.any) events.insert(demand.event);
+            events.insert(obligation.ended_by.begin(), obligation.ended_by.end());
+        }
+    }
+    return events;
+}
+
+std::size_t interned(std::vector<Obligation>& known, const Obligation& obligation) {
+    const auto found = std::find(known.begin(), known.end(), obligation);
+    if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+    check_sizes(obligation);
+    if (known.size() + 1 >= 1U << kind_bits) throw NotDecided("a rule can ask for too many different things");
+    known.push_back(obligation);
+    return known.size() - 1;
+}
+
+}  // namespace
+
+std::optional<OpenObligation> Question::opened(const Occurrence& occurrence, std::size_t rule) const {
+    const auto& obligation = occurrence.sample.obligations[rule];
+    if (!obligation) return std::nullopt;
+    const auto& known = obligations[rule];
+    const auto found = std::find(known.begin(), known.end(), *obligation);
+    return OpenObligation{rule, static_cast<std::size_t>(found - known.begin()), {}};
+}
+
+Question make_question(const CheckedRules& rules, std::vector<std::size_t> judged, WithoutLimit without,
+                       diagnostics::Budget* budget) {
+    Question question;
+    question.rules = std::move(judged);
+    question.judged = question.rules.size();
+    for (std::size_t i = 0; i < rules.rules.size(); ++i)
+        if (rules.rules[i].assumed) question.rules.push_back(i);
+    constexpr std::size_t most_rules = 15;
+    if (question.rules.size() > most_rules)
+        throw NotDecided(fmt::format("there are more than {} assumptions", most_rules - 2));
+    question.obligations.resize(question.rules.size());
+    std::set<std::size_t> triggers;
+    for (const std::size_t rule : question.rules) triggers.insert(rules.rules[rule].trigger);
+    for (const std::size_t event : triggers)
+        for (Sample& sample : samples(rules, question.rules, event, without, budget)) {
+            for (std::size_t i = 0; i < question.rules.size(); ++i)
+                if (sample.obligations[i]) (void)interned(question.obligations[i], *sample.obligations[i]);
+            question.occurrences.push_back({event, std::move(sample)});
+        }
+    for (const std::size_t event : named_events(rules, question)) {
+        if (triggers.contains(event)) continue;
+        Sample plain{Valuation(rules.file->measures.size(), 0), {}};
+        plain.obligations.resize(question.rules.size());
+        question.occurrences.push_back({event, std::move(plain)});
+    }
+    return question;
+}
+
+namespace {
+
+/// Whether one obligation forbids an event at this instant: it would be broken by it.
+bool forbids(const Question& question, const OpenObligation& open, std::size_t event) {
+    Progress progress = open.progress;
+    return take_event(question.of(open), progress, event) == Effect::broken;
+}
+
+}  // namespace
+
+namespace {
+
+/// The first open obligation of another judged rule that forbids the event now.
+const OpenObligation* forbidding(const Question& question, const std::vector<OpenObligation>& open,
+                                 const OpenObligation& due, std::size_t event) {
+    for (const OpenObligation& each : open) {
+        if (each.rule >= question.judged || (each.rule == due.rule && question.judged > 1)) continue;
+        if (forbids(question, each, event)) return &each;
+    }
+    return nullptr;
+}
+
+std::optional<Clash> clash_of(const Question& question, const std::vector<OpenObligation>& open,
+                              const OpenObligation& due) {
+    const auto never_again = [&](std::size_t event) {
+        const OpenObligation* by = forbidding(question, open, due, event);
+        return by != nullptr && forbids_for_ever(question.of(*by), by->progress, event);
+    };
+    Clash result{due, {}};
+    std::set<std::size_t> involved{due.rule};
+    for (const Demand* demand : due_now(question.of(due), due.progress, never_again)) {
+        const OpenObligation* by = forbidding(question, open, due, demand->event);
+        if (by == nullptr) return std::nullopt;
+        result.forbidden.push_back({*by, demand->event});
+        involved.insert(by->rule);
+    }
+    if (result.forbidden.empty() || involved.size() < question.judged) return std::nullopt;
+    return result;
+}
+
+}  // namespace
+
+std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open) {
+    for (const OpenObligation& due : open)
+        if (due.rule < question.judged)
+            if (auto found = clash_of(question, open, due)) return found;
+    return std::nullopt;
+}
+
+std::size_t unasked_occurrences(const Question& question) {
+    std::size_t breakable = 0;
+    for (const auto& obligations : question.obligations)
+        for (const Obligation& each : obligations) {
+            const auto forbidding =
+                std::count_if(each.any.begin(), each.any.end(), [](const Demand& demand) { return demand.forbids; });
+            if (each.any.size() > 1) breakable = std::max(breakable, static_cast<std::size_t>(forbidding));
+        }
+    return std::max<std::size_t>(2, question.judged) + 2 * breakable;
+}
+
+RuleSystem::RuleSystem(const Question& question) : question_(question) {
+    tock_ = events_.intern("tock");
+    aside_ = events_.intern("aside");
+    for (std::size_t i = 0; i < question.occurrences.size(); ++i)
+        names_.push_back(events_.intern(fmt::format("occurrence {}", i)));
+}
+
+std::size_t RuleSystem::width() const {
+    return 1 + most_open * words;
+}
+
+void RuleSystem::initial(std::span<lts::Word> state) {
+    std::fill(state.begin(), state.end(), 0U);
+    state[0] = static_cast<lts::Word>(unasked_occurrences(question_));
+}
+
+RuleSystem::State RuleSystem::unpack(lts::StateView state) const {
+    State result;
+    result.unasked = state[0];
+    for (std::size_t i = 1; i < state.size() && state[i + 1] != 0; i += words) {
+        const std::uint32_t rest = state[i + 1] - 1;
+        OpenObligation open;
+        open.progress.elapsed = state[i];
+        open.progress.broken = rest & ((1U << most_demands) - 1);
+        open.kind = rest >> most_demands & ((1U << kind_bits) - 1);
+        open.rule = rest >> (most_demands + kind_bits);
+        result.open.push_back(open);
+    }
+    return result;
+}
+
+void RuleSystem::add(const State& state, lts::Event event, lts::SuccessorSink& sink) {
+    if (state.open.size() > most_open) {
+        left_out_ = true;
+        return;
+    }
+    std::vector<lts::Word> packed(width(), 0);
+    packed[0] = state.unasked;
+    std::size_t at = 1;
+    for (const OpenObligation& open : state.open) {
+        packed[at] = static_cast<lts::Word>(open.progress.elapsed);
+        packed[at + 1] = 1 + (open.progress.broken | static_cast<lts::Word>(open.kind) << most_demands |
+                              static_cast<lts::Word>(open.rule) << (most_demands + kind_bits));
+        at += words;
+    }
+    sink.add(event, packed, event);
+}
+
+std::optional<std::size_t> RuleSystem::occurrence(lts::Event event) const {
+    const auto found = std::find(names_.begin(), names_.end(), event);
+    if (found == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names_.begin());
+}
+
+void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
+    const State state = unpack(packed);
+    if (clash(question_, state.open)) return;
+    // What no rule of the question can go on with by itself alone is no conflict of the two.
+    sink.add(aside_, packed, aside_);
+    for (std::size_t i = 0; i < question_.occurrences.size(); ++i) take(state, i, sink);
+    tock(state, sink);
+}
+
+/// Order: fulfils and breaks first, then opens: an occurrence does nothing to the obligation that it opens.
+void RuleSystem::take(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
+    const Occurrence& taken = question_.occurrences[occurrence];
+    State next;
+    bool asked = false;
+    for (OpenObligation open : state.open) {
+        const Effect effect = take_event(question_.of(open), open.progress, taken.event);
+        if (effect == Effect::broken) return;
+        if (effect == Effect::fulfilled)
+            asked = true;
+        else
+            next.open.push_back(open);
+    }
+    if (!asked && state.unasked == 0) return;
+    next.unasked = state.unasked - (asked ? 0 : 1);
+    for (std::size_t rule = 0; rule < question_.rules.size(); ++rule)
+        if (const auto opened = question_.opened(taken, rule)) next.open.push_back(*opened);
+    simplify(next.open);
+    add(next, names_[occurrence], sink);
+}
+
+void RuleSystem::tock(const State& state, lts::SuccessorSink& sink) {
+    State next;
+    next.unasked = state.unasked;
+    for (OpenObligation open : state.open) {
+        const Effect effect = take_tock(question_.of(open), open.progress);
+        if (effect == Effect::broken) return;
+        if (effect == Effect::open) next.open.push_back(open);
+    }
+    simplify(next.open);
+    add(next, tock_, sink);
+}
+
+/// Of the same obligation opened twice, one decides: of a demand the older, of a prohibition the younger.
+bool RuleSystem::dominated(const OpenObligation& a, const OpenObligation& b) const {
+    if (a.rule != b.rule || a.kind != b.kind) return false;
+    const Obligation& obligation = question_.of(a);
+    if (obligation.any.size() != 1 || obligation.any[0].begin != 0) return a == b;
+    return obligation.any[0].forbids ? a.progress.elapsed > b.progress.elapsed
+                                     : a.progress.elapsed < b.progress.elapsed;
+}
+
+void RuleSystem::simplify(std::vector<OpenObligation>& open) const {
+    std::sort(open.begin(), open.end());
+    open.erase(std::unique(open.begin(), open.end()), open.end());
+    std::vector<OpenObligation> left;
+    for (const OpenObligation& each : open)
+        if (std::none_of(open.begin(), open.end(),
+                         [&](const OpenObligation& other) { return !(other == each) && dominated(each, other); }))
+            left.push_back(each);
+    open = std::move(left);
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,367 @@
+// See check.hpp.
+#include "sleec/checks/check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "diagnostics/spelling.hpp"
+#include "sleec/checks/rules.hpp"
+#include "sleec/syntax/printer.hpp"
+#include "sleec/syntax/rules.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+/// What a part of a condition is. `literal`: of which scale is known by what it is compared with.
+enum class Type { truth, number, scale, literal, wrong };
+
+const char* type_text(Type type) {
+    if (type == Type::truth) return "true or false";
+    return type == Type::number ? "a number" : "a value of a scale";
+}
+
+struct Typed {
+    Condition condition;
+    Type type = Type::wrong;
+};
+
+class Checker {
+public:
+    Checker(const RuleFile& file, diagnostics::Diagnostics& diagnostics)
+        : diagnostics_(diagnostics),
+          result_{std::make_shared<const RuleFile>(file), {}, {}, {}},
+          file_(*result_.file) {}
+
+    std::optional<CheckedRules> run() {
+        declare();
+        for (const Rule& rule : file_.rules) result_.rules.push_back(checked(rule));
+        for (const Property& each : file_.concerns) result_.concerns.push_back(checked(each));
+        for (const Property& each : file_.purposes) result_.purposes.push_back(checked(each));
+        mappings();
+        if (!diagnostics_.ok()) return std::nullopt;
+        return std::move(result_);
+    }
+
+private:
+    // names
+
+    void declare() {
+        for (std::size_t i = 0; i < file_.events.size(); ++i) declare(file_.events[i].name, events_, i);
+        for (std::size_t i = 0; i < file_.measures.size(); ++i) {
+            const Measure& measure = file_.measures[i];
+            declare(measure.name, measures_, i);
+            std::set<std::string> own;
+            for (const Name& literal : measure.literals) {
+                literals_.insert(literal.text);
+                if (!own.insert(literal.text).second)
+                    diagnostics_.report(rules::declared_twice, literal.span, {literal.text});
+            }
+        }
+        for (std::size_t i = 0; i < file_.constants.size(); ++i) declare(file_.constants[i].name, constants_, i);
+        for (const Constant& each : file_.constants) refuse_circle(each);
+        std::map<std::string, Span> named;
+        for (const Rule& rule : file_.rules) {
+            const auto [first, added] = named.emplace(rule.name.text, rule.name.span);
+            if (added) continue;
+            auto& finding = diagnostics_.report(rules::rule_named_twice, rule.name.span, {rule.name.text});
+            finding.notes.push_back({first->second, "the other one"});
+        }
+    }
+
+    void declare(const Name& name, std::map<std::string, std::size_t>& table, std::size_t index) {
+        if (const auto [first, added] = declared_.emplace(name.text, name.span); !added) {
+            auto& finding = diagnostics_.report(rules::declared_twice, name.span, {name.text});
+            finding.notes.push_back({first->second, "declared here too"});
+            return;
+        }
+        table.emplace(name.text, index);
+    }
+
+    [[nodiscard]] std::string kind_of(const std::string& name) const {
+        if (events_.contains(name)) return "an event";
+        if (measures_.contains(name)) return "a measure";
+        if (constants_.contains(name)) return "a constant";
+        return literals_.contains(name) ? "a value of a scale" : "";
+    }
+
+    /// Reports that a name is not what is needed here, with the nearest that is.
+    void not_found(const std::string& name, Span span, const std::string& kind,
+                   std::initializer_list<const std::map<std::string, std::size_t>*> tables) {
+        if (const std::string other = kind_of(name); !other.empty()) {
+            diagnostics_.report(rules::wrong_kind, span, {name, other, kind});
+            return;
+        }
+        std::vector<std::string> names;
+        for (const auto* table : tables)
+            for (const auto& [each, index] : *table) names.push_back(each);
+        const std::string noun = kind.substr(kind.find(' ') + 1);
+        auto& finding = diagnostics_.report(rules::unknown_name, span, {noun, name});
+        const std::string meant = diagnostics::nearest(name, names);
+        if (!meant.empty())
+            finding.fixes.push_back({span, meant, diagnostics::suggested(diagnostics::is_certain(name, meant, names))});
+    }
+
+    std::size_t event(const Name& name) {
+        if (const auto found = events_.find(name.text); found != events_.end()) return found->second;
+        not_found(name.text, name.span, "an event", {&events_});
+        return 0;
+    }
+
+    void mappings() {
+        for (const Mapping& each : file_.mappings)
+            if (!events_.contains(each.name.text) && !measures_.contains(each.name.text))
+                not_found(each.name.text, each.name.span, "an event or measure", {&events_, &measures_});
+    }
+
+    // numbers
+
+    /// The first constant of a circle is reported, once.
+    void refuse_circle(const Constant& constant) {
+        std::set<std::string> seen{constant.name.text};
+        const Expr* at = constant.value.get();
+        for (auto found = constants_.find(at->text); at->op == Op::name && found != constants_.end();
+             found = constants_.find(at->text)) {
+            if (!seen.insert(at->text).second) {
+                if (at->text == constant.name.text && circles_.insert(at->text).second)
+                    diagnostics_.report(rules::circular_constant, constant.value->span, {constant.name.text});
+                circles_.insert(seen.begin(), seen.end());
+                return;
+            }
+            at = file_.constants[found->second].value.get();
+        }
+        if (at == constant.value.get() && at->op == Op::name) (void)number(constant.value);
+    }
+
+    /// A number, or the constant that leads to one.
+    std::int64_t number(const ExprPtr& expr) {
+        std::set<std::string> seen;
+        const Expr* at = expr.get();
+        while (at->op == Op::name) {
+            const auto found = constants_.find(at->text);
+            if (found == constants_.end()) {
+                not_found(at->text, at->span, "a constant", {&constants_});
+                return 0;
+            }
+            if (!seen.insert(at->text).second) return 0;  // reported where it is defined
+            at = file_.constants[found->second].value.get();
+        }
+        // What is too large is an error already.
+        return at->text.size() > 10 ? 0 : std::stoll(at->text);
+    }
+
+    void limit(const Limit& written, Duty& duty) {
+        const std::int64_t unit = seconds_of(written.unit);
+        duty.to = number(written.to) * unit;
+        if (!written.from) return;
+        duty.from = number(written.from) * unit;
+        if (*duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
+    }
+
+    // conditions
+
+    Typed typed(const ExprPtr& expr) {
+        Typed result;
+        result.condition.op = expr->op;
+        result.condition.written = expr.get();
+        switch (expr->op) {
+            case Op::truth:
+                result.condition.value = expr->text == "true" ? 1 : 0;
+                result.type = Type::truth;
+                return result;
+            case Op::number:
+                result.condition.value = number(expr);
+                result.type = Type::number;
+                return result;
+            case Op::name:
+                return named(expr);
+            case Op::negation:
+            case Op::conjunction:
+            case Op::disjunction:
+                return combined(expr, Type::truth, Type::truth);
+            case Op::add:
+            case Op::subtract:
+            case Op::multiply:
+                return combined(expr, Type::number, Type::number);
+            default:
+                return compared(expr);
+        }
+    }
+
+    Typed named(const ExprPtr& expr) {
+        Typed result;
+        result.condition.written = expr.get();
+        if (const auto found = measures_.find(expr->text); found != measures_.end()) {
+            result.condition.op = Op::name;
+            result.condition.measure = found->second;
+            const MeasureType type = file_.measures[found->second].type;
+            result.type = type == MeasureType::boolean   ? Type::truth
+                          : type == MeasureType::numeric ? Type::number
+                                                         : Type::scale;
+        } else if (constants_.contains(expr->text)) {
+            result.condition.value = number(expr);
+            result.type = Type::number;
+        } else if (literals_.contains(expr->text)) {
+            result.type = Type::literal;
+        } else {
+            not_found(expr->text, expr->span, "a measure", {&measures_, &constants_});
+        }
+        return result;
+    }
+
+    Typed combined(const ExprPtr& expr, Type wanted, Type made) {
+        Typed result;
+        result.condition.op = expr->op;
+        result.condition.written = expr.get();
+        result.type = made;
+        for (const ExprPtr& part : expr->parts) {
+            Typed each = typed(part);
+            expect(each, wanted, *part);
+            result.condition.parts.push_back(std::move(each.condition));
+        }
+        return result;
+    }
+
+    void expect(const Typed& part, Type wanted, const Expr& written) {
+        if (part.type == wanted || part.type == Type::wrong) return;
+        diagnostics_.report(rules::wrong_type, written.span,
+                            {fmt::format("'{}' is {}, not {}", written.text.empty() ? "this" : written.text,
+                                         type_text(part.type), type_text(wanted))});
+    }
+
+    Typed compared(const ExprPtr& expr) {
+        Typed left = typed(expr->parts[0]);
+        Typed right = typed(expr->parts[1]);
+        Typed result;
+        result.type = Type::truth;
+        result.condition.op = expr->op;
+        result.condition.written = expr.get();
+        if (left.type == Type::scale && right.type == Type::literal)
+            place(right, left.condition.measure, *expr->parts[1]);
+        else if (left.type == Type::literal && right.type == Type::scale)
+            place(left, right.condition.measure, *expr->parts[0]);
+        else if ((left.type != Type::number || right.type != Type::number) && left.type != Type::wrong &&
+                 right.type != Type::wrong)
+            diagnostics_.report(
+                rules::wrong_type, expr->span,
+                {fmt::format("{} cannot be compared with {}", type_text(left.type), type_text(right.type))});
+        result.condition.parts = {std::move(left.condition), std::move(right.condition)};
+        return result;
+    }
+
+    /// The literal's place on the scale of that measure.
+    void place(Typed& literal, std::size_t measure, const Expr& written) {
+        const Measure& scale = file_.measures[measure];
+        const auto index = place_on(scale, written.text);
+        literal.condition.op = Op::number;
+        if (index) {
+            literal.condition.value = *index;
+            return;
+        }
+        std::vector<std::string> values;
+        for (const Name& each : scale.literals) values.push_back(each.text);
+        for (const Measure& other : file_.measures) {
+            const auto elsewhere = place_on(other, written.text);
+            if (file_.dialect != Dialect::legos || !elsewhere || *elsewhere >= static_cast<int>(values.size()))
+                continue;
+            literal.condition.value = *elsewhere;
+            diagnostics_.report(rules::literal_by_place, written.span,
+                                {written.text, scale.name.text, fmt::format("{}", fmt::join(values, ", ")),
+                                 values[static_cast<std::size_t>(*elsewhere)]});
+            return;
+        }
+        diagnostics_.report(
+            rules::wrong_type, written.span,
+            {fmt::format("'{}' is no value of {} ({})", written.text, scale.name.text, fmt::join(values, ", "))});
+    }
+
+    static std::optional<int> place_on(const Measure& scale, const std::string& literal) {
+        const auto found = std::find_if(scale.literals.begin(), scale.literals.end(),
+                                        [&](const Name& each) { return each.text == literal; });
+        if (found == scale.literals.end()) return std::nullopt;
+        return static_cast<int>(found - scale.literals.begin());
+    }
+
+    std::optional<Condition> condition(const ExprPtr& expr) {
+        if (!expr) return std::nullopt;
+        Typed whole = typed(expr);
+        expect(whole, Type::truth, *expr);
+        return std::move(whole.condition);
+    }
+
+    // rules
+
+    DutyPtr duty(const Response& written) {
+        Duty result;
+        result.written = &written;
+        result.forbids = written.negated;
+        result.event = event(written.event);
+        if (written.limit) limit(*written.limit, result);
+        if (written.otherwise) result.otherwise = duty(*written.otherwise);
+        for (const Defeater& each : written.defeaters) result.defeaters.push_back(defeater(each));
+        return std::make_shared<const Duty>(std::move(result));
+    }
+
+    CheckedDefeater defeater(const Defeater& written) {
+        CheckedDefeater result;
+        result.written = &written;
+        const Expr& expr = *written.condition;
+        if (expr.op == Op::name && !expr.braced && !written.response && events_.contains(expr.text)) {
+            result.event = events_.at(expr.text);
+            diagnostics_.report(rules::extension, written.span, {"unless EVENT"});
+        } else {
+            result.condition = *condition(written.condition);
+        }
+        if (written.response) result.duty = duty(*written.response);
+        return result;
+    }
+
+    CheckedRule checked(const Rule& written) {
+        CheckedRule result;
+        result.written = &written;
+        result.assumed = written.assumed;
+        result.trigger = event(written.trigger.event);
+        result.condition = condition(written.trigger.condition);
+        result.duty = duty(*written.response);
+        if (written.form == RuleForm::at_least) {  // no sooner than N: not in the N seconds before that
+            Duty before = *result.duty;
+            before.to = *before.to - 1;
+            result.duty = std::make_shared<const Duty>(std::move(before));
+        }
+        return result;
+    }
+
+    CheckedProperty checked(const Property& written) {
+        CheckedProperty result;
+        result.written = &written;
+        result.exists = written.exists;
+        result.trigger = event(written.trigger.event);
+        result.condition = condition(written.trigger.condition);
+        if (written.response) result.duty = duty(*written.response);
+        if (written.during) {
+            result.during = event(written.during->event);
+            result.during_condition = condition(written.during->condition);
+        }
+        return result;
+    }
+
+    diagnostics::Diagnostics& diagnostics_;
+    CheckedRules result_;
+    const RuleFile& file_;
+    std::map<std::string, Span> declared_;
+    std::map<std::string, std::size_t> events_, measures_, constants_;
+    std::set<std::string> literals_;
+    std::set<std::string> circles_;  ///< constants of circles that are reported
+};
+
+}  // namespace
+
+std::optional<CheckedRules> check(const RuleFile& file, diagnostics::Diagnostics& diagnostics) {
+    return Checker(file, diagnostics).run();
+}
+
+}  // namespace robochart::sleec

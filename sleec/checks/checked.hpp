@@ -1,0 +1,81 @@
+// Rules with names followed and types checked: events and measures by number, constants as values, times in seconds.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sleec/syntax/syntax.hpp"
+
+namespace robochart::sleec {
+
+/// A condition whose names are followed. Truth values are 0 and 1, values of a scale its places from 0.
+struct Condition {
+    Op op = Op::number;       ///< `number`: `value`; `name`: the measure
+    std::int64_t value = 0;   ///< of a number
+    std::size_t measure = 0;  ///< of a name
+    std::vector<Condition> parts;
+    const Expr* written = nullptr;
+};
+
+/// A value for each measure of the file.
+using Valuation = std::vector<std::int64_t>;
+/// The value of a condition, or of a number in it.
+[[nodiscard]] std::int64_t evaluate(const Condition& condition, const Valuation& values);
+
+struct Duty;
+using DutyPtr = std::shared_ptr<const Duty>;
+
+struct CheckedDefeater {
+    Condition condition;               ///< over measures; of no meaning where an event defeats
+    std::optional<std::size_t> event;  ///< extension: this event ends the duty
+    DutyPtr duty;                      ///< null: none is left
+    const Defeater* written = nullptr;
+};
+
+/// What a response asks for.
+struct Duty {
+    bool forbids = false;
+    std::size_t event = 0;
+    std::int64_t from = 0;           ///< seconds
+    std::optional<std::int64_t> to;  ///< seconds, inclusive; nothing: no limit. Below `from`: the duty is empty
+    DutyPtr otherwise;               ///< null: none
+    std::vector<CheckedDefeater> defeaters;
+    const Response* written = nullptr;
+};
+
+struct CheckedRule {
+    std::size_t trigger = 0;
+    std::optional<Condition> condition;
+    DutyPtr duty;
+    bool assumed = false;
+    const Rule* written = nullptr;
+};
+
+struct CheckedProperty {
+    bool exists = false;
+    std::size_t trigger = 0;
+    std::optional<Condition> condition;
+    DutyPtr duty;                       ///< null: exists
+    std::optional<std::size_t> during;  ///< `while` this event
+    std::optional<Condition> during_condition;
+    const Property* written = nullptr;
+};
+
+/// A file that follows the rules of the language.
+struct CheckedRules {
+    std::shared_ptr<const RuleFile> file;  ///< what `written` points into
+    std::vector<CheckedRule> rules;
+    std::vector<CheckedProperty> concerns, purposes;
+
+    [[nodiscard]] const std::string& event(std::size_t index) const { return file->events[index].name.text; }
+    [[nodiscard]] const Measure& measure(std::size_t index) const { return file->measures[index]; }
+    [[nodiscard]] const std::string& name(std::size_t rule) const { return rules[rule].written->name.text; }
+};
+
+/// "near", "level = 3", "load = high": a measure with its value as people write it.
+[[nodiscard]] std::string value_text(const Measure& measure, std::int64_t value);
+
+}  // namespace robochart::sleec

@@ -1,0 +1,406 @@
+// See watch.hpp. docs/rules-language.md, "Whether a model obeys".
+#include "sleec/conformance/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "sleec/obligations/open.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+namespace build = cspm::build;
+using build::Exprs;
+using cspm::DeclPtr;
+using cspm::ExprKind;
+using Tree = cspm::ExprPtr;
+
+constexpr const char* broken_event = "sleec_broken";
+constexpr const char* asked_event = "sleec_asked";
+constexpr const char* free_process = "sleec_Free";
+constexpr const char* idle_process = "sleec_Idle";
+constexpr const char* all_events = "sleec_events";
+constexpr std::size_t most_ways = 4096;
+
+Tree time() {
+    return build::name("t");
+}
+
+Tree at_most(std::int64_t second) {
+    return build::binary(ExprKind::less_equal, time(), build::number(second));
+}
+
+/// Whether the second is in the demand's window.
+Tree within(const Demand& demand) {
+    Exprs conditions;
+    if (demand.begin > 0)
+        conditions.push_back(build::binary(ExprKind::greater_equal, time(), build::number(demand.begin)));
+    if (demand.end != forever) conditions.push_back(at_most(demand.end));
+    return build::all_of(std::move(conditions));
+}
+
+/// Whether a demand that the event has to come can still be fulfilled.
+Tree some_left(const Obligation& obligation) {
+    Exprs conditions;
+    for (const Demand& each : obligation.any) {
+        if (each.forbids) continue;
+        if (each.end == forever) return build::boolean(true);
+        conditions.push_back(at_most(each.end));
+    }
+    return build::any_of(std::move(conditions));
+}
+
+const Demand* prohibition(const Obligation& obligation) {
+    for (const Demand& each : obligation.any)
+        if (each.forbids) return &each;
+    return nullptr;
+}
+
+/// Behind this second only windows without end are open.
+std::int64_t last_second(const Obligation& obligation) {
+    std::int64_t last = 0;
+    for (const Demand& each : obligation.any) last = std::max(last, each.end == forever ? each.begin : each.end + 1);
+    return last;
+}
+
+std::string open_process(std::size_t obligation, bool broken) {
+    return fmt::format("sleec_Open{}{}", obligation, broken ? "b" : "");
+}
+
+std::string variable(std::size_t place) {
+    return fmt::format("k{}", place);
+}
+
+Tree breaks() {
+    return build::prefix(build::name(broken_event), build::stop());
+}
+
+}  // namespace
+
+Watch::Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process)
+    : rules_(rules), rule_(rule), linking_(linking), process_(std::move(process)) {
+    find_classes();
+    find_ways();
+}
+
+std::optional<std::size_t> Watch::way_of(const std::string& event) {
+    const std::string prefix = std::string(asked_event) + ".";
+    if (!event.starts_with(prefix)) return std::nullopt;
+    std::size_t way = 0;
+    const auto [end, error] = std::from_chars(event.data() + prefix.size(), event.data() + event.size(), way);
+    return error == std::errc() ? std::optional(way) : std::nullopt;
+}
+
+// ---------------------------------------------------------------- values
+
+/// Numbers: below, at and between the constants that they are compared with. The rule tells no others apart.
+void Watch::find_classes() {
+    const CheckedRule& rule = rules_.rules[rule_];
+    const auto values = representatives(rules_, {rule_});
+    if (compares_measures(rule)) throw NotDecided("a condition compares two measures of the model");
+    for (const std::size_t measure : measures_of(rule)) {
+        Followed followed;
+        followed.measure = measure;
+        if (rules_.measure(measure).type != MeasureType::numeric) {
+            followed.representatives = followed.classes = values[measure];
+            followed_.push_back(std::move(followed));
+            continue;
+        }
+        followed.constants = constants_of(rule, measure);
+        for (std::size_t i = 0; i <= followed.constants.size(); ++i) {
+            const bool first = i == 0, last = i == followed.constants.size();
+            const std::int64_t between = first ? (last ? 0 : followed.constants[0] - 1) : followed.constants[i - 1] + 1;
+            if (first || last || between < followed.constants[i]) {
+                followed.classes.push_back(static_cast<std::int64_t>(2 * i));
+                followed.representatives.push_back(between);
+            }
+            if (last) continue;
+            followed.classes.push_back(static_cast<std::int64_t>(2 * i + 1));
+            followed.representatives.push_back(followed.constants[i]);
+        }
+        followed_.push_back(std::move(followed));
+    }
+}
+
+Tree Watch::class_of(const Followed& followed, const Tree& value) const {
+    const Measure& measure = rules_.measure(followed.measure);
+    if (measure.type == MeasureType::boolean) return build::if_(value, build::number(1), build::number(0));
+    Tree result;
+    if (measure.type == MeasureType::scale) {
+        const auto& literals = linking_.measures[followed.measure]->literals;
+        result = build::number(static_cast<std::int64_t>(literals.size()) - 1);
+        for (std::size_t i = literals.size() - 1; i > 0; --i)
+            result = build::if_(build::binary(ExprKind::equal, value, build::name(literals[i - 1])),
+                                build::number(static_cast<std::int64_t>(i) - 1), result);
+        return result;
+    }
+    result = build::number(static_cast<std::int64_t>(2 * followed.constants.size()));
+    for (std::size_t i = followed.constants.size(); i > 0; --i) {
+        const Tree constant = build::number(followed.constants[i - 1]);
+        const auto place = static_cast<std::int64_t>(2 * i);
+        result = build::if_(build::binary(ExprKind::equal, value, constant), build::number(place - 1), result);
+        result = build::if_(build::binary(ExprKind::less, value, constant), build::number(place - 2), result);
+    }
+    return result;
+}
+
+std::size_t Watch::obligation(const Obligation& obligation) {
+    const auto found = std::find(obligations_.begin(), obligations_.end(), obligation);
+    if (found != obligations_.end()) return static_cast<std::size_t>(found - obligations_.begin());
+    if (std::count_if(obligation.any.begin(), obligation.any.end(), [](const Demand& each) { return each.forbids; }) >
+        1)
+        throw NotDecided("a rule with several prohibitions behind each other");
+    obligations_.push_back(obligation);
+    return obligations_.size() - 1;
+}
+
+/// All combinations of classes, in the order in which `started` asks for them.
+void Watch::find_ways() {
+    std::vector<std::size_t> at(followed_.size(), 0);
+    for (;;) {
+        Valuation values(rules_.file->measures.size(), 0);
+        for (std::size_t i = 0; i < at.size(); ++i) values[followed_[i].measure] = followed_[i].representatives[at[i]];
+        const auto asked = obligation_of(rules_.rules[rule_], values, WithoutLimit::eventually);
+        ways_.push_back({values, asked ? obligation(*asked) : obligations_.max_size()});
+        if (ways_.size() > most_ways)
+            throw NotDecided(fmt::format("the measures have more than {} combinations of values", most_ways));
+        std::size_t i = at.size();
+        while (i > 0 && ++at[i - 1] == followed_[i - 1].classes.size()) at[--i] = 0;
+        if (i == 0) return;
+    }
+}
+
+// ---------------------------------------------------------------- processes
+
+std::vector<std::size_t> Watch::event_indices() const {
+    std::set<std::size_t> events{rules_.rules[rule_].trigger};
+    for (const Obligation& each : obligations_) {
+        for (const Demand& demand : each.any) events.insert(demand.event);
+        events.insert(each.ended_by.begin(), each.ended_by.end());
+    }
+    return {events.begin(), events.end()};
+}
+
+Tree Watch::named_events() const {
+    Exprs items;
+    for (const std::size_t each : event_indices()) items.push_back(build::name(linking_.events[each].value()));
+    for (const Followed& each : followed_)
+        if (const auto& linked = linking_.measures[each.measure]) items.push_back(build::name(linked->channel));
+    items.push_back(build::name("tock"));
+    return build::productions(std::move(items));
+}
+
+/// Measures that the component has not read at this instant may have any value; one that it reads later at this instant
+/// has the value that was assumed, or the run is none. `from`: the measures before it are decided.
+Tree Watch::started(std::size_t from, Valuation classes) const {
+    if (from == followed_.size()) {
+        std::size_t way = 0;
+        for (std::size_t i = 0; i < followed_.size(); ++i) {
+            const auto& known = followed_[i].classes;
+            const auto place = std::find(known.begin(), known.end(), classes[i]) - known.begin();
+            way = way * known.size() + static_cast<std::size_t>(place);
+        }
+        if (ways_[way].obligation >= obligations_.size()) return build::name(free_process);
+        Exprs arguments{build::number(0)};
+        for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::name(fmt::format("a{}", i)));
+        return build::prefix(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(way))}),
+                             build::call(open_process(ways_[way].obligation, false), std::move(arguments)));
+    }
+    Tree result;
+    const auto& known = followed_[from].classes;
+    for (auto each = known.rbegin(); each != known.rend(); ++each) {
+        classes.push_back(*each);
+        const Tree then = started(from + 1, classes);
+        classes.pop_back();
+        result = result ? build::if_(build::binary(ExprKind::equal, build::name(variable(from)), build::number(*each)),
+                                     then, result)
+                        : then;
+    }
+    return result;
+}
+
+/// sleec_Start0(k..): -1 is what is not known, and is assumed; a.. is what was assumed and not yet seen.
+std::vector<DeclPtr> Watch::starting() const {
+    std::vector<DeclPtr> result;
+    const std::size_t count = followed_.size();
+    const auto named = [](std::size_t place) { return fmt::format("sleec_Start{}", place); };
+    for (std::size_t i = 0; i <= count; ++i) {
+        std::vector<std::string> parameters;
+        for (std::size_t k = 0; k < count; ++k) parameters.push_back(variable(k));
+        for (std::size_t k = 0; k < i; ++k) parameters.push_back(fmt::format("a{}", k));
+        const auto with = [&](const Tree& value, const Tree& assumed) {
+            Exprs arguments;
+            for (const std::string& each : parameters) arguments.push_back(build::name(each));
+            if (i < count) arguments[i] = value;
+            arguments.push_back(assumed);
+            return build::call(named(i + 1), std::move(arguments));
+        };
+        Tree body;
+        if (i == count) {
+            body = started(0, {});
+        } else {
+            Exprs assumed;
+            for (const std::int64_t each : followed_[i].classes)
+                assumed.push_back(with(build::number(each), build::number(each)));
+            const Tree value = build::name(variable(i));
+            body = build::if_(build::binary(ExprKind::equal, value, build::number(-1)),
+                              build::internal_choice(std::move(assumed)), with(value, build::number(-1)));
+        }
+        result.push_back(build::function_decl(named(i), build::variables(parameters), body));
+    }
+    return result;
+}
+
+/// A call of a process with the measures of a state, one of them replaced.
+Tree Watch::after_reading(const std::string& process, std::size_t place, Exprs first) const {
+    for (std::size_t i = 0; i < followed_.size(); ++i)
+        first.push_back(i == place
+                            ? (process == idle_process ? class_of(followed_[i], build::name("v")) : build::number(-1))
+                            : build::name(variable(i)));
+    return build::call(process, std::move(first));
+}
+
+/// Any trigger may be the one that is followed.
+std::vector<DeclPtr> Watch::idle() const {
+    Exprs measures, unknown;
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        parameters.push_back(variable(i));
+        measures.push_back(build::name(variable(i)));
+        unknown.push_back(build::number(-1));
+    }
+    const auto any_of_channel = [](const std::string& channel, const Tree& then) {
+        return build::replicated(ExprKind::replicated_external,
+                                 {build::generator("x", build::productions({build::name(channel)}))},
+                                 build::prefix(build::name("x"), then));
+    };
+    Exprs choices;
+    const std::string trigger = linking_.events[rules_.rules[rule_].trigger].value();
+    for (const std::size_t each : event_indices())
+        choices.push_back(any_of_channel(linking_.events[each].value(), build::call(idle_process, measures)));
+    choices.push_back(any_of_channel(trigger, build::call("sleec_Start0", measures)));
+    for (std::size_t i = 0; i < followed_.size(); ++i)
+        if (const auto& linked = linking_.measures[followed_[i].measure])
+            choices.push_back(build::prefix(build::name(linked->channel), {build::input("d"), build::input("v")},
+                                            after_reading(idle_process, i, {})));
+    choices.push_back(build::prefix(build::name("tock"), build::call(idle_process, unknown)));
+    return {build::function_decl(idle_process, build::variables(parameters), build::choice(std::move(choices)))};
+}
+
+/// As take_event (obligations/open.hpp).
+Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
+    const Obligation& obligation = obligations_[index];
+    const auto& ended_by = obligation.ended_by;
+    if (std::find(ended_by.begin(), ended_by.end(), event) != ended_by.end()) return build::name(free_process);
+    Exprs same{time()};
+    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(variable(i)));
+    Tree result = build::call(open_process(index, broken), same);
+    const Demand* forbidden = prohibition(obligation);
+    if (forbidden != nullptr && forbidden->event == event && !broken)
+        result = build::if_(within(*forbidden),
+                            build::if_(some_left(obligation), build::call(open_process(index, true), same), breaks()),
+                            result);
+    Exprs fulfilled;
+    for (const Demand& each : obligation.any)
+        if (!each.forbids && each.event == event) fulfilled.push_back(within(each));
+    return fulfilled.empty() ? result
+                             : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
+}
+
+/// As take_tock: `t` is the second that ends.
+Tree Watch::on_tock(std::size_t index, bool broken) const {
+    const Obligation& obligation = obligations_[index];
+    const std::int64_t last = last_second(obligation);
+    const Tree next = build::binary(ExprKind::plus, time(), build::number(1));
+    Exprs arguments{build::if_(build::binary(ExprKind::less, time(), build::number(last)), next, time())};
+    for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::number(-1));
+    Tree result = build::call(open_process(index, broken), std::move(arguments));
+    const auto ends_now = [&](const Demand& each) {
+        return build::binary(ExprKind::less_equal, build::number(each.end), time());
+    };
+    const Demand* forbidden = prohibition(obligation);
+    if (forbidden != nullptr && !broken)
+        return forbidden->end == forever ? result : build::if_(ends_now(*forbidden), build::name(free_process), result);
+    Exprs over;
+    for (const Demand& each : obligation.any) {
+        if (each.forbids) continue;
+        if (each.end == forever) return result;
+        over.push_back(ends_now(each));
+    }
+    return build::if_(build::all_of(std::move(over)), breaks(), result);
+}
+
+std::vector<DeclPtr> Watch::open(std::size_t index) const {
+    std::vector<DeclPtr> result;
+    std::vector<std::string> parameters{"t"};
+    for (std::size_t i = 0; i < followed_.size(); ++i) parameters.push_back(variable(i));
+    for (const bool broken : {false, true}) {
+        if (broken && prohibition(obligations_[index]) == nullptr) continue;
+        Exprs choices;
+        for (const std::size_t each : event_indices())
+            choices.push_back(build::replicated(
+                ExprKind::replicated_external,
+                {build::generator("x", build::productions({build::name(linking_.events[each].value())}))},
+                build::prefix(build::name("x"), on_event(index, broken, each))));
+        for (std::size_t i = 0; i < followed_.size(); ++i) {
+            const auto& linked = linking_.measures[followed_[i].measure];
+            if (!linked) continue;
+            const Tree assumed = build::name(variable(i));
+            const Tree other =
+                build::all_of({build::binary(ExprKind::greater_equal, assumed, build::number(0)),
+                               build::binary(ExprKind::not_equal, assumed, class_of(followed_[i], build::name("v")))});
+            choices.push_back(build::prefix(
+                build::name(linked->channel), {build::input("d"), build::input("v")},
+                build::if_(other, build::name(free_process), after_reading(open_process(index, broken), i, {time()}))));
+        }
+        choices.push_back(build::prefix(build::name("tock"), on_tock(index, broken)));
+        result.push_back(build::function_decl(open_process(index, broken), build::variables(parameters),
+                                              build::choice(std::move(choices))));
+    }
+    return result;
+}
+
+std::vector<DeclPtr> Watch::declarations() const {
+    std::vector<DeclPtr> result{
+        build::channel({broken_event}),
+        build::channel({asked_event},
+                       build::set_range(build::number(0), build::number(static_cast<std::int64_t>(ways_.size()) - 1))),
+        build::value(all_events, named_events()),
+        build::value(free_process,
+                     build::replicated(ExprKind::replicated_external, {build::generator("x", build::name(all_events))},
+                                       build::prefix(build::name("x"), build::name(free_process)))),
+        build::value("sleec_Over", build::prefix(build::name("tock"), build::name("sleec_Over")))};
+    const auto add = [&](std::vector<DeclPtr> more) { result.insert(result.end(), more.begin(), more.end()); };
+    add(idle());
+    add(starting());
+    for (std::size_t i = 0; i < obligations_.size(); ++i) add(open(i));
+    return result;
+}
+
+/// A component that has ended does nothing more, but time goes on.
+Tree Watch::both_showing(const Tree& events) const {
+    Exprs unknown;
+    for (std::size_t i = 0; i < followed_.size(); ++i) unknown.push_back(build::number(-1));
+    const Tree component = build::sequential({process_, build::name("sleec_Over")});
+    const Tree both =
+        build::parallel(component, build::name(all_events), build::call(idle_process, std::move(unknown)));
+    return build::hide(both, build::call("diff", {build::name("Events"), events}));
+}
+
+DeclPtr Watch::obeyed() const {
+    return build::assert_refines(build::stop(), cspm::Model::traces,
+                                 both_showing(build::set({build::name(broken_event)})));
+}
+
+DeclPtr Watch::never_asked(const std::vector<std::size_t>& ways) const {
+    Exprs events;
+    for (const std::size_t each : ways)
+        events.push_back(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(each))}));
+    return build::assert_refines(build::stop(), cspm::Model::traces, both_showing(build::set(std::move(events))));
+}
+
+}  // namespace robochart::sleec

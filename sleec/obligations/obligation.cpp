@@ -1,0 +1,115 @@
+// See obligation.hpp.
+#include "sleec/obligations/obligation.hpp"
+
+#include <algorithm>
+
+namespace robochart::sleec {
+namespace {
+
+/// Collects demands from the response in force to what stands behind each `otherwise`.
+class Collector {
+public:
+    Collector(const Valuation& values, WithoutLimit without) : values_(values), without_(without) {}
+
+    std::optional<Obligation> collect(const DutyPtr& duty) {
+        DutyPtr at = in_force(duty);
+        std::int64_t begin = 0;
+        while (at) {
+            if (at->to && *at->to < at->from) return std::nullopt;  // at least 0 seconds: nothing is asked
+            const bool open = !at->to && without_ == WithoutLimit::eventually;
+            const std::int64_t length = at->to.value_or(0);
+            result_.any.push_back(
+                {at->forbids, at->event, begin + at->from, open ? forever : begin + length, at->written});
+            if (!at->otherwise || open) return std::move(result_);
+            begin += length;
+            at = in_force(at->otherwise);
+        }
+        return std::nullopt;  // nothing is asked in the end, so all is fulfilled
+    }
+
+private:
+    /// The last defeater whose condition is true decides; its response is judged by its own defeaters in turn.
+    DutyPtr in_force(DutyPtr duty) {
+        while (duty) {
+            const CheckedDefeater* last = nullptr;
+            for (const CheckedDefeater& each : duty->defeaters) {
+                if (each.event)
+                    result_.ended_by.push_back(*each.event);
+                else if (evaluate(each.condition, values_) != 0)
+                    last = &each;
+            }
+            if (last == nullptr) return duty;
+            duty = last->duty;
+        }
+        return nullptr;
+    }
+
+    const Valuation& values_;
+    WithoutLimit without_;
+    Obligation result_;
+};
+
+struct Window {
+    std::int64_t begin, end;
+};
+
+/// Whether `window` is covered by these.
+bool covered(Window window, std::vector<Window> by) {
+    std::sort(by.begin(), by.end(), [](const Window& a, const Window& b) { return a.begin < b.begin; });
+    for (const Window& each : by) {
+        if (each.begin > window.begin) return false;
+        if (each.end == forever || each.end >= window.end) return true;
+        window.begin = std::max(window.begin, each.end + 1);
+    }
+    return window.begin > window.end;
+}
+
+/// The windows of the demands of one kind for an event.
+std::vector<Window> windows(const Obligation& obligation, bool forbids, std::size_t event) {
+    std::vector<Window> result;
+    for (const Demand& each : obligation.any)
+        if (each.forbids == forbids && each.event == event) result.push_back({each.begin, each.end});
+    return result;
+}
+
+/// Whether a prohibition in `of` cannot be broken without breaking what is assumed: outside of `free`, the event
+/// would fulfil a positive demand of the same obligation.
+bool some_prohibition_within(const Obligation& of, std::size_t event, const std::vector<Window>& assumed) {
+    std::vector<Window> closed = windows(of, false, event);
+    closed.insert(closed.end(), assumed.begin(), assumed.end());
+    const std::vector<Window> prohibitions = windows(of, true, event);
+    return std::any_of(prohibitions.begin(), prohibitions.end(), [&](Window each) { return covered(each, closed); });
+}
+
+}  // namespace
+
+bool always_fulfilled(const Obligation& obligation) {
+    return std::any_of(obligation.any.begin(), obligation.any.end(), [&](const Demand& each) {
+        return each.forbids && some_prohibition_within(obligation, each.event, {});
+    });
+}
+
+std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit without) {
+    return Collector(values, without).collect(duty);
+}
+
+std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit without) {
+    if (rule.condition && evaluate(*rule.condition, values) == 0) return std::nullopt;
+    return obligation_of(rule.duty, values, without);
+}
+
+/// A disjunction implies another iff each of its parts does. That E comes at a second of W implies it iff each second
+/// of W is in a window in which the other demands E. That E does not come in W implies it iff the other forbids E in a
+/// window of which W, with the windows in which it demands E, leaves nothing. (Else a history is made in which the part
+/// holds, no demanded event of the other comes in its window, and each forbidden one does.)
+bool implies(const Obligation& stronger, const Obligation& weaker) {
+    if (always_fulfilled(weaker)) return true;
+    for (const std::size_t event : stronger.ended_by)
+        if (std::find(weaker.ended_by.begin(), weaker.ended_by.end(), event) == weaker.ended_by.end()) return false;
+    return std::all_of(stronger.any.begin(), stronger.any.end(), [&](const Demand& each) {
+        if (!each.forbids) return covered({each.begin, each.end}, windows(weaker, false, each.event));
+        return some_prohibition_within(weaker, each.event, {{each.begin, each.end}});
+    });
+}
+
+}  // namespace robochart::sleec

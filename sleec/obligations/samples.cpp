@@ -1,0 +1,197 @@
+// See samples.hpp.
+#include "sleec/obligations/samples.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace robochart::sleec {
+namespace {
+
+/// Most valuations that are gone through for one event.
+constexpr std::uint64_t most_valuations = 1U << 22U;
+
+using Visit = std::function<void(const Condition&)>;
+
+void visit(const Condition& condition, const Visit& each) {
+    each(condition);
+    for (const Condition& part : condition.parts) visit(part, each);
+}
+
+void visit(const DutyPtr& duty, const Visit& each) {
+    if (!duty) return;
+    visit(duty->otherwise, each);
+    for (const CheckedDefeater& defeater : duty->defeaters) {
+        if (!defeater.event) visit(defeater.condition, each);
+        visit(defeater.duty, each);
+    }
+}
+
+void visit(const CheckedRule& rule, const Visit& each) {
+    if (rule.condition) visit(*rule.condition, each);
+    visit(rule.duty, each);
+}
+
+bool has_measure(const Condition& condition) {
+    bool found = false;
+    visit(condition, [&](const Condition& each) { found = found || each.op == Op::name; });
+    return found;
+}
+
+/// What numbers are compared with.
+struct Comparisons {
+    std::vector<std::set<std::int64_t>> constants;  ///< of each measure
+    std::set<std::size_t> together;                 ///< compared with another measure
+};
+
+void note(const Condition& condition, Comparisons& result) {
+    const bool arithmetic = condition.op == Op::add || condition.op == Op::subtract || condition.op == Op::multiply;
+    if (arithmetic && has_measure(condition)) throw NotDecided("a condition computes with measures");
+    if (!is_comparison(condition.op)) return;
+    const Condition& left = condition.parts[0];
+    const Condition& right = condition.parts[1];
+    const auto is_measure = [](const Condition& side) { return side.op == Op::name; };
+    if (is_measure(left) && is_measure(right)) {
+        result.together.insert({left.measure, right.measure});
+    } else if (is_measure(left)) {
+        result.constants[left.measure].insert(evaluate(right, {}));
+    } else if (is_measure(right)) {
+        result.constants[right.measure].insert(evaluate(left, {}));
+    }
+}
+
+/// Between and around these constants, so many values where there are as many.
+std::vector<std::int64_t> around(const std::set<std::int64_t>& constants, std::int64_t count) {
+    if (constants.empty()) {
+        std::vector<std::int64_t> any;
+        for (std::int64_t i = 0; i < count; ++i) any.push_back(i);
+        return any;
+    }
+    std::set<std::int64_t> values;
+    for (const std::int64_t constant : constants)
+        for (std::int64_t i = 0; i <= count; ++i) {
+            // What lies beyond the next constant stands for values there as well; only the number of values matters.
+            values.insert(constant + i);
+            values.insert(constant - i);
+        }
+    return {values.begin(), values.end()};
+}
+
+/// Goes through all valuations of some measures.
+class Valuations {
+public:
+    Valuations(const std::vector<std::vector<std::int64_t>>& values, std::vector<std::size_t> measures)
+        : values_(values), measures_(std::move(measures)), at_(measures_.size(), 0) {
+        current_.assign(values.size(), 0);
+        std::uint64_t count = 1;
+        for (const std::size_t each : measures_) {
+            count *= values_[each].size();
+            if (count > most_valuations)
+                throw NotDecided(fmt::format("the measures have more than {} combinations of values", most_valuations));
+            current_[each] = values_[each][0];
+        }
+    }
+    [[nodiscard]] const Valuation& current() const { return current_; }
+    bool next() {
+        for (std::size_t i = 0; i < measures_.size(); ++i) {
+            const std::vector<std::int64_t>& values = values_[measures_[i]];
+            at_[i] = (at_[i] + 1) % values.size();
+            current_[measures_[i]] = values[at_[i]];
+            if (at_[i] != 0) return true;
+        }
+        return false;
+    }
+
+private:
+    const std::vector<std::vector<std::int64_t>>& values_;
+    std::vector<std::size_t> measures_;
+    std::vector<std::size_t> at_;
+    Valuation current_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> measures_of(const CheckedRule& rule) {
+    std::vector<std::size_t> result;
+    visit(rule, [&](const Condition& each) {
+        if (each.op == Op::name && std::find(result.begin(), result.end(), each.measure) == result.end())
+            result.push_back(each.measure);
+    });
+    return result;
+}
+
+std::vector<std::int64_t> constants_of(const CheckedRule& rule, std::size_t measure) {
+    Comparisons found;
+    found.constants.resize(measure + 1);
+    visit(rule, [&](const Condition& each) {
+        for (const Condition& part : each.parts)
+            if (part.op == Op::name && part.measure >= found.constants.size()) found.constants.resize(part.measure + 1);
+        note(each, found);
+    });
+    return {found.constants[measure].begin(), found.constants[measure].end()};
+}
+
+bool compares_measures(const CheckedRule& rule) {
+    bool found = false;
+    visit(rule, [&](const Condition& each) {
+        found = found || (is_comparison(each.op) && each.parts[0].op == Op::name && each.parts[1].op == Op::name);
+    });
+    return found;
+}
+
+/// For integers: a valuation is described by how each number lies to the constants, and by the order of those that are
+/// compared with each other. Between two constants, n numbers take at most n different values, so n there are enough.
+std::vector<std::vector<std::int64_t>> representatives(const CheckedRules& rules,
+                                                       const std::vector<std::size_t>& asked) {
+    const std::vector<Measure>& measures = rules.file->measures;
+    Comparisons found;
+    found.constants.resize(measures.size());
+    for (const std::size_t rule : asked) visit(rules.rules[rule], [&](const Condition& each) { note(each, found); });
+    std::set<std::int64_t> shared;
+    for (const std::size_t each : found.together)
+        shared.insert(found.constants[each].begin(), found.constants[each].end());
+    std::vector<std::vector<std::int64_t>> result(measures.size());
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+        if (measures[i].type == MeasureType::boolean) {
+            result[i] = {0, 1};
+        } else if (measures[i].type == MeasureType::scale) {
+            for (std::size_t place = 0; place < measures[i].literals.size(); ++place)
+                result[i].push_back(static_cast<std::int64_t>(place));
+        } else if (found.together.contains(i)) {
+            result[i] = around(shared, static_cast<std::int64_t>(found.together.size()));
+        } else {
+            result[i] = around(found.constants[i], 1);
+        }
+    }
+    return result;
+}
+
+std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t event,
+                            WithoutLimit without, diagnostics::Budget* budget) {
+    std::vector<std::size_t> triggered, measures;
+    for (const std::size_t rule : asked) {
+        if (rules.rules[rule].trigger != event) continue;
+        triggered.push_back(rule);
+        for (const std::size_t each : measures_of(rules.rules[rule]))
+            if (std::find(measures.begin(), measures.end(), each) == measures.end()) measures.push_back(each);
+    }
+    const auto values = representatives(rules, triggered);
+    Valuations valuations(values, measures);
+    std::vector<Sample> result;
+    do {
+        if (budget != nullptr) budget->poll();
+        Sample sample{valuations.current(), {}};
+        for (const std::size_t rule : asked)
+            sample.obligations.push_back(rules.rules[rule].trigger == event
+                                             ? obligation_of(rules.rules[rule], sample.values, without)
+                                             : std::nullopt);
+        const bool known = std::any_of(result.begin(), result.end(),
+                                       [&](const Sample& other) { return other.obligations == sample.obligations; });
+        if (!known) result.push_back(std::move(sample));
+    } while (valuations.next());
+    return result;
+}
+
+}  // namespace robochart::sleec

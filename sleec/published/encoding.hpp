@@ -1,0 +1,70 @@
+// SLEEC-TK's semantics of rules, as processes of tock-CSP (arXiv 2307.03697; docs/rules-language.md, "As SLEEC-TK has
+// it"), faults included: a rule at work refuses its trigger, `>=` on a scale is `>`, defeaters inside defeaters are
+// dropped, the measures are fixed for the whole run where conflicts are looked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax/syntax.hpp"
+#include "sleec/obligations/samples.hpp"
+
+namespace robochart::sleec {
+
+/// How things are called in the script.
+struct EncodingNames {
+    std::string prefix = "e_";  ///< before names of events and measures
+    std::string suffix;         ///< behind names of processes
+};
+
+/// Rules as a script. Throws NotDecided for what SLEEC-TK does not read.
+class Encoding {
+public:
+    explicit Encoding(const CheckedRules& rules, EncodingNames names = {});
+
+    /// Channels of events, measures and time.
+    [[nodiscard]] std::vector<cspm::DeclPtr> channels() const;
+    /// Operators on time, and the process of each of these rules.
+    [[nodiscard]] std::vector<cspm::DeclPtr> processes(const std::vector<std::size_t>& asked) const;
+    /// The name of a rule's process, with priority of events over time.
+    [[nodiscard]] std::string process(std::size_t rule) const;
+
+    /// Whether two rules have a name in common; only then SLEEC-TK compares them.
+    [[nodiscard]] bool related(std::size_t first, std::size_t second) const;
+    /// What is declared for a pair: four assertions. In this order: no missed deadline; no state where only time
+    /// passes; the first is redundant under the second; the second under the first.
+    [[nodiscard]] std::vector<cspm::DeclPtr> pair(std::size_t first, std::size_t second) const;
+    /// The whole script for these pairs.
+    [[nodiscard]] cspm::Script script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
+
+    /// The values of a measure: truth values, places, or the constants it is compared with and their neighbours.
+    [[nodiscard]] const std::vector<std::int64_t>& values(std::size_t measure) const { return values_[measure]; }
+
+private:
+    [[nodiscard]] std::string event_name(std::size_t event) const;
+    [[nodiscard]] std::string measure_name(std::size_t measure) const;
+    [[nodiscard]] std::string name(const std::string& text) const { return text + names_.suffix; }
+
+    [[nodiscard]] cspm::ExprPtr value(const Condition& condition) const;
+    [[nodiscard]] bool on_scale(const Condition& condition) const;
+    [[nodiscard]] cspm::ExprPtr reading(const std::vector<const Condition*>& conditions, cspm::ExprPtr then) const;
+    [[nodiscard]] cspm::ExprPtr trigger(const CheckedRule& rule, const std::string& self) const;
+    [[nodiscard]] cspm::ExprPtr monitoring(const CheckedRule& rule) const;
+    [[nodiscard]] cspm::ExprPtr response(const DutyPtr& duty) const;
+
+    [[nodiscard]] std::vector<std::size_t> events_of(std::size_t rule) const;
+    [[nodiscard]] std::vector<std::size_t> measures_of_pair(std::size_t first, std::size_t second) const;
+    [[nodiscard]] cspm::ExprPtr measure_events(const std::vector<std::size_t>& measures) const;
+    [[nodiscard]] cspm::ExprPtr event_set(const std::vector<std::size_t>& events) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> conflict(std::size_t first, std::size_t second) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> memory(std::size_t first, std::size_t second,
+                                                    const std::string& called) const;
+    [[nodiscard]] cspm::DeclPtr with_memory(std::size_t rule, std::size_t other, const std::string& memory,
+                                            const std::string& called) const;
+
+    const CheckedRules& rules_;
+    EncodingNames names_;
+    std::vector<std::vector<std::int64_t>> values_;
+};
+
+}  // namespace robochart::sleec

@@ -1,0 +1,140 @@
+// See lexer.hpp.
+#include "sleec/syntax/lexer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <utility>
+
+#include "diagnostics/escape.hpp"
+#include "sleec/syntax/rules.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+using diagnostics::Span;
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Longest first.
+constexpr std::array<std::string_view, 18> symbols{"::", "<=", ">=", "<>", "{", "}", "(", ")", "[",
+                                                   "]",  ",",  ":",  "=",  "<", ">", "+", "-", "*"};
+
+constexpr std::array<std::string_view, 26> reserved{
+    "def_start",   "def_end",       "rule_start",  "rule_end", "concern_start",
+    "concern_end", "purpose_start", "purpose_end", "event",    "measure",
+    "constant",    "boolean",       "numeric",     "scale",    "when",
+    "then",        "and",           "or",          "not",      "within",
+    "otherwise",   "unless",        "true",        "false",    "relation_start",
+    "relation_end"};
+
+class Lexer {
+public:
+    Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments)
+        : text_(text), source_(source), diagnostics_(diagnostics), comments_(comments) {}
+
+    std::vector<Token> tokens() {
+        while (at_ < text_.size()) {
+            diagnostics_.poll();
+            next();
+        }
+        push(Tok::end, at_);
+        return std::move(tokens_);
+    }
+
+private:
+    [[nodiscard]] char peek(std::size_t ahead = 0) const {
+        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+    }
+    [[nodiscard]] Span span(std::size_t begin) const {
+        return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
+    }
+    void push(Tok kind, std::size_t begin) { tokens_.push_back({kind, span(begin), text_.substr(begin, at_ - begin)}); }
+
+    void next() {
+        const char c = peek();
+        if (c == '\n' || c == ' ' || c == '\t' || c == '\r' || c == '\f') {
+            ++at_;
+        } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
+            comment();
+        } else if (is_letter(c)) {
+            const std::size_t begin = at_;
+            while (is_letter(peek()) || is_digit(peek())) ++at_;
+            push(Tok::word, begin);
+        } else if (is_digit(c)) {
+            number();
+        } else {
+            symbol();
+        }
+    }
+
+    void comment() {
+        const std::size_t begin = at_;
+        if (peek(1) == '/') {
+            at_ = std::min(text_.find('\n', at_), text_.size());
+        } else {
+            const std::size_t end = text_.find("*/", at_ + 2);
+            at_ = end == std::string_view::npos ? text_.size() : end + 2;
+            if (end == std::string_view::npos)
+                diagnostics_.report(rules::open_comment, {source_, static_cast<std::uint32_t>(begin),
+                                                          static_cast<std::uint32_t>(begin) + 2});
+        }
+        if (comments_) push(Tok::comment, begin);
+    }
+
+    void number() {
+        constexpr std::size_t most_digits = 9;
+        const std::size_t begin = at_;
+        while (is_digit(peek())) ++at_;
+        std::string_view digits = text_.substr(begin, at_ - begin);
+        while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+        if (digits.size() > most_digits && digits != "1000000000") {
+            const std::string shown(digits.substr(0, 20));
+            diagnostics_.report(rules::big_number, span(begin), {shown + (digits.size() > 20 ? "..." : "")});
+        }
+        push(Tok::number, begin);
+    }
+
+    void symbol() {
+        const std::size_t begin = at_;
+        const std::string_view rest = text_.substr(at_);
+        const auto* found = std::find_if(symbols.begin(), symbols.end(), [&](auto s) { return rest.starts_with(s); });
+        if (found != symbols.end()) {
+            at_ += found->size();
+            return push(Tok::symbol, begin);
+        }
+        do ++at_;
+        while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xc0U) == 0x80U);
+        const std::string shown = diagnostics::shown(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
+        diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
+    }
+
+    std::string_view text_;
+    diagnostics::SourceId source_;
+    diagnostics::Diagnostics& diagnostics_;
+    bool comments_;
+    std::size_t at_ = 0;
+    std::vector<Token> tokens_;
+};
+
+}  // namespace
+
+std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics,
+                       bool comments) {
+    return Lexer(text, source, diagnostics, comments).tokens();
+}
+
+bool is_reserved(std::string_view word) {
+    return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,234 @@
+// Tokens, blocks and definitions. See parser.hpp.
+#include "sleec/syntax/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/spelling.hpp"
+#include "sleec/syntax/rules.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+std::string found(const Token& token) {
+    if (token.kind == Tok::end) return "the end of the text";
+    return fmt::format("'{}'", token.text.substr(0, 40));
+}
+
+}  // namespace
+
+void Parser::deeper() {
+    if (depth_ >= max_depth) {
+        diagnostics_.report(rules::too_deep, peek().span, {fmt::format("{}", max_depth)});
+        throw SyntaxError{};
+    }
+    ++depth_;
+}
+
+const Token& Parser::peek(std::size_t ahead) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+}
+
+bool Parser::at(std::string_view text, std::size_t ahead) const {
+    return peek(ahead).text == text && peek(ahead).kind != Tok::end;
+}
+
+bool Parser::at_name(std::size_t ahead) const {
+    return peek(ahead).kind == Tok::word && !is_reserved(peek(ahead).text);
+}
+
+const Token& Parser::take() {
+    const Token& token = peek();
+    if (at_ + 1 < tokens_.size()) ++at_;
+    return token;
+}
+
+bool Parser::accept(std::string_view text) {
+    if (!at(text)) return false;
+    take();
+    return true;
+}
+
+Span Parser::expect(std::string_view text) {
+    if (!at(text)) fail(fmt::format("'{}'", text), {std::string(text)});
+    return take().span;
+}
+
+Name Parser::name(std::string_view what) {
+    if (!at_name()) fail(what);
+    const Token& token = take();
+    return {std::string(token.text), token.span};
+}
+
+Span Parser::since(Span from) const {
+    return diagnostics::join(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
+}
+
+void Parser::fail(std::string_view expected, const Words& words) {
+    const Token& token = peek();
+    auto& finding = diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), found(token)});
+    const std::string written(token.text);
+    const std::string meant = token.kind == Tok::word ? diagnostics::nearest(written, words) : "";
+    if (!meant.empty() && meant != written)
+        finding.fixes.push_back(
+            {token.span, meant, diagnostics::suggested(diagnostics::is_certain(written, meant, words))});
+    if (words.empty() && token.kind == Tok::word && is_reserved(token.text))
+        finding.notes.push_back({{}, fmt::format("'{}' is a word of the language, which names nothing", token.text)});
+    throw SyntaxError{};
+}
+
+void Parser::refuse(std::string_view what, Span span) {
+    diagnostics_.report(rules::not_supported, span, {std::string(what)});
+    throw SyntaxError{};
+}
+
+void Parser::extension(Span span, std::string_view what) {
+    diagnostics_.report(rules::extension, span, {std::string(what)});
+}
+
+/// Here begins a definition, a rule, or the end of a block.
+bool Parser::at_item() const {
+    for (const std::string_view word : {"event", "measure", "constant", "def_end", "rule_start", "rule_end",
+                                        "concern_start", "concern_end", "purpose_start", "purpose_end"})
+        if (at(word)) return true;
+    return at_name() && (at("when", 1) || at("exists", 1));
+}
+
+template <class Piece>
+bool Parser::guarded(const Piece& piece) {
+    const std::size_t before = at_;
+    try {
+        piece();
+        return true;
+    } catch (const SyntaxError&) {
+        depth_ = 0;
+        if (at_ == before && !at_end()) take();
+        while (!at_end() && !at_item()) take();
+        return false;
+    }
+}
+
+template <class Item>
+void Parser::block(std::string_view end, const Item& item) {
+    while (!at_end() && !at(end)) {
+        diagnostics_.poll();
+        for (const std::string_view other : {"rule_start", "concern_start", "purpose_start"})
+            if (at(other)) fail(fmt::format("'{}'", end));
+        (void)guarded(item);
+    }
+    expect(end);
+}
+
+RuleFile Parser::file() {
+    RuleFile file;
+    const bool defined = guarded([&] {
+        expect("def_start");
+        block("def_end", [&] { definition(file); });
+    });
+    if (defined || !at_end())
+        (void)guarded([&] {
+            expect("rule_start");
+            block("rule_end", [&] { file.rules.push_back(rule()); });
+        });
+    while (!at_end())
+        (void)guarded([&] {
+            if (at("concern_start")) {
+                only_in(Dialect::legos, take().span, "a block of concerns");
+                block("concern_end", [&] { file.concerns.push_back(property(true)); });
+            } else if (at("purpose_start")) {
+                only_in(Dialect::legos, take().span, "a block of purposes");
+                block("purpose_end", [&] { file.purposes.push_back(property(false)); });
+            } else if (at("relation_start")) {
+                const Span span = take().span;
+                while (!at_end() && !accept("relation_end")) take();
+                refuse("relations (relation_start ... relation_end)", span);
+            } else {
+                fail("the end of the text", {"concern_start", "purpose_start"});
+            }
+        });
+    decide_dialect(file);
+    return file;
+}
+
+void Parser::definition(RuleFile& file) {
+    if (accept("event")) return file.events.push_back({name("the name of an event")});
+    if (at("measure")) {
+        file.measures.push_back(measure());
+        measures_.insert(file.measures.back().name.text);
+        return;
+    }
+    if (at("constant")) return file.constants.push_back(constant());
+    if (at("map") && at_name(1) && at("to", 2)) return file.mappings.push_back(mapping());
+    fail("a definition or 'def_end'", {"event", "measure", "constant", "map", "def_end"});
+}
+
+/// `measure m : boolean | numeric | scale(a, b, ...)`.
+Measure Parser::measure() {
+    Measure result;
+    expect("measure");
+    result.name = name("the name of a measure");
+    expect(":");
+    if (accept("boolean")) return result;
+    if (accept("numeric")) {
+        result.type = MeasureType::numeric;
+        return result;
+    }
+    if (!accept("scale")) fail("'boolean', 'numeric' or 'scale'", {"boolean", "numeric", "scale"});
+    result.type = MeasureType::scale;
+    expect("(");
+    do result.literals.push_back(name("a value of the scale"));
+    while (accept(","));
+    expect(")");
+    return result;
+}
+
+/// `constant C = 5`, or another constant.
+Constant Parser::constant() {
+    Constant result;
+    expect("constant");
+    result.name = name("the name of a constant");
+    expect("=");
+    result.value = time();
+    return result;
+}
+
+/// `map EVENT to Module::event`.
+Mapping Parser::mapping() {
+    Mapping result;
+    const Span from = expect("map");
+    result.name = name("the name of an event or a measure");
+    expect("to");
+    const Token& first = peek();
+    result.element = name("an element of the model");
+    while (accept("::")) {
+        const Name next = name("an element of the model");
+        result.element.text += "::" + next.text;
+    }
+    result.element.span = since(first.span);
+    extension(since(from), "map");
+    return result;
+}
+
+/// LEGOS's if something is LEGOS's alone. What is the other's alone is named then, once each.
+void Parser::decide_dialect(RuleFile& file) {
+    for (const Feature& feature : features_)
+        if (feature.dialect == Dialect::legos) {
+            file.dialect = Dialect::legos;
+            file.decided_by = feature.span;
+            break;
+        }
+    std::set<std::string> named;
+    for (const Feature& feature : features_) {
+        if (feature.dialect == file.dialect) {
+            if (!file.decided_by.known()) file.decided_by = feature.span;
+            continue;
+        }
+        if (!named.insert(feature.what).second) continue;
+        auto& finding =
+            diagnostics_.report(rules::other_dialect, feature.span, {feature.what, dialect_name(file.dialect)});
+        finding.notes.push_back({file.decided_by, fmt::format("only {} reads this", dialect_name(file.dialect))});
+    }
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,115 @@
+// Recursive-descent reader of SLEEC, both dialects at once: what only one of them has is noted, and decides the dialect
+// of the file. `and` and `or` bind alike, to the left, looser than `not`, comparisons, sums and products.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "sleec/syntax/lexer.hpp"
+#include "sleec/syntax/syntax.hpp"
+
+namespace robochart::sleec {
+
+/// Reads tokens; after a mistake it reports one finding and goes on at the next rule or definition.
+class Parser {
+public:
+    /// Deepest recursion while reading.
+    static constexpr unsigned max_depth = 400;
+
+    Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
+        : tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
+
+    [[nodiscard]] RuleFile file();
+
+private:
+    struct SyntaxError {};
+    using Words = std::vector<std::string>;
+    /// Counts the levels of recursion while it lives.
+    class Depth {
+    public:
+        explicit Depth(Parser& parser) : parser_(parser) { parser.deeper(); }
+        ~Depth() { --parser_.depth_; }
+        Depth(const Depth&) = delete;
+        Depth& operator=(const Depth&) = delete;
+
+    private:
+        Parser& parser_;
+    };
+    /// What only one dialect has.
+    struct Feature {
+        Dialect dialect;
+        Span span;
+        std::string what;
+    };
+    void deeper();
+
+    // tokens
+    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
+    [[nodiscard]] bool at(std::string_view text, std::size_t ahead = 0) const;
+    [[nodiscard]] bool at_name(std::size_t ahead = 0) const;
+    [[nodiscard]] bool at_end() const { return peek().kind == Tok::end; }
+    const Token& take();
+    bool accept(std::string_view text);
+    Span expect(std::string_view text);
+    Name name(std::string_view what);
+    [[nodiscard]] Span since(Span from) const;
+    /// `words`: those that may stand here; the nearest is suggested.
+    [[noreturn]] void fail(std::string_view expected, const Words& words = {});
+    [[noreturn]] void refuse(std::string_view what, Span span);
+    void only_in(Dialect dialect, Span span, std::string_view what) {
+        features_.push_back({dialect, span, std::string(what)});
+    }
+    void extension(Span span, std::string_view what);
+    template <class Piece>
+    bool guarded(const Piece& piece);
+    [[nodiscard]] bool at_item() const;
+    template <class Item>
+    void block(std::string_view end, const Item& item);
+
+    // definitions
+    void definition(RuleFile& file);
+    Measure measure();
+    Constant constant();
+    Mapping mapping();
+
+    // rules
+    Rule rule();
+    Rule when_rule(Rule rule);
+    Rule after_rule(Rule rule);
+    Rule at_least_rule(Rule rule);
+    Property property(bool concern);
+    Trigger trigger();
+    ResponsePtr response();  ///< with its defeaters
+    ResponsePtr inner();     ///< without, unless it stands in braces
+    Response action();
+    void alternative(Response& response);
+    Limit limit();
+    Limit duration(Span from);
+    Unit unit();
+    ExprPtr time();
+
+    // conditions
+    ExprPtr condition();
+    ExprPtr term();
+    ExprPtr relation();
+    ExprPtr sum();
+    ExprPtr product();
+    ExprPtr primary();
+    ExprPtr word();
+    ExprPtr node(Op op, Span from, std::vector<ExprPtr> parts);
+    void warn_mixed(const ExprPtr& whole);
+
+    void decide_dialect(RuleFile& file);
+
+    std::vector<Token> tokens_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::set<std::string, std::less<>> measures_;
+    std::vector<Feature> features_;
+    std::size_t at_ = 0;
+    unsigned depth_ = 0;
+};
+
+}  // namespace robochart::sleec

@@ -1,0 +1,13 @@
+// See reader.hpp.
+#include "sleec/syntax/reader.hpp"
+
+#include "sleec/syntax/parser.hpp"
+
+namespace robochart::sleec {
+
+RuleFile read(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
+              diagnostics::Diagnostics& diagnostics) {
+    return Parser(lex(sources.text(source), source, diagnostics), diagnostics).file();
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,24 @@
+// Diagnostics of the SLEEC reader, as a table.
+#pragma once
+
+#include <span>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::sleec::rules {
+
+extern const diagnostics::Rule unexpected_token;
+extern const diagnostics::Rule bad_character;
+extern const diagnostics::Rule open_comment;
+extern const diagnostics::Rule big_number;
+extern const diagnostics::Rule too_deep;
+extern const diagnostics::Rule not_supported;
+extern const diagnostics::Rule unreadable;
+extern const diagnostics::Rule other_dialect;
+extern const diagnostics::Rule extension;
+extern const diagnostics::Rule mixed_operators;
+
+/// All of them, for `explain`.
+[[nodiscard]] std::span<const diagnostics::Rule* const> syntax();
+
+}  // namespace robochart::sleec::rules

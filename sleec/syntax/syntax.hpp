@@ -1,0 +1,174 @@
+// SLEEC as a tree: both dialects, that of SLEEC-TK and that of LEGOS, and the extensions of this tool. Plain data; the
+// reader makes it (reader.hpp), the printer writes it (printer.hpp). docs/rules-language.md has the grammar.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnostics/source.hpp"
+
+namespace robochart::sleec {
+
+using diagnostics::Span;
+
+/// A word of the text with its place.
+struct Name {
+    std::string text;
+    Span span;
+};
+
+/// Which tool reads a text: SLEEC-TK (with a tock-CSP semantics), or LEGOS.
+enum class Dialect : std::uint8_t { sleec_tk, legos };
+/// "SLEEC-TK", "LEGOS".
+[[nodiscard]] const char* dialect_name(Dialect dialect);
+
+/// What an expression is. `Expr::parts` are its operands in the order of the text.
+enum class Op : std::uint8_t {
+    truth,   ///< text: "true" or "false"
+    number,  ///< text: digits
+    name,    ///< text: a measure, a constant, a literal of a scale, or, alone behind `unless`, an event
+    disjunction,
+    conjunction,
+    negation,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    equal,
+    unequal,
+    add,
+    subtract,
+    multiply,
+};
+/// "or", "<=", ...; "" for what has no operator.
+[[nodiscard]] const char* symbol_of(Op op);
+/// <, <=, >, >=, =, <>.
+[[nodiscard]] bool is_comparison(Op op);
+
+struct Expr;
+using ExprPtr = std::shared_ptr<const Expr>;
+
+/// A condition, or a value in one.
+struct Expr {
+    Op op = Op::truth;
+    Span span;
+    std::string text;
+    std::vector<ExprPtr> parts;
+    bool braced = false;     ///< a name in braces, as LEGOS has its measures
+    bool bracketed = false;  ///< it stands in parentheses
+};
+/// Same operators, names and literals; places and superfluous parentheses do not matter.
+[[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
+
+enum class Unit : std::uint8_t { seconds, minutes, hours, days };
+/// "seconds", ...
+[[nodiscard]] const char* unit_name(Unit unit);
+/// How many seconds one has.
+[[nodiscard]] std::int64_t seconds_of(Unit unit);
+
+/// `within N unit`, in LEGOS also `within [A, B] unit`.
+struct Limit {
+    ExprPtr from;  ///< null: 0
+    ExprPtr to;
+    Unit unit = Unit::seconds;
+    Span span;
+};
+
+struct Response;
+using ResponsePtr = std::shared_ptr<const Response>;
+
+/// `unless condition [then response]`.
+struct Defeater {
+    ExprPtr condition;
+    ResponsePtr response;  ///< null: no duty is left
+    Span span;
+};
+
+/// `[not] EVENT [eventually | within ...] [otherwise response] {unless ...}`.
+struct Response {
+    bool negated = false;
+    Name event;
+    std::shared_ptr<const Limit> limit;  ///< null: none
+    bool eventually = false;             ///< the word is written (LEGOS)
+    ResponsePtr otherwise;               ///< null: none
+    bool written_else = false;           ///< `else` for `otherwise` (LEGOS)
+    std::vector<Defeater> defeaters;
+    bool braced = false;  ///< it stands in braces
+    Span span;
+};
+
+/// `EVENT [and condition]`.
+struct Trigger {
+    Name event;
+    ExprPtr condition;  ///< null: none
+};
+
+struct Event {
+    Name name;
+};
+
+enum class MeasureType : std::uint8_t { boolean, numeric, scale };
+
+struct Measure {
+    Name name;
+    MeasureType type = MeasureType::boolean;
+    std::vector<Name> literals;  ///< scale: least first
+};
+
+struct Constant {
+    Name name;
+    ExprPtr value;  ///< a number or another constant
+};
+
+/// Extension: `map EVENT to Module::event`; the model's name for an event or a measure.
+struct Mapping {
+    Name name;
+    Name element;
+};
+
+/// How a rule is written.
+enum class RuleForm : std::uint8_t {
+    when,      ///< `when E and c then ...`
+    after,     ///< extension: `after E and c, ...`, which is `when E and c then ...`
+    at_least,  ///< extension: `F at least N unit after E and c`: F no sooner
+};
+
+struct Rule {
+    Name name;
+    RuleForm form = RuleForm::when;
+    bool assumed = false;  ///< extension: `assume`, a rule that the environment keeps
+    Trigger trigger;
+    ResponsePtr response;
+    Span span;
+};
+
+/// LEGOS: what must be impossible (concern) or possible (purpose). `when E then R`: that E comes and R is kept;
+/// `exists E [while F]`: that E comes, at the instant of F where that is given.
+struct Property {
+    Name name;
+    bool exists = false;
+    Trigger trigger;
+    ResponsePtr response;                   ///< `when`: of it; else null
+    std::shared_ptr<const Trigger> during;  ///< `while`; null: none
+    Span span;
+};
+
+/// One text.
+struct RuleFile {
+    Dialect dialect = Dialect::sleec_tk;
+    Span decided_by;  ///< what only this dialect has; unknown where both have all of it
+    std::vector<Event> events;
+    std::vector<Measure> measures;
+    std::vector<Constant> constants;
+    std::vector<Mapping> mappings;
+    std::vector<Rule> rules;
+    std::vector<Property> concerns;
+    std::vector<Property> purposes;
+};
+
+/// The same declarations, rules, concerns and purposes, in the same order.
+[[nodiscard]] bool same_file(const RuleFile& a, const RuleFile& b);
+
+}  // namespace robochart::sleec

@@ -1,0 +1,138 @@
+// The verb `rules` as a user runs it: answers, exit codes, formats, bad input; and with a model.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+const std::string head =
+    "def_start\nevent Go event Halt event Stop\nmeasure near : boolean measure level : numeric\ndef_end\nrule_start\n";
+
+Ran ask(const std::string& rules, const std::vector<std::string>& options = {}) {
+    std::vector<std::string> arguments{"rules", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments, head + rules + "\nrule_end\n");
+}
+
+TEST(Rules, ExitCodesFollowTheAnswers) {
+    EXPECT_EQ(ask("A when Go then Stop within 5 seconds").exit, 0);
+    EXPECT_EQ(ask("A when Go then Stop\nB when Go then Stop").exit, 0) << "redundancy is no failure";
+    EXPECT_EQ(ask("A when Go then Stop within 5 seconds\nB when Halt then not Stop within 9 seconds").exit, 1);
+    EXPECT_EQ(ask("A when Go then").exit, 2);
+    EXPECT_EQ(ask("A when Gone then Stop").exit, 2);
+    EXPECT_EQ(ask("A when Go and ({level} + 1 > 2) then Stop").exit, 3);
+    EXPECT_EQ(run({"rules", "missing.sleec"}).exit, 2);
+    EXPECT_THAT(run({"rules", "missing.sleec"}).err, HasSubstr("error[SLEEC-P07]"));
+    EXPECT_EQ(run({"rules"}).exit, 4);
+    EXPECT_EQ(ask("A when Go then Stop", {"--without-limit", "later"}).exit, 4);
+    EXPECT_EQ(ask("A when Go then Stop", {"--without-limit", "now", "--as-sleec-tk"}).exit, 4);
+    EXPECT_EQ(ask("A when Go and near or near and near then Stop", {"--deny-warnings"}).exit, 2);
+    EXPECT_EQ(ask("A when Go and near or near and near then Stop", {"--deny-warnings", "--allow", "SLEEC-P10"}).exit,
+              0);
+    EXPECT_EQ(
+        ask("A when Go then Stop within 50 seconds\nB when Halt then not Stop within 90 seconds", {"--max-states", "9"})
+            .exit,
+        3);
+}
+
+/// Stop is due 5 seconds after Go and forbidden for 9 after Halt: both begin at once.
+TEST(Rules, TellTheSituation) {
+    const Ran ran = ask("A when Go and near then Stop within 5 seconds\nB when Halt then not Stop within 9 seconds");
+    EXPECT_THAT(ran.out, HasSubstr("conflict: A and B\n"));
+    EXPECT_THAT(ran.out, HasSubstr("with Go, near: it asks for Stop up to second"));
+    EXPECT_THAT(ran.out, HasSubstr("with Halt: it forbids Stop up to second"));
+    EXPECT_THAT(ran.out, HasSubstr("Stop has to come, and may not\n"));
+    EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 8 + 1);
+}
+
+TEST(Rules, AnswerAsJson) {
+    const Ran ran =
+        ask("A when Go then Stop within 5 seconds\nB when Halt then not Stop within 9 seconds\n"
+            "C when Go then Stop",
+            {"--format", "json"});
+    const json found = json::parse(ran.out);
+    EXPECT_EQ(found["schema"], "robochart-verify/rules/1");
+    ASSERT_EQ(found["conflicts"].size(), 1U);
+    EXPECT_EQ(found["conflicts"][0]["rules"], json({"A", "B"}));
+    EXPECT_EQ(found["redundant"][0]["rule"], "C");
+    const json wrong = json::parse(ask("A when", {"--format", "json"}).out);
+    EXPECT_FALSE(wrong["errors"].empty());
+}
+
+/// As SLEEC-TK: a rule at work refuses its trigger, so that D misses its deadline.
+TEST(Rules, CompareAsSleecTk) {
+    const std::string rules =
+        "C when Halt and not near then not Stop within 60 seconds\nD when Go then Halt within 3 seconds";
+    EXPECT_EQ(ask(rules).exit, 0);
+    const Ran ran = ask(rules, {"--as-sleec-tk"});
+    EXPECT_EQ(ran.exit, 1);
+    EXPECT_THAT(ran.out, HasSubstr("conflict: C and D: a deadline is missed\n"));
+    EXPECT_EQ(ask("A when Go then Stop unless Halt", {"--as-sleec-tk"}).exit, 3) << "SLEEC-TK does not read it";
+}
+
+TEST(Rules, AreInterruptedWithWhatIsKnown) {
+    std::string many = "A when Go then Stop within 9000 days otherwise Halt within 9000 days\n";
+    many += "B when Halt then not Stop within 9000 days otherwise not Halt within 9000 days";
+    const Ran ran = ask(many, {"--timeout", "1"});
+    EXPECT_EQ(ran.exit, 3);
+    EXPECT_THAT(ran.out, HasSubstr("not decided"));
+}
+
+// ---------------------------------------------------------------- with a model
+
+constexpr const char* bell =
+    "stm Bell { event Ring event OpenDoor event Alarm event dark : boolean var d : boolean initial i0 state Idle { }\n"
+    "state Opening { entry wait ( 2 ) ; OpenDoor <{ 0 } }\n"
+    "transition t0 { from i0 to Idle } transition t1 { from Idle to Opening trigger Ring }\n"
+    "transition t2 { from Opening to Idle } transition t3 { from Idle to Idle trigger dark ? d } }\n";
+
+Ran obey(const std::string& rules, const std::vector<std::string>& options = {}) {
+    const Folder folder({{"bell.rct", bell},
+                         {"bell.sleec",
+                          "def_start event Ring event OpenDoor event Sleep event Alarm event Open\n"
+                          "measure dark : boolean map Open to Bell::OpenDoor def_end rule_start\n" +
+                              rules + "\nrule_end\n"}});
+    std::vector<std::string> arguments{"rules", folder / "bell.sleec", folder / "bell.rct"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+}
+
+TEST(RulesOfModels, AreObeyedOrBroken) {
+    EXPECT_THAT(obey("R when Ring then OpenDoor within 2 seconds").out, HasSubstr("R by Bell: obeyed\n"));
+    EXPECT_EQ(obey("R when Ring then OpenDoor within 2 seconds").exit, 0);
+    EXPECT_EQ(obey("R when Ring then Open within 2 seconds").exit, 0) << "mapped";
+    const Ran late = obey("R when Ring then OpenDoor within 1 seconds");
+    EXPECT_EQ(late.exit, 1);
+    EXPECT_THAT(late.out, HasSubstr("R by Bell: broken\n"));
+    EXPECT_THAT(late.out, HasSubstr("with Ring: it asks for OpenDoor up to second"));
+    EXPECT_EQ(obey("R when Ring and dark then not OpenDoor within 1 seconds").exit, 0);
+    const Ran forbidden = obey("R when Ring and dark then not OpenDoor within 2 seconds");
+    EXPECT_EQ(forbidden.exit, 1);
+    EXPECT_THAT(forbidden.out, HasSubstr("OpenDoor comes at second"));
+    EXPECT_THAT(forbidden.out, HasSubstr("bell.rct:1"));
+}
+
+TEST(RulesOfModels, AreNotPassedInSilence) {
+    EXPECT_THAT(obey("R when Alarm then OpenDoor within 1 seconds").out, HasSubstr("R by Bell: never asked"));
+    const Ran missing = obey("R when Sleep then OpenDoor within 1 seconds");
+    EXPECT_THAT(missing.out, HasSubstr("R by Bell: not applicable: Bell has no event and no operation 'Sleep'"));
+    const Ran open = obey("R when Ring then OpenDoor");
+    EXPECT_EQ(open.exit, 3);
+    EXPECT_THAT(open.out, HasSubstr("R by Bell: not decided"));
+    EXPECT_EQ(obey("R when Ring then OpenDoor", {"--as-sleec-tk"}).exit, 4);
+    EXPECT_EQ(
+        json::parse(
+            obey("R when Ring then OpenDoor within 2 seconds", {"--format", "json"}).out)["verdicts"][0]["verdict"],
+        "obeyed");
+}
+
+}  // namespace
+}  // namespace robochart::app::testing

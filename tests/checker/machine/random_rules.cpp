@@ -1,0 +1,132 @@
+#include "tests/checker/machine/random_rules.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace robochart::machine {
+
+using process::first_visible;
+using process::tau;
+
+Event RandomRules::event(std::uint32_t taus) {
+    return chance(taus) ? tau : first_visible + below(visible);
+}
+
+ComponentPtr RandomRules::component(TermId meaning) {
+    const std::uint32_t size = 2 + below(4);
+    std::vector<std::vector<Component::RawEdge>> rows(size);
+    for (auto& row : rows) {
+        for (std::uint32_t edges = below(3) + below(2); edges > 0; --edges) {
+            const Event by = event(30);
+            row.push_back({by, by, below(size)});
+        }
+        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.event < b.event; });
+    }
+    return std::make_shared<const Component>(rows, std::vector<TermId>(size, meaning));
+}
+
+/// By event; empty where the region has no priorities.
+std::vector<std::uint32_t> RandomRules::levels() {
+    if (chance(40)) return {};
+    std::vector<std::uint32_t> result(first_visible, 0);
+    for (Event i = 0; i < visible; ++i) result.push_back(chance(40) ? no_level : below(3));
+    return result;
+}
+
+Region RandomRules::region(const std::vector<Participant>& participants, const std::vector<std::uint32_t>& slots) {
+    Region made;
+    made.participants = participants;
+    for (const Participant& each : participants)
+        made.alphabets.push_back(each.is_region ? made_.regions[each.index].alphabet
+                                                : made_.components[each.index]->alphabet());
+    struct Draft {
+        Event event;
+        std::vector<Requirement> parts;
+        std::vector<Assignment> assignments;
+    };
+    std::vector<Draft> drafts;
+    for (std::uint32_t count = 4 + below(14); count > 0; --count) {
+        Draft draft{event(50), {}, {}};
+        for (std::uint32_t who = 0; who < participants.size(); ++who)
+            if (!made.alphabets[who].empty() && chance(35))
+                draft.parts.push_back({who, below(static_cast<std::uint32_t>(made.alphabets[who].size()))});
+        if (draft.parts.empty()) continue;
+        if (chance(10)) {
+            const std::uint32_t slot = slots[below(static_cast<std::uint32_t>(slots.size()))];
+            draft.assignments.push_back({slot, below(static_cast<std::uint32_t>(made_.components[slot]->size()) + 1)});
+        }
+        std::swap(draft.parts.front(), draft.parts[below(static_cast<std::uint32_t>(draft.parts.size()))]);
+        drafts.push_back(std::move(draft));
+    }
+    const auto lead = [](const Draft& draft) {
+        return std::pair(draft.parts.front().participant, draft.parts.front().event);
+    };
+    std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) { return lead(a) < lead(b); });
+    std::set<Event> events;
+    for (const Draft& draft : drafts) events.insert(draft.event);
+    made.alphabet.assign(events.begin(), events.end());
+    made.by_event.resize(events.size());
+    const std::vector<std::uint32_t> level = levels();
+    made.first_rule.resize(participants.size());
+    auto next = drafts.begin();
+    for (std::uint32_t who = 0; who < participants.size(); ++who)
+        for (std::uint32_t by = 0; by <= made.alphabets[who].size(); ++by) {
+            made.first_rule[who].push_back(static_cast<std::uint32_t>(made.rules.size()));
+            for (; next != drafts.end() && lead(*next) == std::pair(who, by); ++next) {
+                Rule rule{};
+                rule.event = rule.revealed = next->event;
+                rule.place = static_cast<std::uint32_t>(
+                    std::lower_bound(made.alphabet.begin(), made.alphabet.end(), next->event) - made.alphabet.begin());
+                rule.level = next->event < level.size() ? level[next->event] : no_level;
+                rule.lead = next->parts.front();
+                rule.first_requirement = static_cast<std::uint32_t>(made.requirements.size());
+                made.requirements.insert(made.requirements.end(), next->parts.begin() + 1, next->parts.end());
+                rule.end_requirement = static_cast<std::uint32_t>(made.requirements.size());
+                rule.first_assignment = static_cast<std::uint32_t>(made.assignments.size());
+                made.assignments.insert(made.assignments.end(), next->assignments.begin(), next->assignments.end());
+                rule.end_assignment = static_cast<std::uint32_t>(made.assignments.size());
+                made.by_event[rule.place].push_back(static_cast<std::uint32_t>(made.rules.size()));
+                made.rules.push_back(rule);
+            }
+        }
+    return made;
+}
+
+std::shared_ptr<const Supercombinator> RandomRules::next(const process::TermId& meaning) {
+    made_ = {};
+    const std::uint32_t count = 2 + below(4);
+    for (std::uint32_t slot = 0; slot < count; ++slot) {
+        made_.components.push_back(component(meaning));
+        made_.initial.push_back(0);
+        made_.fields.push_back({slot, 0, 0xffU});
+    }
+    made_.words = count;
+    // Regions inside take some of the participants around.
+    std::vector<Participant> open;
+    std::vector<std::vector<std::uint32_t>> below_them;
+    for (std::uint32_t slot = 0; slot < count; ++slot) {
+        open.push_back({false, slot});
+        below_them.push_back({slot});
+    }
+    for (std::uint32_t inner = below(3); inner > 0; --inner) {
+        const std::size_t taken = 1 + below(static_cast<std::uint32_t>(open.size()));
+        const std::size_t from = open.size() - taken;
+        std::vector<std::uint32_t> slots;
+        for (std::size_t i = from; i < open.size(); ++i)
+            slots.insert(slots.end(), below_them[i].begin(), below_them[i].end());
+        const auto first = open.begin() + static_cast<std::ptrdiff_t>(from);
+        made_.regions.push_back(region({first, open.end()}, slots));
+        open.resize(from);
+        below_them.resize(from);
+        open.insert(open.begin(), {true, static_cast<std::uint32_t>(made_.regions.size() - 1)});
+        below_them.insert(below_them.begin(), slots);
+    }
+    std::vector<std::uint32_t> slots(count);
+    std::iota(slots.begin(), slots.end(), 0U);
+    made_.regions.push_back(region(open, slots));
+    list_leading(made_, {});
+    return std::make_shared<const Supercombinator>(made_);
+}
+
+}  // namespace robochart::machine

@@ -1,0 +1,206 @@
+// What is left of a compiled process when confluent taus are followed is equal to all of it, by branching bisimilarity
+// with explicit divergence, on random processes and random rules.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "checker/machine/compiler.hpp"
+#include "checker/machine/reduced_system.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/lts/bisimilar.hpp"
+#include "tests/checker/machine/random_rules.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+#include "tests/checker/processes/translate.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using lts::Equivalence;
+using lts::Graph;
+using process::Op;
+using process::Scripted;
+
+constexpr std::size_t most_states = 100'000;
+
+/// What the comparisons have seen, so that they cannot become empty.
+struct Seen {
+    int smaller = 0;    ///< systems of which states were left out
+    int diverging = 0;  ///< of these, those with a cycle of taus
+    std::uint64_t states = 0, kept = 0;
+};
+
+bool loops_by_tau(const Graph& quotient) {
+    for (lts::StateIndex state = 0; state < quotient.size(); ++state)
+        for (const lts::Edge& edge : quotient.edges(state))
+            if (edge.event == process::tau && edge.target == state) return true;
+    return false;
+}
+
+/// Whether the reduced system is equal to the whole.
+bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
+    const auto reduced = whole.reduced({});
+    if (!reduced) return false;
+    const Graph all = lts::graph_of(whole, most_states);
+    const Graph kept = lts::graph_of(*reduced, most_states);
+    const Graph quotient = lts::minimise(all, Equivalence::branching_with_divergence).graph;
+    const Graph quotient_of_kept = lts::minimise(kept, Equivalence::branching_with_divergence).graph;
+    seen.states += all.size();
+    seen.kept += kept.size();
+    if (kept.size() < all.size()) {
+        ++seen.smaller;
+        if (loops_by_tau(quotient)) ++seen.diverging;
+    }
+    return kept.size() <= all.size() && quotient.size() == quotient_of_kept.size() &&
+           quotient.edge_count() == quotient_of_kept.edge_count() &&
+           lts::bisimilar(all, kept, Equivalence::branching_with_divergence);
+}
+
+TEST(Reduction, KeepsRandomRules) {
+    const int wanted = refine::wanted_checks(1'000);
+    Scripted s;
+    for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2022);
+    Seen seen;
+    for (int round = 0; round < wanted; ++round) {
+        SupercombinatorSystem whole(rules.next(s.stop()), s.store);
+        ASSERT_TRUE(keeps_everything(whole, seen)) << "round " << round;
+    }
+    std::cout << seen.smaller << " of " << wanted << " with fewer states, " << seen.diverging
+              << " of them divergent; states " << seen.states << ", kept " << seen.kept << "\n";
+    EXPECT_GT(seen.smaller * 10, wanted);
+    EXPECT_GT(seen.diverging * 20, wanted);
+}
+
+/// A verdict in words, with the run of a violation; the size of the search where that is to be the same.
+std::string described(const refine::Verdict& verdict, bool with_size) {
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
+    if (with_size)
+        for (const std::uint64_t size : {verdict.statistics.states, verdict.statistics.transitions,
+                                         verdict.statistics.depth, verdict.statistics.chased})
+            text += " " + std::to_string(size);
+    if (!verdict.counterexample) return text;
+    text += " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + ":";
+    for (const refine::Step& step : verdict.counterexample->steps) text += " " + std::to_string(step.event);
+    text += verdict.counterexample->shortest ? " then" : " at least then";
+    for (const refine::Step& step : verdict.counterexample->loop) text += " " + std::to_string(step.event);
+    return text;
+}
+
+std::vector<std::string> answers(lts::TransitionSystem& specification, lts::TransitionSystem& system, bool with_size,
+                                 const refine::Limits& limits) {
+    std::vector<std::string> result;
+    const auto add = [&](const refine::Verdict& verdict) { result.push_back(described(verdict, with_size)); };
+    for (const refine::Model model :
+         {refine::Model::traces, refine::Model::failures, refine::Model::failures_divergences})
+        add(refine::refines(specification, system, model, limits));
+    for (const refine::Model model : {refine::Model::failures, refine::Model::failures_divergences}) {
+        add(refine::deadlock_free(system, model, limits));
+        add(refine::deterministic(system, model, limits));
+    }
+    add(refine::divergence_free(system, limits));
+    return result;
+}
+
+refine::Limits limits_of(bool reduction, unsigned threads) {
+    refine::Limits limits;
+    limits.reduction = reduction;
+    limits.threads = threads;
+    if (threads > 1) limits.wide_level = 1;
+    return limits;
+}
+
+/// In every model and with several threads; the runs are the shortest ones of all states, found in the same order.
+TEST(Reduction, ChangesNoAnswerAndNoRun) {
+    const int wanted = refine::wanted_checks(1'000) / 8 + 1;
+    Scripted s;
+    for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2023);
+    int fails = 0;
+    for (int round = 0; round < wanted; ++round) {
+        SupercombinatorSystem specification(rules.next(s.stop()), s.store);
+        SupercombinatorSystem system(rules.next(s.stop()), s.store);
+        ASSERT_EQ(answers(specification, system, false, limits_of(true, 1)),
+                  answers(specification, system, false, limits_of(false, 1)))
+            << "round " << round;
+        ASSERT_EQ(answers(specification, system, true, limits_of(true, 3)),
+                  answers(specification, system, true, limits_of(true, 1)))
+            << "round " << round;
+        if (refine::deadlock_free(system, refine::Model::failures, limits_of(true, 1)).counterexample) ++fails;
+    }
+    EXPECT_GT(fails * 20, wanted);
+    EXPECT_LT(fails * 20, 19 * wanted);
+}
+
+/// Six processes of four hidden steps each, which then do one event together: 5^6 states, of which those on one way
+/// through the hidden steps are kept at most.
+class HiddenSteps : public testing::Test {
+protected:
+    HiddenSteps() {
+        std::vector<TermId> chains;
+        for (int i = 0; i < 6; ++i) {
+            TermId chain = s.prefix("go", s.stop());
+            for (int step = 0; step < 4; ++step) chain = s.prefix("h" + std::to_string(i), chain);
+            chains.push_back(chain);
+        }
+        const TermId term =
+            s.over(Op::hide, {s.over(Op::parallel, chains, {"go"})}, {"h0", "h1", "h2", "h3", "h4", "h5"});
+        whole = compiler.compile(term, {});
+        nothing = compiler.compile(s.over(Op::parallel, {s.stop(), s.stop()}, {}), {});
+    }
+    refine::Verdict ask(bool reduction, std::uint64_t max_states) {
+        refine::Limits limits = limits_of(reduction, 1);
+        limits.max_states = max_states;
+        return refine::refines(*nothing, *whole, refine::Model::traces, limits);
+    }
+
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    Compiler compiler{semantics};
+    std::unique_ptr<SupercombinatorSystem> whole, nothing;
+};
+
+TEST_F(HiddenSteps, AreFollowed) {
+    EXPECT_EQ(ask(false, 1'000'000).statistics.states, 15'625U);
+    const refine::Verdict verdict = ask(true, 1'000'000);
+    EXPECT_EQ(verdict.outcome, refine::Outcome::fails);
+    EXPECT_EQ(verdict.statistics.states, 1U);  // the one where all hidden steps are done
+    EXPECT_EQ(verdict.statistics.chased, 24U);
+    ASSERT_TRUE(verdict.counterexample);
+    EXPECT_TRUE(verdict.counterexample->shortest);
+    EXPECT_EQ(verdict.counterexample->steps.size(), 25U);
+}
+
+/// The verdict needs one state, the search for a shortest run all.
+TEST_F(HiddenSteps, ARunIsSaidToBeNoShortestOneWhereALimitIsReached) {
+    EXPECT_EQ(ask(false, 1'000).outcome, refine::Outcome::inconclusive);
+    const refine::Verdict verdict = ask(true, 1'000);
+    EXPECT_EQ(verdict.outcome, refine::Outcome::fails);
+    ASSERT_TRUE(verdict.counterexample);
+    EXPECT_FALSE(verdict.counterexample->shortest);
+    ASSERT_EQ(verdict.counterexample->steps.size(), 25U);
+    EXPECT_EQ(verdict.counterexample->steps.back().event, s.event("go"));
+}
+
+TEST(Reduction, KeepsRandomProcesses) {
+    const int wanted = refine::wanted_checks(60);
+    refine::RandomCases cases(22);
+    Seen seen;
+    int compared = 0;
+    while (compared < wanted) {
+        const refine::RandomCases::Explored each = cases.next();
+        for (const refine::naive::Process& main : each.asked.script.mains) {
+            refine::Translation translation(each.asked.script);
+            Compiler compiler(translation.semantics());
+            const auto whole = compiler.compile(translation.term(main), {});
+            if (!whole) continue;
+            ++compared;
+            ASSERT_TRUE(keeps_everything(*whole, seen)) << show(each.asked.script);
+        }
+    }
+    std::cout << seen.smaller << " of " << compared << " with fewer states, " << seen.diverging
+              << " of them divergent; states " << seen.states << ", kept " << seen.kept << "\n";
+    EXPECT_GT(seen.smaller * 10, compared);
+}
+
+}  // namespace
+}  // namespace robochart::machine

@@ -1,0 +1,89 @@
+// Names and types of rules: docs/rules-language.md, "Definitions" and "Conditions".
+#include <gtest/gtest.h>
+
+#include "tests/sleec/support.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+using testing::Read;
+using testing::with_definitions;
+
+std::string findings(const std::string& rules) {
+    return Read(with_definitions(rules)).checked_too().findings();
+}
+
+TEST(SleecCheck, FollowsNames) {
+    EXPECT_EQ(findings("R when Go then Stopp"), "SLEEC-T01:7");
+    EXPECT_EQ(findings("R when near then Stop"), "SLEEC-T02:7");
+    EXPECT_EQ(findings("R when Go and Stop then Halt"), "SLEEC-T02:7");
+    EXPECT_EQ(findings("R when Go then Stop within MAXX seconds"), "SLEEC-T01:7");
+    EXPECT_EQ(findings("R when Go then Stop within level seconds"), "SLEEC-T02:7");
+    EXPECT_EQ(findings("R when Go and (Halt or near) then Stop"), "SLEEC-T02:7") << "an event stands alone";
+    Read read(with_definitions("R when Go then Stopp"));
+    EXPECT_EQ(read.checked_too().diagnostics.sorted().front().fixes.at(0).replacement, "Stop");
+}
+
+TEST(SleecCheck, RefusesNamesGivenTwice) {
+    EXPECT_EQ(Read("def_start event A measure A : boolean def_end rule_start rule_end").checked_too().findings(),
+              "SLEEC-T03:1");
+    EXPECT_EQ(Read("def_start measure m : scale(a, b, a) def_end rule_start rule_end").checked_too().findings(),
+              "SLEEC-T03:1");
+    Read rules(with_definitions("R when Go then Stop\nR when Halt then Stop"));
+    EXPECT_EQ(rules.checked_too().findings(), "SLEEC-T03:8");
+    EXPECT_TRUE(rules.checked) << "of rules a warning";
+}
+
+TEST(SleecCheck, ChecksTypes) {
+    for (const std::string condition :
+         {"near", "not near", "level < 5", "MAX >= level", "load = mid", "mid <= load", "level = level", "1 < 2"})
+        EXPECT_EQ(findings("R when Go and " + condition + " then Stop"), "") << condition;
+    for (const std::string condition : {"level", "load", "5", "near = safe", "near < 5", "load < 2", "load = load",
+                                        "mid = mid", "level = mid", "load = strong", "low", "not level"})
+        EXPECT_TRUE(findings("R when Go and " + condition + " then Stop").starts_with("SLEEC-T0")) << condition;
+}
+
+/// LEGOS compares places on scales; a file in its dialect may mix them up.
+TEST(SleecCheck, ReadsLiteralsByTheirPlaceInLegosOnly) {
+    const std::string head =
+        "def_start event Go event Stop measure a : scale(x, y) measure b : scale(u, v, w) def_end ";
+    Read legos(head + "rule_start R when Go and ({a} = v) then Stop rule_end");
+    EXPECT_EQ(legos.checked_too().findings(), "SLEEC-T05:1");
+    EXPECT_EQ(legos.checked->rules[0].condition->parts[1].value, 1);
+    EXPECT_EQ(Read(head + "rule_start R when Go and ({a} = w) then Stop rule_end").checked_too().findings(),
+              "SLEEC-T04:1")
+        << "there is no third value";
+    EXPECT_EQ(Read(head + "rule_start R when Go and a = v then Stop rule_end").checked_too().findings(), "SLEEC-T04:1");
+}
+
+TEST(SleecCheck, WorksOutConstantsAndTimes) {
+    Read read(
+        "def_start event Go event Stop constant A = B constant B = 2 def_end\n"
+        "rule_start R when Go then Stop within A minutes rule_end");
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    EXPECT_EQ(read.checked->rules[0].duty->to, 120);
+    EXPECT_EQ(Read("def_start event Go constant A = B constant B = A def_end\n"
+                   "rule_start R when Go then Go within A seconds rule_end")
+                  .checked_too()
+                  .findings(),
+              "SLEEC-T06:1");
+    EXPECT_EQ(findings("R when Go then Stop within [3, 2] seconds"), "SLEEC-T07:7");
+}
+
+/// At least 5 seconds after: not at 0 to 4.
+TEST(SleecCheck, AtLeastForbidsTheSecondsBefore) {
+    Read read(with_definitions("R Stop at least 5 seconds after Go"));
+    ASSERT_TRUE(read.checked_too().checked);
+    EXPECT_TRUE(read.checked->rules[0].duty->forbids);
+    EXPECT_EQ(read.checked->rules[0].duty->to, 4);
+}
+
+TEST(SleecCheck, EvaluatesWithoutOverflow) {
+    Read read(with_definitions("R when Go and ({level} * 1000000000 * 1000000000 * 1000000000 > 5) then Stop"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, 1'000'000'000, 0}), 1);
+    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, -1'000'000'000, 0}), 0);
+}
+
+}  // namespace
+}  // namespace robochart::sleec

@@ -1,0 +1,51 @@
+// SLEEC texts read for tests.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "diagnostics/render.hpp"
+#include "sleec/checks/check.hpp"
+#include "sleec/syntax/reader.hpp"
+
+namespace robochart::sleec::testing {
+
+/// A text with the findings about it.
+struct Read {
+    explicit Read(const std::string& text, const std::string& path = "rules.sleec") {
+        file = read(sources, sources.add(path, text), diagnostics);
+    }
+    /// Follows names and checks types too.
+    Read& checked_too() {
+        if (diagnostics.ok()) checked = check(file, diagnostics);
+        return *this;
+    }
+    /// "SLEEC-P01:3 SLEEC-P02:7": codes with lines, in the order of the text.
+    [[nodiscard]] std::string findings() const {
+        std::string text;
+        for (const diagnostics::Diagnostic& each : diagnostics.sorted()) {
+            if (!text.empty()) text += " ";
+            text += each.rule->code;
+            if (each.span.known())
+                text += ":" + std::to_string(sources.position(each.span.source, each.span.begin).line);
+        }
+        return text;
+    }
+    [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
+
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    RuleFile file;
+    std::optional<CheckedRules> checked;
+};
+
+/// A file with these rules over the events Go, Stop, Halt, Alarm, Help, the measures near, safe (boolean), level
+/// (numeric), load (low, mid, high), and the constant MAX = 5.
+inline std::string with_definitions(const std::string& rules) {
+    return "def_start\nevent Go event Stop event Halt event Alarm event Help\n"
+           "measure near : boolean measure safe : boolean measure level : numeric\n"
+           "measure load : scale(low, mid, high) constant MAX = 5\ndef_end\nrule_start\n" +
+           rules + "\nrule_end\n";
+}
+
+}  // namespace robochart::sleec::testing

@@ -1,0 +1,148 @@
+// The grammar of both dialects (docs/rules-language.md): what is read, as which tree, and what is refused where.
+#include <gtest/gtest.h>
+
+#include "sleec/syntax/printer.hpp"
+#include "tests/sleec/support.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+using testing::Read;
+using testing::with_definitions;
+
+/// The first rule as it prints.
+std::string as_read(const std::string& rule) {
+    const Read read(with_definitions("R " + rule));
+    return read.diagnostics.ok() && !read.file.rules.empty() ? print(read.file.rules.front()) : read.findings();
+}
+
+TEST(SleecReader, ReadsEachFormOfRule) {
+    for (const std::string rule :
+         {"when Go then Stop", "when Go and near then Stop within 5 seconds",
+          "when Go then not Stop within MAX minutes",
+          "when Go then Stop within 3 hours otherwise Alarm within 1 days otherwise Help",
+          "when Go then Stop unless near unless level > 5 then Alarm",
+          "when Go then Stop within 1 minutes unless near then {Help within 3 seconds unless safe}",
+          "when Go and load >= mid and not near then Stop", "when Go and true then Stop",
+          "after Go and near, Stop within 5 seconds", "Stop at least 5 seconds after Go"})
+        EXPECT_EQ(as_read(rule), rule);
+}
+
+/// [TK]: `and` and `or` have one precedence and associate to the left; `not` applies to one comparison.
+TEST(SleecReader, AndAndOrBindAlikeFromTheLeft) {
+    EXPECT_EQ(as_read("when Go and near or safe and level < 3 then Stop"),
+              "when Go and (near or safe) and level < 3 then Stop");
+    EXPECT_EQ(as_read("when Go and near and (safe or level < 3) then Stop"),
+              "when Go and near and (safe or level < 3) then Stop");
+    EXPECT_EQ(as_read("when Go and not level = 1 and near then Stop"), "when Go and not level = 1 and near then Stop");
+}
+
+/// The warning shows how the condition is read; its fix writes that down.
+TEST(SleecReader, WarnsWhereTheTwoMeet) {
+    const Read read(with_definitions("R when Go and near or safe and level < 3 then Stop"));
+    EXPECT_EQ(read.findings(), "SLEEC-P10:7");
+    EXPECT_NE(read.report().find("this is '(near or safe) and level < 3'"), std::string::npos) << read.report();
+    EXPECT_EQ(Read(with_definitions("R when Go and (near or safe) and level < 3 then Stop")).findings(), "");
+    EXPECT_EQ(Read(with_definitions("R when Go and near and safe then Stop")).findings(), "");
+}
+
+/// [TK]: unbraced, a defeater belongs to the whole response, not to what stands behind `otherwise`.
+TEST(SleecReader, DefeatersBelongToTheWholeResponse) {
+    const Read read(with_definitions("R when Go then Stop within 2 seconds otherwise Alarm unless near"));
+    const Response& response = *read.file.rules.at(0).response;
+    EXPECT_EQ(response.defeaters.size(), 1U);
+    EXPECT_TRUE(response.otherwise->defeaters.empty());
+}
+
+TEST(SleecReader, OtherwiseBehindADefeaterBelongsToItsResponse) {
+    const Read read(with_definitions(
+        "R when Go then Stop unless near then Alarm within 1 seconds otherwise Help within 2 seconds otherwise Go"));
+    const Response& response = *read.file.rules.at(0).response;
+    EXPECT_EQ(response.otherwise, nullptr);
+    EXPECT_EQ(response.defeaters.at(0).response->otherwise->otherwise->event.text, "Go");
+}
+
+TEST(SleecReader, ReadsConcernsAndPurposes) {
+    const Read read(
+        "def_start event Go event Stop measure near : boolean def_end\n"
+        "rule_start R when Go then not Stop rule_end\n"
+        "concern_start c1 when Go and {near} then not Stop concern_end\n"
+        "purpose_start p1 exists Go and {near} while Stop p2 when Go then Stop within [1, 3] seconds purpose_end");
+    EXPECT_EQ(read.findings(), "");
+    EXPECT_EQ(read.file.dialect, Dialect::legos);
+    ASSERT_EQ(read.file.purposes.size(), 2U);
+    EXPECT_EQ(read.file.purposes[0].during->event.text, "Stop");
+    EXPECT_EQ(read.file.purposes[1].response->limit->from->text, "1");
+    EXPECT_FALSE(read.file.concerns.at(0).exists);
+}
+
+TEST(SleecReader, KnowsTheDialectByWhatOnlyOneHas) {
+    EXPECT_EQ(Read(with_definitions("R when Go then Stop")).file.dialect, Dialect::sleec_tk);
+    for (const std::string rule :
+         {"R when Go and {near} then Stop", "R when Go then not Stop", "R when Go then Stop eventually",
+          "R when Go then Stop otherwise Help", "R when Go then Stop within [1, 2] seconds",
+          "R when Go then Stop within 2 seconds else Help", "R when Go and ({level} + 1 > 5) then Stop"}) {
+        const Read read(with_definitions(rule));
+        EXPECT_EQ(read.file.dialect, Dialect::legos) << rule;
+        EXPECT_EQ(read.findings(), "") << rule;
+    }
+}
+
+TEST(SleecReader, NamesWhatTheDialectOfTheFileLacks) {
+    const Read read(with_definitions("R1 when Go and {near} then Stop\nR2 when Go and safe then Stop"));
+    EXPECT_EQ(read.findings(), "SLEEC-P08:8");
+    EXPECT_NE(read.report().find("a measure without braces is not in the dialect of LEGOS"), std::string::npos);
+}
+
+TEST(SleecReader, MarksItsExtensions) {
+    EXPECT_EQ(Read(with_definitions("R after Go, Stop within 1 seconds")).findings(), "SLEEC-P09:7");
+    EXPECT_EQ(Read(with_definitions("assume R when Go then Stop")).findings(), "SLEEC-P09:7");
+    EXPECT_EQ(Read(with_definitions("assume when Go then Stop")).findings(), "") << "a rule of that name";
+    EXPECT_EQ(Read("def_start event Go map Go to M::go def_end rule_start rule_end").findings(), "SLEEC-P09:1");
+    EXPECT_EQ(Read(with_definitions("R when Go then Stop unless Halt")).checked_too().findings(), "SLEEC-P09:7");
+}
+
+TEST(SleecReader, GoesOnAtTheNextRule) {
+    const Read read(
+        with_definitions("R1 when Go Stop\nR2 when Go then\nR3 when Go then Stop within 5\n"
+                         "R4 when Go then Stop\nR5 wehn Go then Stop"));
+    // R2 asks for an event R3, whose own rule is then broken.
+    EXPECT_EQ(read.findings(), "SLEEC-P01:7 SLEEC-P01:9 SLEEC-P01:11");
+    EXPECT_EQ(read.file.rules.size(), 2U);
+}
+
+TEST(SleecReader, SuggestsTheWordThatWasMeant) {
+    const Read read(with_definitions("R1 when Go then Stop within 5 second"));
+    ASSERT_EQ(read.findings(), "SLEEC-P01:7");
+    ASSERT_EQ(read.diagnostics.sorted().front().fixes.size(), 1U);
+    EXPECT_EQ(read.diagnostics.sorted().front().fixes.front().replacement, "seconds");
+}
+
+TEST(SleecReader, RefusesWithAReason) {
+    EXPECT_EQ(Read("def_start def_end rule_start rule_end relation_start equal A B relation_end").findings(),
+              "SLEEC-P06:1");
+    EXPECT_EQ(Read(with_definitions("R when Go then Stop within -5 seconds")).findings(), "SLEEC-P06:7");
+    EXPECT_EQ(Read(with_definitions("R when Go then Stop within 99999999999 seconds")).findings(), "SLEEC-P04:7");
+    EXPECT_EQ(Read(with_definitions("R when Go then Stop \xc3\xb6")).findings(), "SLEEC-P02:7");
+    EXPECT_EQ(Read("/* def_start").findings(), "SLEEC-P03:1 SLEEC-P01:1");
+    EXPECT_EQ(Read(with_definitions("R when Go and {level < 10} then Stop")).findings(), "SLEEC-P01:7")
+        << "in neither dialect";
+}
+
+TEST(SleecReader, LimitsNestingAndChains) {
+    std::string deep = "R when Go and ";
+    for (int i = 0; i < 50'000; ++i) deep += "(";
+    EXPECT_EQ(Read(with_definitions(deep)).findings(), "SLEEC-P05:7");
+    std::string chain = "R when Go and near";
+    for (int i = 0; i < 50'000; ++i) chain += " and near";
+    EXPECT_EQ(Read(with_definitions(chain + " then Stop")).findings(), "SLEEC-P05:7");
+    std::string otherwise = "R when Go then Stop within 1 seconds";
+    for (int i = 0; i < 50'000; ++i) otherwise += " otherwise Stop within 1 seconds";
+    EXPECT_EQ(Read(with_definitions(otherwise)).findings(), "SLEEC-P05:7");
+    std::string braces = "R when Go then Stop unless near then ";
+    for (int i = 0; i < 50'000; ++i) braces += "{";
+    EXPECT_EQ(Read(with_definitions(braces)).findings(), "SLEEC-P01:7");
+}
+
+}  // namespace
+}  // namespace robochart::sleec
