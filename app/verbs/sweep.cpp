@@ -9,7 +9,7 @@
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/report/sweep_html.hpp"
+#include "app/pages/sweep_html.hpp"
 #include "app/verbs/monitor.hpp"
 #include "app/verbs/simulate.hpp"
 #include "diagnostics/escape.hpp"

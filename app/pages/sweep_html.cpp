@@ -1,10 +1,10 @@
 // See sweep_html.hpp. What others wrote is escaped where it is put into the page.
-#include "app/report/sweep_html.hpp"
+#include "app/pages/sweep_html.hpp"
 
 #include <fmt/format.h>
 
 #include "app/command/options.hpp"
-#include "app/report/page.hpp"
+#include "app/pages/page.hpp"
 #include "diagnostics/escape.hpp"
 
 namespace robochart::app {
