@@ -289,7 +289,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     append(generated, record_functions(project, theirs.all));
     std::vector<std::string> left_out;
     add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded, left_out);
-    check_instantiations_read(project, files, names_for_blocks(project, core, generated, safe.for_blocks), left_out);
+    if (project.instantiations_replaced())
+        check_instantiations_read(project, files, names_for_blocks(project, core, generated, safe.for_blocks),
+                                  left_out);
     Emitted emitted;
     emit_components(project, names, emitted, generated);
     std::vector<DeclPtr> ours = core;
