@@ -380,6 +380,14 @@ std::string file_name(const Project& project, const ir::ComponentRef& component)
     return name;
 }
 
+std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager& sources, const std::string& path,
+                                                std::string& error) {
+    if (path != "-") return sources.load(path, error);
+    std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+    if (!error.empty()) return std::nullopt;
+    return sources.add("standard input", std::move(text));
+}
+
 bool write_output(Project& project, const Options& options, const std::string& path, const std::string& text) {
     const std::string error = options.run->claim(path)
                                   ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())

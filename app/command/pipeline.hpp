@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -70,6 +71,11 @@ struct Part {
 /// A component's name in names of files and of generated code: letters, digits and underscores. Its package is part of
 /// it where components of other packages have its name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
+
+/// A text that is no model: a file, or standard input where the path is "-". Nothing where it cannot be read; `error`
+/// says why.
+[[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
+                                                              std::string& error);
 
 /// Writes a file below `--out`; false with a diagnostic where it cannot, or where this run has already written one of
 /// that name.

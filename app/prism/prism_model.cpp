@@ -5,25 +5,19 @@
 
 #include <algorithm>
 
+#include "app/command/pipeline.hpp"
 #include "checker/prism/checks/check.hpp"
 #include "checker/prism/experiment.hpp"
 #include "checker/prism/syntax/reader.hpp"
 #include "checker/prism/syntax/rules.hpp"
 #include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
 
 std::optional<diagnostics::SourceId> load_text(const std::string& path, LoadedModel& loaded) {
     std::string error;
-    std::optional<diagnostics::SourceId> source;
-    if (path == "-") {
-        std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
-        if (error.empty()) source = loaded.sources.add("standard input", std::move(text));
-    } else {
-        source = loaded.sources.load(path, error);
-    }
+    const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
     if (!source) loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::shown(path), error});
     return source;
 }

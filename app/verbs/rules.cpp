@@ -8,12 +8,12 @@
 
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
+#include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
 #include "app/report/rules_report.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/checks/check.hpp"
@@ -35,13 +35,7 @@ struct LoadedRules {
 
 void load(const std::string& path, LoadedRules& loaded) {
     std::string error;
-    std::optional<diagnostics::SourceId> source;
-    if (path == "-") {
-        std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
-        if (error.empty()) source = loaded.sources.add("standard input", std::move(text));
-    } else {
-        source = loaded.sources.load(path, error);
-    }
+    const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
     if (!source) {
         loaded.diagnostics.report(sleec::rules::unreadable, {}, {diagnostics::shown(path), error});
         return;
