@@ -201,6 +201,8 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
     json["chased_states"] = verdict.statistics.chased;
+    json["replicas"] = verdict.statistics.replicas;
+    json["distinguished_replicas"] = verdict.statistics.distinguished;
     if (verdict.known) json["known"] = true;
     return json;
 }

@@ -51,6 +51,20 @@ bool has_statistics(const AssertionReport& a) {
     return a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0;
 }
 
+/// What was made of components that are equal, if there are any.
+std::string symmetry_text(const refine::Statistics& size) {
+    if (size.distinguished > 0)
+        return fmt::format(
+            "               {} components are equal, but the assertion distinguishes some of them: states "
+            "that differ in these are all searched\n",
+            size.distinguished);
+    return size.replicas > 0 ? fmt::format(
+                                   "               {} components are equal: of states that differ in which of them "
+                                   "does what, one is searched\n",
+                                   size.replicas)
+                             : "";
+}
+
 /// Behind the verdict. Under the heading of its component a core property needs no title.
 std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options) {
@@ -60,6 +74,7 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
                            a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
+    out += symmetry_text(a.statistics);
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;

@@ -15,8 +15,9 @@ namespace {
 using diagnostics::Json;
 
 Json statistics(const refine::Statistics& s) {
-    return {{"states", s.states}, {"transitions", s.transitions}, {"depth", s.depth},
-            {"chased", s.chased}, {"specNodes", s.spec_nodes},    {"seconds", s.seconds}};
+    return {{"states", s.states},        {"transitions", s.transitions}, {"depth", s.depth},
+            {"chased", s.chased},        {"replicas", s.replicas},       {"distinguished", s.distinguished},
+            {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
 }
 
 /// As text, as the script's events, and as data.

@@ -45,6 +45,8 @@ void add(refine::Statistics& sum, const refine::Statistics& one) {
     sum.spec_nodes += one.spec_nodes;
     sum.seconds += one.seconds;
     sum.chased += one.chased;
+    sum.replicas = std::max(sum.replicas, one.replicas);
+    sum.distinguished = std::max(sum.distinguished, one.distinguished);
 }
 
 void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,

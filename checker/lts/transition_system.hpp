@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "checker/lts/event.hpp"
+#include "checker/lts/symmetry.hpp"
 
 namespace robochart::lts {
 
@@ -50,6 +51,9 @@ public:
     /// explicit divergence, which keeps every model. It may outlive this system. Null where no way is known. `poll` may
     /// throw to stop.
     [[nodiscard]] virtual std::unique_ptr<ReducedSystem> reduced(const std::function<void()>& /*poll*/) const;
+    /// Equal parts of the states that can be exchanged, in sets: each exchange is an automorphism of the system
+    /// (docs/search.md, "Symmetry"). Empty where none are known. `poll` may throw to stop.
+    [[nodiscard]] virtual std::vector<ReplicaSet> replicas(const std::function<void()>& /*poll*/) const { return {}; }
     /// How many states the successors of all states so far were led on from.
     [[nodiscard]] virtual std::uint64_t chased() const { return 0; }
     /// Whether a state is one word, a process::TermId.

@@ -42,6 +42,7 @@ public:
         region(priorities ? root.children.front() : 0, priorities ? levels(root) : std::vector<std::uint32_t>());
         result_.initial.assign(skeleton_.slots.size(), 0);
         for (const Assignment& each : assignments({{0, true}})) result_.initial[each.slot] = each.value;
+        list_operands();
         pack();
         return std::move(result_);
     }
@@ -70,6 +71,7 @@ private:
     [[nodiscard]] std::vector<std::vector<double>> chances(const Region& region) const;
     void finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const;
     void add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const;
+    void list_operands();
     void pack();
 
     const process::TermStore& terms_;
@@ -430,6 +432,18 @@ void Combiner::finish(Region& region, Vectors vectors, const std::vector<std::ui
                 region.chance[region.rules.back().place] += together;
             }
         }
+}
+
+/// Large ones first.
+void Combiner::list_operands() {
+    std::vector<SlotRange>& operands = result_.operands;
+    for (const Node& node : skeleton_.nodes)
+        if (node.first_slot < node.end_slot) operands.push_back({node.first_slot, node.end_slot});
+    const auto rank = [](const SlotRange& range) { return std::pair(range.first - range.end, range.first); };
+    const auto less = [&](const SlotRange& a, const SlotRange& b) { return rank(a) < rank(b); };
+    const auto same = [&](const SlotRange& a, const SlotRange& b) { return rank(a) == rank(b); };
+    std::sort(operands.begin(), operands.end(), less);
+    operands.erase(std::unique(operands.begin(), operands.end(), same), operands.end());
 }
 
 /// Components side by side in words of 32 bits; none crosses a word's border.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "checker/lts/field.hpp"
 #include "checker/machine/component.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/machine/skeleton.hpp"
@@ -14,6 +15,7 @@
 
 namespace robochart::machine {
 
+using lts::Field;
 using process::no_level;
 
 /// One that takes part in the rules of a region: a component, or a region inside.
@@ -70,18 +72,16 @@ struct Region {
     std::vector<Assignment> assignments;
     EventSet alphabet;  ///< of all rules
 };
-/// Where a component's state lies in the packed state.
-struct Field {
-    std::uint32_t word, shift, mask;
-    [[nodiscard]] Local get(std::span<const std::uint32_t> state) const { return (state[word] >> shift) & mask; }
-    void put(std::span<std::uint32_t> state, Local value) const {
-        state[word] = (state[word] & ~(mask << shift)) | (value << shift);
-    }
+
+/// The components of one operand: slots [first, end).
+struct SlotRange {
+    std::uint32_t first = 0, end = 0;
 };
 
 /// A compiled process as data.
 struct Supercombinator {
     std::vector<ComponentPtr> components;  ///< by slot
+    std::vector<SlotRange> operands;       ///< of all operators, each range once, large ones first
     std::vector<Region> regions;           ///< inner ones first; the last is the whole
     std::vector<Local> initial;            ///< by slot
     std::vector<Field> fields;             ///< by slot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "checker/lts/transition_system.hpp"
 #include "checker/machine/supercombinator.hpp"
@@ -21,6 +22,7 @@ public:
         return std::make_unique<SupercombinatorSystem>(combined_, terms_);
     }
     [[nodiscard]] std::unique_ptr<lts::ReducedSystem> reduced(const std::function<void()>& poll) const override;
+    [[nodiscard]] std::vector<lts::ReplicaSet> replicas(const std::function<void()>& poll) const override;
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
@@ -62,6 +64,7 @@ private:
     std::uint64_t state_number_ = 0;   // of the states whose successors were asked for
     std::vector<lts::Word> target_;
     bool busy_ = false;
+    mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // once looked for
     std::function<void()> poll_;  // asked where one state has many successors
     std::uint32_t performed_ = 0;
 };

@@ -45,7 +45,9 @@ struct Statistics {
     std::uint64_t depth = 0;       ///< breadth-first level of the last state
     std::uint64_t spec_nodes = 0;  ///< normalised specification nodes made
     double seconds = 0;
-    std::uint64_t chased = 0;  ///< states left out: a step of a transition led to each, and a confluent tau led on
+    std::uint64_t chased = 0;    ///< states left out: a step of a transition led to each, and a confluent tau led on
+    std::uint64_t replicas = 0;  ///< the most equal components whose exchange gives no further state; 0: none
+    std::uint64_t distinguished = 0;  ///< equal components that the question distinguishes, so that it does
 };
 
 }  // namespace robochart::refine

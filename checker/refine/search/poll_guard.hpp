@@ -8,10 +8,11 @@
 
 namespace robochart::refine {
 
-/// The systems poll the budget while this lives; both outlive it.
+/// The systems poll the budget while this lives; both outlive it. Null pointers are left out.
 class PollGuard {
 public:
     PollGuard(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {
+        std::erase(systems_, nullptr);
         for (lts::TransitionSystem* system : systems_) system->watch([&budget] { budget.charge(); });
     }
     PollGuard(const PollGuard&) = delete;

@@ -8,6 +8,7 @@
 #include "checker/refine/search/poll_guard.hpp"
 #include "checker/refine/search/steps.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/indifference.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
 #include "checker/refine/verdict/reduction.hpp"
@@ -105,13 +106,14 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
                        Search::Pairs pairs, Budget& budget, Verdict& verdict, Earlier earlier) {
     NormalForm normal(specification, budget);
     verdict.outcome = Outcome::holds;
-    const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_reduced(
-            implementation, budget, verdict.statistics,
-            [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
-                return search_refinement(normal, system, model, pairs, own, size, known);
-            });
-    });
+    Indifference indifference(specification, model, budget);
+    const SearchQuestion question{
+        [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
+            return search_refinement(normal, system, model, pairs, own, size, known);
+        },
+        [&](const lts::EventPermutation& exchange) { return indifference.to(exchange); }};
+    const std::optional<Violation> violation =
+        found(earlier, verdict, [&] { return search_reduced(implementation, budget, verdict.statistics, question); });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
         const bool by_reference = &system != &implementation && specification.reference() != nullptr;
@@ -134,13 +136,13 @@ std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbi
 void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
                    Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
-    const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_reduced(
-            system, budget, verdict.statistics,
-            [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
-                return search_states(searched, forbid_deadlock, forbid_divergence, own, size, known);
-            });
-    });
+    const SearchQuestion question{
+        [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
+            return search_states(searched, forbid_deadlock, forbid_divergence, own, size, known);
+        },
+        [](const lts::EventPermutation&) { return true; }};
+    const std::optional<Violation> violation =
+        found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
     if (!violation) return;
     fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
 }

@@ -212,11 +212,14 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, Model mode
 
 void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
-    const std::optional<Violation> violation = found(earlier, verdict, [&] {
-        return search_reduced(system, budget, verdict.statistics,
-                              [&](lts::TransitionSystem& searched, Budget& own, Statistics& size,
-                                  const Violation* known) { return search_choice(searched, model, own, size, known); });
-    });
+    const SearchQuestion question{
+        [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
+            return search_choice(searched, model, own, size, known);
+        },
+        // The resolution of a state and that of its image take different choices.
+        [](const lts::EventPermutation&) { return false; }};
+    const std::optional<Violation> violation =
+        found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
     if (!violation) return;
     verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));
     verdict.outcome = Outcome::fails;

@@ -94,7 +94,8 @@ private:
 std::string encode(const Findings& findings, const EventSet& named) {
     Encoder out(named);
     const Statistics& size = findings.statistics;
-    for (const std::uint64_t value : {size.states, size.transitions, size.depth, size.spec_nodes, size.chased})
+    for (const std::uint64_t value :
+         {size.states, size.transitions, size.depth, size.spec_nodes, size.chased, size.replicas, size.distinguished})
         out.number(value);
     out.number(findings.violation ? 1 : 0);
     if (const auto& violation = findings.violation) {
@@ -112,7 +113,8 @@ std::optional<Findings> decode(std::string_view bytes, const EventSet& named, st
     try {
         Findings findings;
         Statistics& size = findings.statistics;
-        for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes, &size.chased})
+        for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes, &size.chased,
+                                     &size.replicas, &size.distinguished})
             *value = in.number();
         if (in.number_below(2) == 1) {
             Violation violation;

@@ -2,45 +2,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
+#include "checker/lts/symmetric_system.hpp"
 #include "checker/refine/search/poll_guard.hpp"
-#include "checker/refine/search/steps.hpp"
+#include "checker/refine/verdict/unfolding.hpp"
 
 namespace robochart::refine {
 namespace {
-
-using State = std::vector<lts::Word>;
-
-/// A step of the whole system to this state by a tau.
-RunStep tau_to(lts::TransitionSystem& system, const State& from, const State& to) {
-    for (RunStep& step : steps_from(system, from))
-        if (step.event == process::tau && step.state == to) return std::move(step);
-    throw std::logic_error("a followed tau cannot be taken");
-}
-
-void chase(lts::TransitionSystem& system, lts::ReducedSystem& reduced, Run& run) {
-    for (const State& next : reduced.chase(run.last())) run.steps.push_back(tau_to(system, State(run.last()), next));
-}
-
-/// A step of the whole system that the reduced one shows as this step.
-RunStep step_behind(lts::TransitionSystem& system, lts::ReducedSystem& reduced, const State& from,
-                    const RunStep& shown) {
-    for (RunStep& step : steps_from(system, from)) {
-        if (step.event != shown.event || step.revealed != shown.revealed) continue;
-        const std::vector<State> row = reduced.chase(step.state);
-        if ((row.empty() ? step.state : row.back()) == shown.state) return std::move(step);
-    }
-    throw std::logic_error("a step of the reduced system cannot be taken");
-}
-
-void append(lts::TransitionSystem& system, lts::ReducedSystem& reduced, const Run& shown, Run& run) {
-    for (const RunStep& step : shown.steps) {
-        run.steps.push_back(step_behind(system, reduced, State(run.last()), step));
-        chase(system, reduced, run);
-    }
-}
 
 /// The limits of the search for a shortest run, so that time is left to report what is known.
 Limits leaving_time(Limits limits) {
@@ -49,22 +20,84 @@ Limits leaving_time(Limits limits) {
     return limits;
 }
 
-Violation shortest(lts::TransitionSystem& system, Violation known, Budget& budget, const ViolationSearch& search) {
-    const Limits limits = leaving_time(budget.limits());
-    Budget own(limits);
-    Statistics ignored;
-    try {
-        if (std::optional<Violation> found = search(system, own, ignored, &known)) return std::move(*found);
-    } catch (const process::Interrupted&) {
-        if (limits.interrupted && limits.interrupted()) throw;
-        known.shortest = false;
-        return known;
-    } catch (const std::bad_alloc&) {
-        known.shortest = false;
-        return known;
+class ReducedSearch {
+public:
+    ReducedSearch(lts::TransitionSystem& system, Budget& budget, const SearchQuestion& question)
+        : system_(system), budget_(budget), question_(question) {}
+
+    std::optional<Violation> run(Statistics& statistics) {
+        const auto poll = [this] { budget_.charge(); };
+        std::shared_ptr<lts::ReducedSystem> reduced = system_.reduced(poll);
+        find_symmetry(poll);
+        const std::optional<Violation> violation = search(reduced, budget_, statistics, nullptr);
+        note(statistics);
+        if (!violation || !followed_) return violation;
+        return shortest(*violation);
     }
-    throw std::logic_error("the whole system does not have the violation of its reduced form");
-}
+
+private:
+    /// The replicas that the question does not distinguish.
+    void find_symmetry(const std::function<void()>& poll) {
+        std::vector<lts::ReplicaSet> kept;
+        for (lts::ReplicaSet set : system_.replicas(poll)) {
+            const std::size_t all = set.size();
+            std::erase_if(set, [&](const lts::Replica& replica) {
+                return !replica.exchange.empty() && !question_.indifferent(replica.exchange);
+            });
+            if (set.size() < all) distinguished_ = std::max(distinguished_, all);
+            if (set.size() > 1) kept.push_back(std::move(set));
+        }
+        if (!kept.empty()) symmetry_.emplace(std::move(kept));
+    }
+
+    void note(Statistics& statistics) const {
+        statistics.replicas = symmetry_ ? symmetry_->replicas() : 0;
+        statistics.distinguished = distinguished_;
+    }
+
+    /// In the reduced form without the taus, where that is given, and without what symmetry leaves out.
+    std::optional<Violation> search(const std::shared_ptr<lts::ReducedSystem>& reduced, Budget& budget,
+                                    Statistics& statistics, const Violation* known) {
+        const PollGuard taus_guard({reduced.get()}, budget);
+        std::unique_ptr<lts::TransitionSystem> folded;
+        if (symmetry_) folded = std::make_unique<lts::SymmetricSystem>(another(reduced), *symmetry_);
+        const PollGuard guard({folded.get()}, budget);
+        lts::TransitionSystem& searched = folded ? *folded : reduced ? *reduced : system_;
+        std::optional<Violation> violation = question_.search(searched, budget, statistics, known);
+        followed_ = statistics.chased > 0 || searched.chased() > 0;
+        if (!violation || &searched == &system_) return violation;
+        return unfolded(system_, {reduced.get(), symmetry_ ? &*symmetry_ : nullptr}, *violation);
+    }
+
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another(
+        const std::shared_ptr<lts::ReducedSystem>& reduced) const {
+        return reduced ? reduced->another() : system_.another();
+    }
+
+    Violation shortest(Violation known) {
+        const Limits limits = leaving_time(budget_.limits());
+        Budget own(limits);
+        Statistics ignored;
+        try {
+            if (std::optional<Violation> found = search(nullptr, own, ignored, &known)) return std::move(*found);
+        } catch (const process::Interrupted&) {
+            if (limits.interrupted && limits.interrupted()) throw;
+            known.shortest = false;
+            return known;
+        } catch (const std::bad_alloc&) {
+            known.shortest = false;
+            return known;
+        }
+        throw std::logic_error("the whole system does not have the violation of its reduced form");
+    }
+
+    lts::TransitionSystem& system_;
+    Budget& budget_;
+    const SearchQuestion& question_;
+    std::optional<lts::Symmetry> symmetry_;
+    std::size_t distinguished_ = 0;
+    bool followed_ = false;  // the last search has followed confluent taus
+};
 
 }  // namespace
 
@@ -73,26 +106,10 @@ std::uint64_t events_until(const Violation* known) {
     return bounded ? known->run.steps.size() : std::numeric_limits<std::uint64_t>::max();
 }
 
-Run run_of_whole(lts::TransitionSystem& system, lts::ReducedSystem& reduced, const Run& run) {
-    Run result{initial_of(system), {}};
-    chase(system, reduced, result);
-    append(system, reduced, run, result);
-    return result;
-}
-
 std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
-                                        const ViolationSearch& search) {
-    const auto reduced = budget.limits().reduction ? system.reduced([&budget] { budget.charge(); }) : nullptr;
-    if (!reduced) return search(system, budget, statistics, nullptr);
-    const PollGuard guard({reduced.get()}, budget);
-    std::optional<Violation> violation = search(*reduced, budget, statistics, nullptr);
-    const bool same = statistics.chased == 0 && reduced->chased() == 0;
-    if (!violation || same) return violation;
-    Violation known = *violation;
-    known.run = run_of_whole(system, *reduced, violation->run);
-    known.loop = {violation->loop.initial, {}};
-    append(system, *reduced, violation->loop, known.loop);
-    return shortest(system, std::move(known), budget, search);
+                                        const SearchQuestion& question) {
+    if (!budget.limits().reduction) return question.search(system, budget, statistics, nullptr);
+    return ReducedSearch(system, budget, question).run(statistics);
 }
 
 }  // namespace robochart::refine

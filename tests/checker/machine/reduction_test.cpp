@@ -172,8 +172,8 @@ TEST_F(HiddenSteps, AreFollowed) {
 
 /// The verdict needs one state, the search for a shortest run all.
 TEST_F(HiddenSteps, ARunIsSaidToBeNoShortestOneWhereALimitIsReached) {
-    EXPECT_EQ(ask(false, 1'000).outcome, refine::Outcome::inconclusive);
-    const refine::Verdict verdict = ask(true, 1'000);
+    EXPECT_EQ(ask(false, 100).outcome, refine::Outcome::inconclusive);
+    const refine::Verdict verdict = ask(true, 100);
     EXPECT_EQ(verdict.outcome, refine::Outcome::fails);
     ASSERT_TRUE(verdict.counterexample);
     EXPECT_FALSE(verdict.counterexample->shortest);

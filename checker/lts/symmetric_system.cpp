@@ -1,0 +1,48 @@
+#include "checker/lts/symmetric_system.hpp"
+
+#include <algorithm>
+
+namespace robochart::lts {
+
+SymmetricSystem::SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symmetry symmetry)
+    : system_(std::move(system)), symmetry_(std::move(symmetry)), target_(system_->width()) {}
+
+void SymmetricSystem::initial(std::span<Word> state) {
+    system_->initial(state);
+    symmetry_.fold(state);
+}
+
+std::unique_ptr<TransitionSystem> SymmetricSystem::another() const {
+    std::unique_ptr<TransitionSystem> system = system_->another();
+    return system ? std::make_unique<SymmetricSystem>(std::move(system), symmetry_) : nullptr;
+}
+
+void SymmetricSystem::watch(const std::function<void()>& poll) {
+    poll_ = poll;
+    system_->watch(poll);
+}
+
+void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
+    // The sink may ask for successors while it is given some.
+    if (sink_ != nullptr) {
+        const auto other = another();
+        other->watch(poll_);
+        return other->successors(state, sink);
+    }
+    sink_ = &sink;
+    try {
+        system_->successors(state, *this);
+    } catch (...) {
+        sink_ = nullptr;
+        throw;
+    }
+    sink_ = nullptr;
+}
+
+void SymmetricSystem::add(Event event, StateView target, Event revealed) {
+    std::copy(target.begin(), target.end(), target_.begin());
+    symmetry_.fold(target_);
+    sink_->add(event, target_, revealed);
+}
+
+}  // namespace robochart::lts

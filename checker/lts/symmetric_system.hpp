@@ -1,0 +1,40 @@
+// A system without the states that are images of others by an automorphism (docs/search.md, "Symmetry").
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "checker/lts/symmetry.hpp"
+#include "checker/lts/transition_system.hpp"
+
+namespace robochart::lts {
+
+/// States are the system's own; that which stands for the images of a state takes its place. Transitions are called
+/// what they are called in the state that they are taken from.
+class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
+public:
+    /// `symmetry`: of the system, or of the one that it is a reduced form of.
+    SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symmetry symmetry);
+
+    [[nodiscard]] std::size_t width() const override { return system_->width(); }
+    void initial(std::span<Word> state) override;
+    void successors(StateView state, SuccessorSink& sink) override;
+    /// Null where the system has no other.
+    [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override;
+    [[nodiscard]] const EventTable& events() const override { return system_->events(); }
+    [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
+    void watch(const std::function<void()>& poll) override;
+    [[nodiscard]] std::uint64_t chased() const override { return system_->chased(); }
+
+private:
+    void add(Event event, StateView target, Event revealed) override;
+
+    std::unique_ptr<TransitionSystem> system_;
+    Symmetry symmetry_;
+    std::vector<Word> target_;
+    SuccessorSink* sink_ = nullptr;
+    std::function<void()> poll_;
+};
+
+}  // namespace robochart::lts

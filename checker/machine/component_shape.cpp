@@ -1,0 +1,129 @@
+#include "checker/machine/component_shape.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "diagnostics/splitmix64.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using diagnostics::splitmix64_mixed;
+using Colour = std::uint64_t;
+
+constexpr std::size_t most_work = 50'000'000;  // edges looked at, in all rounds
+
+Colour joined(Colour a, Colour b) {
+    return splitmix64_mixed(splitmix64_mixed(a) + b);
+}
+
+std::size_t distinct(std::vector<Colour> colours) {
+    std::sort(colours.begin(), colours.end());
+    return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
+}
+
+/// Colours that equal states and events of isomorphic components have in common.
+class Refinement {
+public:
+    Refinement(const Component& component, const std::vector<std::uint64_t>& role, const std::function<void()>& poll)
+        : component_(component), states_(component.size(), 1), events_(role), poll_(poll) {
+        states_.front() = 2;
+    }
+
+    /// Until no round tells more states or events apart.
+    void run() {
+        std::size_t edges = 1;
+        for (Local state = 0; state < component_.size(); ++state) edges += component_.edges(state).size();
+        for (std::size_t work = 0, known = 0; work < most_work; work += edges) {
+            const std::size_t now = distinct(states_) + distinct(events_);
+            if (now == known) return;
+            known = now;
+            round();
+        }
+    }
+
+    [[nodiscard]] const std::vector<Colour>& states() const { return states_; }
+    [[nodiscard]] const std::vector<Colour>& events() const { return events_; }
+
+private:
+    /// A colour becomes that of itself and of all edges around, whose order does not matter.
+    void round() {
+        std::vector<Colour> states = states_;
+        std::vector<Colour> events = events_;
+        for (Local from = 0; from < component_.size(); ++from) {
+            if (poll_) poll_();
+            for (const Component::Edge& edge : component_.edges(from)) {
+                const Colour by = events_[edge.event];
+                events[edge.event] += joined(states_[from], joined(3, states_[edge.target]));
+                states[from] += joined(by, joined(4, states_[edge.target]));
+                states[edge.target] += joined(by, joined(5, states_[from]));
+            }
+        }
+        for (Colour& colour : states) colour = splitmix64_mixed(colour);
+        for (Colour& colour : events) colour = splitmix64_mixed(colour);
+        states_ = std::move(states);
+        events_ = std::move(events);
+    }
+
+    const Component& component_;
+    std::vector<Colour> states_, events_;
+    const std::function<void()>& poll_;
+};
+
+/// States in the order of a breadth-first search that takes edges by the rank of their event, then by colour.
+std::vector<Local> searched(const Component& component, const std::vector<std::uint32_t>& rank,
+                            const std::vector<Colour>& colour) {
+    std::vector<Local> order{0};
+    std::vector<bool> seen(component.size(), false);
+    seen[0] = true;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Component::Edges row = component.edges(order[i]);
+        std::vector<Component::Edge> edges(row.begin(), row.end());
+        std::stable_sort(edges.begin(), edges.end(), [&](const Component::Edge& a, const Component::Edge& b) {
+            return std::pair(rank[a.event], colour[a.target]) < std::pair(rank[b.event], colour[b.target]);
+        });
+        for (const Component::Edge& edge : edges) {
+            if (seen[edge.target]) continue;
+            seen[edge.target] = true;
+            order.push_back(edge.target);
+        }
+    }
+    return order;
+}
+
+std::uint64_t hash_of(std::vector<Colour> states, std::vector<Colour> events) {
+    std::sort(states.begin(), states.end());
+    std::sort(events.begin(), events.end());
+    std::uint64_t hash = states.size();
+    for (const std::vector<Colour>* all : {&states, &events})
+        for (const Colour colour : *all) hash = joined(hash, colour);
+    return hash;
+}
+
+}  // namespace
+
+ComponentShape shape_of(const Component& component, const std::vector<std::uint64_t>& role,
+                        const lts::EventTable& names, const std::function<void()>& poll) {
+    Refinement refinement(component, role, poll);
+    refinement.run();
+    const EventSet& alphabet = component.alphabet();
+    ComponentShape shape;
+    shape.event.resize(alphabet.size());
+    std::iota(shape.event.begin(), shape.event.end(), 0U);
+    std::sort(shape.event.begin(), shape.event.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const Colour first = refinement.events()[a];
+        const Colour second = refinement.events()[b];
+        return first != second ? first < second : names.name(alphabet[a]) < names.name(alphabet[b]);
+    });
+    std::vector<std::uint32_t> rank(alphabet.size());
+    for (std::uint32_t i = 0; i < rank.size(); ++i) rank[shape.event[i]] = i;
+    shape.state = searched(component, rank, refinement.states());
+    if (shape.state.size() < component.size()) return {};
+    shape.state.push_back(static_cast<Local>(component.size()));
+    shape.number.resize(shape.state.size());
+    for (std::uint32_t i = 0; i < shape.number.size(); ++i) shape.number[shape.state[i]] = i;
+    shape.hash = hash_of(refinement.states(), refinement.events());
+    return shape;
+}
+
+}  // namespace robochart::machine

@@ -1,0 +1,215 @@
+#include "checker/machine/exchange.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace robochart::machine {
+namespace {
+
+constexpr std::uint32_t nowhere = static_cast<std::uint32_t>(-1);
+
+using Edges = std::vector<std::pair<std::uint32_t, Local>>;  // event and target
+
+/// By region, the components below it, ascending.
+std::vector<std::vector<std::uint32_t>> slots_below(const Supercombinator& combined) {
+    std::vector<std::vector<std::uint32_t>> below;
+    for (const Region& region : combined.regions) {
+        std::vector<std::uint32_t> slots;
+        for (const Participant& each : region.participants)
+            if (each.is_region)
+                slots.insert(slots.end(), below[each.index].begin(), below[each.index].end());
+            else
+                slots.push_back(each.index);
+        std::sort(slots.begin(), slots.end());
+        below.push_back(std::move(slots));
+    }
+    return below;
+}
+
+}  // namespace
+
+Exchange::Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
+                   SlotRange second)
+    : combined_(combined),
+      shapes_(shapes),
+      first_(first),
+      second_(second),
+      component_events_(combined.components.size()) {}
+
+std::uint32_t Exchange::slot(std::uint32_t slot) const {
+    if (slot >= first_.first && slot < first_.end) return slot - first_.first + second_.first;
+    if (slot >= second_.first && slot < second_.end) return slot - second_.first + first_.first;
+    return slot;
+}
+
+Local Exchange::state(std::uint32_t slot, Local state) const {
+    return moved(slot) ? shapes_[this->slot(slot)].state[shapes_[slot].number[state]] : state;
+}
+
+std::optional<lts::EventPermutation> Exchange::verified(const std::function<void()>& poll) {
+    for (const SlotRange& range : {first_, second_})
+        for (std::uint32_t slot = range.first; slot < range.end; ++slot)
+            if (!maps_component(slot, poll)) return std::nullopt;
+    if (!map_regions()) return std::nullopt;
+    for (std::uint32_t region = 0; region < combined_.regions.size(); ++region)
+        if (!map_participants(region) || !maps_rules(region, poll)) return std::nullopt;
+    const EventSet& whole = combined_.regions.back().alphabet;
+    lts::EventPermutation events;
+    for (std::uint32_t place = 0; place < whole.size(); ++place)
+        if (region_events_.back()[place] != place)
+            events.emplace_back(whole[place], whole[region_events_.back()[place]]);
+    return events;
+}
+
+/// Condition 1: the numbers of states and events are an isomorphism of the components.
+bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& poll) {
+    const std::uint32_t image = this->slot(slot);
+    const Component& from = *combined_.components[slot];
+    const Component& to = *combined_.components[image];
+    if (from.size() != to.size() || from.alphabet().size() != to.alphabet().size()) return false;
+    if (shapes_[slot].state.empty() || shapes_[image].state.empty()) return false;
+    Places& events = component_events_[slot];
+    events.resize(from.alphabet().size());
+    for (std::uint32_t rank = 0; rank < events.size(); ++rank)
+        events[shapes_[slot].event[rank]] = shapes_[image].event[rank];
+    for (std::uint32_t place = 0; place < events.size(); ++place)
+        for (const Event fixed : {process::tau, process::tick})
+            if ((from.alphabet()[place] == fixed) != (to.alphabet()[events[place]] == fixed)) return false;
+    Edges mapped;
+    Edges wanted;
+    for (Local at = 0; at < from.size(); ++at) {
+        if (poll) poll();
+        mapped.clear();
+        wanted.clear();
+        for (const Component::Edge& edge : from.edges(at))
+            mapped.emplace_back(events[edge.event], state(slot, edge.target));
+        for (const Component::Edge& edge : to.edges(state(slot, at))) wanted.emplace_back(edge.event, edge.target);
+        std::sort(mapped.begin(), mapped.end());
+        std::sort(wanted.begin(), wanted.end());
+        if (mapped != wanted) return false;
+    }
+    return true;
+}
+
+/// Condition 2: each region has an image, the region over the images of its components; of several over the same ones,
+/// inner ones are the images of inner ones.
+bool Exchange::map_regions() {
+    const std::vector<std::vector<std::uint32_t>> below = slots_below(combined_);
+    std::vector<bool> taken(below.size(), false);
+    for (const std::vector<std::uint32_t>& slots : below) {
+        std::vector<std::uint32_t> images;
+        for (const std::uint32_t each : slots) images.push_back(slot(each));
+        std::sort(images.begin(), images.end());
+        std::uint32_t image = 0;
+        while (image < below.size() && (taken[image] || below[image] != images)) ++image;
+        if (image == below.size()) return false;
+        taken[image] = true;
+        region_.push_back(image);
+    }
+    region_events_.resize(region_.size());
+    participant_.resize(region_.size());
+    return region_.back() + 1 == region_.size();
+}
+
+/// Condition 2, goes on: and takes part where the region takes part.
+bool Exchange::map_participants(std::uint32_t region) {
+    const auto key = [](bool is_region, std::uint32_t index) { return std::pair(is_region, index); };
+    std::map<std::pair<bool, std::uint32_t>, std::uint32_t> numbers;
+    for (const Participant& each : combined_.regions[region_[region]].participants)
+        numbers.emplace(key(each.is_region, each.index), static_cast<std::uint32_t>(numbers.size()));
+    const std::vector<Participant>& participants = combined_.regions[region].participants;
+    if (numbers.size() != participants.size()) return false;
+    for (const Participant& each : participants) {
+        const auto image = numbers.find(key(each.is_region, each.is_region ? region_[each.index] : slot(each.index)));
+        if (image == numbers.end()) return false;
+        participant_[region].push_back(image->second);
+    }
+    return true;
+}
+
+/// Condition 3: the images of the region's rules are those of its image, by a permutation of its events.
+bool Exchange::maps_rules(std::uint32_t region, const std::function<void()>& poll) {
+    const Region& from = combined_.regions[region];
+    const Region& to = combined_.regions[region_[region]];
+    if (from.rules.size() != to.rules.size() || from.alphabet.size() != to.alphabet.size()) return false;
+    std::optional<Places> events = event_images(from, to, images(region, poll), bodies(to, poll));
+    if (!events) return false;
+    region_events_[region] = std::move(*events);
+    return true;
+}
+
+Exchange::EventsByBody Exchange::bodies(const Region& region, const std::function<void()>& poll) const {
+    EventsByBody result;
+    for (const Rule& rule : region.rules) {
+        if (poll) poll();
+        std::set<std::pair<std::uint32_t, std::uint32_t>> asked{{rule.lead.participant, rule.lead.event}};
+        for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
+            asked.emplace(region.requirements[i].participant, region.requirements[i].event);
+        std::set<std::pair<std::uint32_t, Local>> assigned;
+        for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)
+            assigned.emplace(region.assignments[i].slot, region.assignments[i].value);
+        Body body{rule.level, static_cast<std::uint32_t>(asked.size())};
+        for (const auto& pairs : {asked, assigned})
+            for (const auto& [who, what] : pairs) body.insert(body.end(), {who, what});
+        result[body].push_back(rule.place);
+    }
+    return result;
+}
+
+Exchange::EventsByBody Exchange::images(std::uint32_t region, const std::function<void()>& poll) const {
+    Region mapped;
+    const Region& from = combined_.regions[region];
+    const auto image = [&](const Requirement& each) {
+        const Participant& who = from.participants[each.participant];
+        const Places& events = who.is_region ? region_events_[who.index] : component_events_[who.index];
+        return Requirement{participant_[region][each.participant], events.empty() ? each.event : events[each.event]};
+    };
+    mapped.rules = from.rules;
+    for (Rule& rule : mapped.rules) rule.lead = image(rule.lead);
+    for (const Requirement& each : from.requirements) mapped.requirements.push_back(image(each));
+    for (const Assignment& each : from.assignments)
+        mapped.assignments.push_back({slot(each.slot), state(each.slot, each.value)});
+    return bodies(mapped, poll);
+}
+
+/// The images of the events of rules with these bodies, so that they are the events wanted: where a body has several
+/// events, those of the same name correspond, then those left over, in their order.
+std::optional<Exchange::Places> Exchange::event_images(const Region& from, const Region& to, const EventsByBody& bodies,
+                                                       const EventsByBody& wanted) const {
+    Places image(from.alphabet.size(), nowhere);
+    std::vector<bool> taken(to.alphabet.size(), false);
+    const auto map = [&](std::uint32_t place, std::uint32_t to_place) {
+        if (image[place] != nowhere || taken[to_place]) return;
+        image[place] = to_place;
+        taken[to_place] = true;
+    };
+    if (bodies.size() != wanted.size()) return std::nullopt;
+    for (const auto& [body, places] : bodies) {
+        const auto found = wanted.find(body);
+        if (found == wanted.end() || found->second.size() != places.size()) return std::nullopt;
+        if (places.size() == 1) map(places.front(), found->second.front());
+    }
+    for (const auto& [body, places] : bodies) {
+        const std::vector<std::uint32_t>& to_places = wanted.at(body);
+        for (const std::uint32_t place : places)
+            for (const std::uint32_t to_place : to_places)
+                if (from.alphabet[place] == to.alphabet[to_place]) map(place, to_place);
+        for (const std::uint32_t place : places)
+            for (const std::uint32_t to_place : to_places) map(place, to_place);
+    }
+    for (const auto& [body, places] : bodies) {
+        std::vector<std::uint32_t> mapped;
+        for (const std::uint32_t place : places) mapped.push_back(image[place]);
+        std::vector<std::uint32_t> expected = wanted.at(body);
+        std::sort(mapped.begin(), mapped.end());
+        std::sort(expected.begin(), expected.end());
+        if (mapped != expected) return std::nullopt;
+    }
+    for (std::uint32_t place = 0; place < image.size(); ++place)
+        for (const Event fixed : {process::tau, process::tick})
+            if ((from.alphabet[place] == fixed) != (to.alphabet[image[place]] == fixed)) return std::nullopt;
+    return image;
+}
+
+}  // namespace robochart::machine

@@ -1,0 +1,55 @@
+// Whether exchanging two groups of components is an automorphism of a compiled process: condition by condition of
+// docs/search.md, "Symmetry".
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "checker/lts/symmetry.hpp"
+#include "checker/machine/component_shape.hpp"
+#include "checker/machine/supercombinator.hpp"
+
+namespace robochart::machine {
+
+/// The exchange of the components of two ranges of slots, one by one; every other component keeps its place and state.
+/// Numbers of states and events are those of the shapes.
+class Exchange {
+public:
+    /// `shapes`: by slot, of the slots in both ranges. The ranges are disjoint and of one length.
+    Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
+             SlotRange second);
+
+    /// The events that it exchanges, if it is an automorphism. `poll` may throw to stop.
+    [[nodiscard]] std::optional<lts::EventPermutation> verified(const std::function<void()>& poll);
+
+private:
+    using Places = std::vector<std::uint32_t>;  ///< by place in an alphabet, the place of the image
+    /// What a rule asks for and does, apart from its event: requirements and assignments, each ascending.
+    using Body = std::vector<std::uint32_t>;
+    using EventsByBody = std::map<Body, std::vector<std::uint32_t>>;
+
+    [[nodiscard]] std::uint32_t slot(std::uint32_t slot) const;
+    [[nodiscard]] Local state(std::uint32_t slot, Local state) const;
+    [[nodiscard]] bool moved(std::uint32_t slot) const { return this->slot(slot) != slot; }
+
+    [[nodiscard]] bool maps_component(std::uint32_t slot, const std::function<void()>& poll);
+    bool map_regions();
+    [[nodiscard]] bool map_participants(std::uint32_t region);
+    [[nodiscard]] bool maps_rules(std::uint32_t region, const std::function<void()>& poll);
+    [[nodiscard]] EventsByBody bodies(const Region& region, const std::function<void()>& poll) const;
+    [[nodiscard]] EventsByBody images(std::uint32_t region, const std::function<void()>& poll) const;
+    [[nodiscard]] std::optional<Places> event_images(const Region& from, const Region& to, const EventsByBody& bodies,
+                                                     const EventsByBody& wanted) const;
+
+    const Supercombinator& combined_;
+    const std::vector<ComponentShape>& shapes_;
+    SlotRange first_, second_;
+    std::vector<Places> component_events_;                 // by slot; empty where every place is its own image
+    std::vector<std::uint32_t> region_;                    // by region, its image
+    std::vector<std::vector<std::uint32_t>> participant_;  // by region and participant, the image's number there
+    std::vector<Places> region_events_;                    // by region
+};
+
+}  // namespace robochart::machine

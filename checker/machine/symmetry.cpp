@@ -1,0 +1,167 @@
+#include "checker/machine/symmetry.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "checker/machine/exchange.hpp"
+#include "checker/machine/supercombinator_system.hpp"
+#include "diagnostics/splitmix64.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using diagnostics::splitmix64_mixed;
+
+constexpr std::size_t largest_component = 20'000;  // states
+constexpr std::size_t most_rules = 200'000;
+constexpr std::size_t most_exchanges = 500;  // verified, in all
+
+class Finder {
+public:
+    Finder(const Supercombinator& combined, const lts::EventTable& names, const std::function<void()>& poll)
+        : combined_(combined),
+          names_(names),
+          poll_(poll),
+          shapes_(combined.components.size()),
+          taken_(combined.components.size(), false) {}
+
+    std::vector<lts::ReplicaSet> run() {
+        std::size_t rules = 0;
+        for (const Region& region : combined_.regions) rules += region.rules.size();
+        if (rules > most_rules) return {};
+        for (auto& [size, ranges] : by_size()) {
+            if (ranges.size() < 2) continue;
+            for (auto& [hash, alike] : by_shape(ranges)) find_sets(alike);
+        }
+        return std::move(result_);
+    }
+
+private:
+    using Ranges = std::vector<SlotRange>;
+
+    /// How large the components of a range are, so that few shapes are made; large ranges first.
+    [[nodiscard]] std::map<std::vector<std::size_t>, Ranges> by_size() const {
+        std::map<std::vector<std::size_t>, Ranges> result;
+        for (const SlotRange& range : combined_.operands) {
+            std::vector<std::size_t> key{combined_.components.size() - (range.end - range.first)};
+            bool small = true;
+            bool moves = false;
+            for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
+                const Component& component = *combined_.components[slot];
+                key.insert(key.end(), {component.size(), component.alphabet().size()});
+                small = small && component.size() <= largest_component;
+                moves = moves || component.size() > 1;
+            }
+            if (small && moves) result[key].push_back(range);
+        }
+        return result;
+    }
+
+    std::map<std::vector<std::uint64_t>, Ranges> by_shape(const Ranges& ranges) {
+        std::map<std::vector<std::uint64_t>, Ranges> result;
+        for (const SlotRange& range : ranges) {
+            std::vector<std::uint64_t> key;
+            for (std::uint32_t slot = range.first; slot < range.end; ++slot) key.push_back(shape(slot).hash);
+            result[key].push_back(range);
+        }
+        return result;
+    }
+
+    const ComponentShape& shape(std::uint32_t slot) {
+        if (roles_.empty()) find_roles();
+        if (shapes_[slot].number.empty())
+            shapes_[slot] = shape_of(*combined_.components[slot], roles_[slot], names_, poll_);
+        return shapes_[slot];
+    }
+
+    /// What rules ask an event for, in numbers that an exchange does not change.
+    void find_roles() {
+        for (const ComponentPtr& component : combined_.components) {
+            std::vector<std::uint64_t>& role = roles_.emplace_back();
+            for (const Event event : component->alphabet()) role.push_back(event < lts::first_visible ? event : 2);
+        }
+        for (const Region& region : combined_.regions)
+            for (const Rule& rule : region.rules) {
+                const std::uint64_t kind = rule.event < lts::first_visible ? rule.event : 2;
+                std::uint64_t what = splitmix64_mixed(rule.level + 1);
+                for (const std::uint64_t each : {kind, std::uint64_t{rule.end_requirement - rule.first_requirement},
+                                                 std::uint64_t{rule.end_assignment - rule.first_assignment}})
+                    what = splitmix64_mixed(what + each);
+                add_role(region, rule.lead, what);
+                for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
+                    add_role(region, region.requirements[i], what);
+            }
+    }
+
+    void add_role(const Region& region, const Requirement& asked, std::uint64_t what) {
+        const Participant& who = region.participants[asked.participant];
+        if (!who.is_region) roles_[who.index][asked.event] += what;
+    }
+
+    /// Replicas of the first range, then of the first of those left over, and so on.
+    void find_sets(Ranges ranges) {
+        const auto used = [&](const SlotRange& range) { return taken_[range.first]; };
+        std::erase_if(ranges, used);
+        while (ranges.size() > 1 && exchanges_ < most_exchanges) {
+            const SlotRange first = ranges.front();
+            lts::ReplicaSet set{replica(first, {})};
+            Ranges others;
+            Ranges members{first};
+            for (auto each = ranges.begin() + 1; each != ranges.end(); ++each) {
+                const auto exchange = exchanged(first, *each);
+                if (exchange) {
+                    set.push_back(replica(*each, *exchange));
+                    members.push_back(*each);
+                } else {
+                    others.push_back(*each);
+                }
+            }
+            if (set.size() > 1) {
+                result_.push_back(std::move(set));
+                for (const SlotRange& range : members)
+                    std::fill(taken_.begin() + range.first, taken_.begin() + range.end, true);
+            }
+            ranges = std::move(others);
+        }
+    }
+
+    std::optional<lts::EventPermutation> exchanged(SlotRange first, SlotRange second) {
+        if (exchanges_ == most_exchanges || second.first < first.end) return std::nullopt;
+        ++exchanges_;
+        return Exchange(combined_, shapes_, first, second).verified(poll_);
+    }
+
+    [[nodiscard]] lts::Replica replica(SlotRange range, lts::EventPermutation exchange) const {
+        lts::Replica result{{}, std::move(exchange)};
+        for (std::uint32_t slot = range.first; slot < range.end; ++slot) {
+            const ComponentShape& shape = shapes_[slot];
+            result.parts.push_back({combined_.fields[slot],
+                                    std::make_shared<const std::vector<std::uint32_t>>(shape.number),
+                                    std::make_shared<const std::vector<std::uint32_t>>(shape.state)});
+        }
+        return result;
+    }
+
+    const Supercombinator& combined_;
+    const lts::EventTable& names_;
+    const std::function<void()>& poll_;
+    std::vector<std::vector<std::uint64_t>> roles_;  // by slot and place in the alphabet
+    std::vector<ComponentShape> shapes_;             // by slot, once made
+    std::vector<bool> taken_;                        // by slot: it belongs to a replica
+    std::size_t exchanges_ = 0;
+    std::vector<lts::ReplicaSet> result_;
+};
+
+}  // namespace
+
+std::vector<lts::ReplicaSet> replica_sets(const Supercombinator& combined, const lts::EventTable& names,
+                                          const std::function<void()>& poll) {
+    return Finder(combined, names, poll).run();
+}
+
+std::vector<lts::ReplicaSet> SupercombinatorSystem::replicas(const std::function<void()>& poll) const {
+    if (!replicas_) replicas_ = replica_sets(*combined_, terms_.events(), poll);
+    return *replicas_;
+}
+
+}  // namespace robochart::machine

@@ -1,0 +1,69 @@
+#include "checker/refine/verdict/indifference.hpp"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+namespace robochart::refine {
+namespace {
+
+using process::Event;
+using process::EventSet;
+
+constexpr NormalForm::Node most_nodes = 10'000;
+
+EventSet image(const EventSet& events, const lts::EventPermutation& exchange) {
+    EventSet result;
+    for (const Event event : events) {
+        const auto moved = std::lower_bound(exchange.begin(), exchange.end(), std::pair(event, Event{0}));
+        result.push_back(moved != exchange.end() && moved->first == event ? moved->second : event);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+}  // namespace
+
+bool Indifference::to(const lts::EventPermutation& exchange) {
+    if (!normal_) {
+        normal_.emplace(specification_, budget_);
+        whole_ = visit();
+    }
+    for (NormalForm::Node node = 0; whole_ && node < normal_->size(); ++node)
+        if (!at(node, exchange)) return false;
+    return whole_;
+}
+
+/// Nodes are numbered in the order in which they are met.
+bool Indifference::visit() {
+    try {
+        normal_->initial();
+        for (NormalForm::Node node = 0; node < normal_->size(); ++node) {
+            if (normal_->size() > most_nodes) return false;
+            budget_.charge();
+            for (const Event event : normal_->initials(node)) static_cast<void>(normal_->after(node, event));
+            if (model_ != Model::traces) static_cast<void>(normal_->acceptances(node));
+        }
+    } catch (const process::Interrupted&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::logic_error&) {
+        throw;  // an internal error
+    } catch (const std::exception&) {
+        return false;
+    }
+    return true;
+}
+
+bool Indifference::at(NormalForm::Node node, const lts::EventPermutation& exchange) {
+    for (const auto& [event, other] : exchange)
+        if (normal_->after(node, event) != normal_->after(node, other)) return false;
+    if (model_ == Model::traces) return true;
+    const std::vector<EventSet>& acceptances = normal_->acceptances(node);
+    return std::all_of(acceptances.begin(), acceptances.end(), [&](const EventSet& each) {
+        return std::find(acceptances.begin(), acceptances.end(), image(each, exchange)) != acceptances.end();
+    });
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,34 @@
+// Whether a specification distinguishes events that a symmetry of the implementation exchanges.
+#pragma once
+
+#include <optional>
+
+#include "checker/lts/symmetry.hpp"
+#include "checker/refine/verdict/normal_form.hpp"
+#include "checker/refine/verdict/verdict.hpp"
+
+namespace robochart::refine {
+
+/// Looks at the whole normal form, once, when it is first asked.
+class Indifference {
+public:
+    Indifference(lts::TransitionSystem& specification, Model model, Budget& budget)
+        : specification_(specification), model_(model), budget_(budget) {}
+
+    /// Whether exchanged events lead from each node of the normal form to one node and, but in the traces model, each
+    /// node has with every acceptance its image. Then a state of an implementation violates a node iff its images do.
+    /// False also where there are more than 10,000 nodes, or an error of evaluation, which the search may never meet.
+    bool to(const lts::EventPermutation& exchange);
+
+private:
+    [[nodiscard]] bool visit();
+    [[nodiscard]] bool at(NormalForm::Node node, const lts::EventPermutation& exchange);
+
+    lts::TransitionSystem& specification_;
+    Model model_;
+    Budget& budget_;
+    std::optional<NormalForm> normal_;
+    bool whole_ = false;  // all nodes have been visited
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,21 @@
+// Runs of a system from runs of its reduced forms: with the confluent taus that were followed, and with every replica
+// in its own place again (docs/search.md, "Confluent taus", "Symmetry").
+#pragma once
+
+#include "checker/lts/symmetry.hpp"
+#include "checker/lts/transition_system.hpp"
+#include "checker/refine/search/run.hpp"
+#include "checker/refine/verdict/findings.hpp"
+
+namespace robochart::refine {
+
+/// How a system was reduced: what is null was not done. Taus are followed before states are folded.
+struct Reduction {
+    lts::ReducedSystem* taus = nullptr;
+    lts::Symmetry* symmetry = nullptr;
+};
+
+/// A violation that was found in the reduced form, as one of the system.
+[[nodiscard]] Violation unfolded(lts::TransitionSystem& system, const Reduction& reduction, const Violation& shown);
+
+}  // namespace robochart::refine

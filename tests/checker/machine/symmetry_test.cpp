@@ -1,0 +1,264 @@
+// Equal components of a compiled process are found, exchanges of them are automorphisms, and what is left of the states
+// answers every question as all states do.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "checker/machine/compiler.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+#include "tests/checker/processes/translate.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::Op;
+using process::Scripted;
+using refine::Outcome;
+using refine::Verdict;
+
+refine::Limits limits_of(bool reduction) {
+    refine::Limits limits;
+    limits.reduction = reduction;
+    limits.threads = 1;
+    return limits;
+}
+
+class SymmetryTest : public testing::Test {
+protected:
+    /// A process that does its own events in turn, `own` of them and its number in their names, between tocks.
+    TermId robot(int number, int own) {
+        const TermId robot = s.name("ROBOT" + std::to_string(number));
+        TermId body = s.prefix("tock", robot);
+        for (int i = own; i > 0; --i) body = s.prefix(event(number, i), body);
+        s.bind(robot, body);
+        return robot;
+    }
+    static std::string event(int number, int i) { return "e" + std::to_string(i) + "." + std::to_string(number); }
+    std::vector<TermId> robots(int number, int own) {
+        std::vector<TermId> result;
+        for (int i = 1; i <= number; ++i) result.push_back(robot(i, own));
+        return result;
+    }
+    TermId swarm(int number, int own) { return s.over(Op::parallel, robots(number, own), {"tock"}); }
+    TermId hidden_swarm(int number, int own) {
+        std::vector<std::string> hidden;
+        for (int i = 1; i <= number; ++i)
+            for (int j = 1; j <= own; ++j) hidden.push_back(event(i, j));
+        return s.over(Op::hide, {swarm(number, own)}, hidden);
+    }
+    std::unique_ptr<SupercombinatorSystem> compiled(TermId term) { return compiler.compile(term, {}); }
+    /// How many replicas each set has.
+    std::vector<std::size_t> sets(TermId term) {
+        std::vector<std::size_t> result;
+        for (const lts::ReplicaSet& set : compiled(term)->replicas({})) result.push_back(set.size());
+        return result;
+    }
+
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    Compiler compiler{semantics};
+};
+
+using Sets = std::vector<std::size_t>;
+
+/// n robots of k states each that share tock alone: the multisets of n out of k states, (n+k-1 over n).
+TEST_F(SymmetryTest, StatesAreMultisets) {
+    const auto system = compiled(swarm(6, 3));
+    EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits_of(false)).statistics.states, 4096U);
+    const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits_of(true));
+    EXPECT_EQ(verdict.outcome, Outcome::holds);
+    EXPECT_EQ(verdict.statistics.states, 84U);
+    EXPECT_EQ(verdict.statistics.replicas, 6U);
+    EXPECT_EQ(verdict.statistics.distinguished, 0U);
+}
+
+/// As those of benchmarks/models/robots.csp.
+TEST_F(SymmetryTest, TwelveRobotsOfEightStates) {
+    const auto system = compiled(swarm(12, 7));
+    const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits_of(true));
+    EXPECT_EQ(verdict.outcome, Outcome::holds);
+    EXPECT_EQ(verdict.statistics.states, 50'388U) << "(12 + 7 over 7), of 8^12";
+}
+
+/// Robots of two components each are exchanged as wholes; what is equal inside one is not looked at again.
+TEST_F(SymmetryTest, ReplicasMayHaveSeveralComponents) {
+    std::vector<TermId> pairs;
+    for (int i = 1; i <= 3; ++i)
+        pairs.push_back(s.over(Op::parallel, {robot(i, 2), s.prefix(event(i, 1), robot(i, 1))}, {event(i, 1)}));
+    EXPECT_EQ(sets(s.over(Op::parallel, pairs, {"tock"})), Sets{3});
+}
+
+TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
+    std::vector<TermId> different = robots(3, 2);
+    different.push_back(robot(4, 3));
+    EXPECT_EQ(sets(s.over(Op::parallel, different, {"tock"})), Sets{3}) << "one with a state more";
+    different.back() = s.prefix("tock", robot(5, 2));
+    EXPECT_EQ(sets(s.over(Op::parallel, different, {"tock"})), Sets{3}) << "one that begins later";
+    EXPECT_EQ(sets(s.over(Op::hide, {swarm(3, 2)}, {event(2, 1)})), Sets{2}) << "one whose event is hidden";
+    EXPECT_EQ(sets(s.prioritise(swarm(3, 2), {{event(3, 1)}, {"tock"}})), Sets{2}) << "one whose event comes first";
+    std::vector<TermId> watched{swarm(3, 2), s.prefix(event(1, 1), s.stop())};
+    EXPECT_EQ(sets(s.over(Op::parallel, watched, {event(1, 1)})), Sets{2}) << "one that another one watches";
+}
+
+TEST_F(SymmetryTest, WhatIsAlikeIsFoundUnderPrioritiesAndInterrupts) {
+    EXPECT_EQ(sets(s.prioritise(hidden_swarm(3, 2), {{"tock"}})), Sets{3});
+    EXPECT_EQ(sets(s.op(Op::interrupt, {hidden_swarm(3, 2), s.prefix("stop", s.skip())})), Sets{3});
+    std::vector<TermId> urgent;
+    for (int i = 1; i <= 3; ++i) {
+        const TermId two =
+            s.over(Op::parallel, {robot(i, 90), s.over(Op::parallel, {robot(i, 40), robot(i, 30)}, {})}, {});
+        urgent.push_back(s.prioritise(two, {{event(i, 1)}, {"tock"}}));
+    }
+    EXPECT_EQ(sets(s.over(Op::parallel, urgent, {"tock"})), Sets{3}) << "regions of their own";
+}
+
+/// A specification that asks for robot 1 before robot 2 distinguishes them; one that takes any robot does not.
+TEST_F(SymmetryTest, TheSpecificationMayDistinguishThem) {
+    const auto system = compiled(s.over(Op::hide, {swarm(3, 1)}, {"tock"}));
+    const TermId first = s.name("FIRST");
+    s.bind(first, s.menu({{event(1, 1), first}, {event(2, 1), first}}));
+    process::TermSystem distinguishing(semantics, first);
+    const Verdict apart = refine::refines(distinguishing, *system, refine::Model::traces, limits_of(true));
+    EXPECT_EQ(apart.outcome, Outcome::fails);
+    EXPECT_EQ(apart.statistics.replicas, 2U);
+    EXPECT_EQ(apart.statistics.distinguished, 3U);
+    ASSERT_TRUE(apart.counterexample);
+    EXPECT_EQ(apart.counterexample->event, s.event(event(3, 1)));
+
+    const TermId any = s.name("ANY");
+    s.bind(any, s.menu({{event(1, 1), any}, {event(2, 1), any}, {event(3, 1), any}}));
+    process::TermSystem indifferent(semantics, any);
+    for (const refine::Model model : {refine::Model::traces, refine::Model::failures}) {
+        const Verdict verdict = refine::refines(indifferent, *system, model, limits_of(true));
+        EXPECT_EQ(verdict.statistics.replicas, 3U);
+        EXPECT_EQ(verdict.outcome, model == refine::Model::traces ? Outcome::holds : Outcome::fails);
+    }
+}
+
+/// After an event of any robot the specification refuses to have two by one: the second event shows which.
+TEST_F(SymmetryTest, RunsHaveEveryReplicaInItsPlace) {
+    const auto system = compiled(swarm(4, 2));
+    const TermId one = s.name("ONE");
+    std::vector<std::pair<std::string, TermId>> branches;
+    for (int i = 1; i <= 4; ++i) branches.emplace_back(event(i, 1), one);
+    s.bind(one, s.menu(branches));
+    process::TermSystem specification(semantics, one);
+    const Verdict reduced = refine::refines(specification, *system, refine::Model::traces, limits_of(true));
+    const Verdict whole = refine::refines(specification, *system, refine::Model::traces, limits_of(false));
+    EXPECT_EQ(reduced.statistics.replicas, 4U);
+    ASSERT_TRUE(reduced.counterexample);
+    ASSERT_EQ(reduced.counterexample->steps.size(), 2U);
+    EXPECT_EQ(whole.counterexample->steps.size(), 2U);
+    // Replayed already: the second event of a robot comes after its own first one.
+    const auto number = [&](const refine::Step& step) { return s.events.name(step.event).substr(3); };
+    EXPECT_EQ(number(reduced.counterexample->steps[0]), number(reduced.counterexample->steps[1]));
+}
+
+/// A loop of taus in which the replicas take turns: it is closed when each is in its own place again.
+TEST_F(SymmetryTest, LoopsAreClosed) {
+    const auto system = compiled(hidden_swarm(3, 2));
+    const auto endless =
+        compiled(s.over(Op::hide, {swarm(3, 2)},
+                        {event(1, 1), event(1, 2), event(2, 1), event(2, 2), event(3, 1), event(3, 2), "tock"}));
+    for (const bool reduction : {false, true}) {
+        EXPECT_EQ(refine::divergence_free(*system, limits_of(reduction)).outcome, Outcome::holds);
+        const Verdict verdict = refine::divergence_free(*endless, limits_of(reduction));
+        ASSERT_EQ(verdict.outcome, Outcome::fails);
+        EXPECT_EQ(verdict.counterexample->loop.size(), 7U) << "six hidden events and tock";
+    }
+}
+
+/// Random processes beside copies of themselves, with and without other names, against the definitions.
+class RandomReplicas : public testing::Test {
+protected:
+    using Process = refine::naive::Process;
+    using Tree = refine::naive::Tree;
+    using Kind = refine::naive::Kind;
+
+    static Process tree(Kind kind, std::vector<Process> operands, std::set<int> set = {},
+                        std::vector<std::pair<int, int>> renaming = {}) {
+        Tree made;
+        made.kind = kind;
+        made.operands = std::move(operands);
+        made.set = std::move(set);
+        made.renaming = std::move(renaming);
+        return std::make_shared<const Tree>(std::move(made));
+    }
+    static Process exchanged(const Process& process) { return tree(Kind::rename, {process}, {}, {{0, 1}, {1, 0}}); }
+    static Process beside(std::vector<Process> operands) { return tree(Kind::parallel, std::move(operands), {2}); }
+
+    /// What is made of a random process, so that parts of it can be exchanged.
+    static Process replicated(const Process& process, int way) {
+        switch (way % 4) {
+            case 0:
+                return beside({process, process});
+            case 1:
+                return beside({process, exchanged(process)});
+            case 2:
+                return tree(Kind::hide, {beside({process, process, process})}, {0});
+            default:
+                return beside({process, beside({exchanged(process), process})});
+        }
+    }
+
+    /// What the engine answers otherwise than the definitions say; empty if nothing.
+    std::string disagreement(const refine::Case& asked, const refine::Graphs& graphs) {
+        refine::Translation translation(asked.script);
+        Compiler compiler(translation.semantics());
+        const auto system = compiler.compile(translation.term(asked.script.mains[1]), {});
+        if (!system) return "";
+        process::TermSystem left = translation.system(asked.script.mains[0]);
+        ++compared_;
+        for (const refine::Question& question : refine::questions()) {
+            if (question.kind == refine::Question::Kind::has_trace || question.right != 1) continue;
+            if (question.kind != refine::Question::Kind::refinement && question.left != 1) continue;
+            const Verdict verdict = ask(question, left, *system);
+            folded_ += verdict.statistics.replicas > 0 ? 1 : 0;
+            distinguished_ += verdict.statistics.distinguished > 0 ? 1 : 0;
+            const bool holds = refine::expected(question, graphs, asked.trace);
+            if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails))
+                return refine::assertion(question, asked.trace) + (holds ? " should hold" : " should fail");
+            fails_ += holds ? 0 : 1;
+        }
+        return "";
+    }
+    static Verdict ask(const refine::Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right) {
+        using Semantics = refine::naive::Semantics;
+        const refine::Model model = question.semantics == Semantics::T   ? refine::Model::traces
+                                    : question.semantics == Semantics::F ? refine::Model::failures
+                                                                         : refine::Model::failures_divergences;
+        switch (question.kind) {
+            case refine::Question::Kind::refinement:
+                return refine::refines(left, right, model, limits_of(true));
+            case refine::Question::Kind::deadlock_free:
+                return refine::deadlock_free(right, model, limits_of(true));
+            case refine::Question::Kind::divergence_free:
+                return refine::divergence_free(right, limits_of(true));
+            default:
+                return refine::deterministic(right, model, limits_of(true));
+        }
+    }
+
+    int compared_ = 0, folded_ = 0, distinguished_ = 0, fails_ = 0;
+};
+
+TEST_F(RandomReplicas, AnswerAsTheDefinitionsSay) {
+    const int wanted = refine::wanted_checks(60);
+    refine::RandomCases cases(2019);
+    for (int way = 0; compared_ < wanted; ++way) {
+        refine::Case asked = cases.next().asked;
+        asked.script.mains[1] = replicated(asked.script.mains[1], way);
+        const auto graphs = refine::explore(asked, refine::largest_graph);
+        if (!graphs) continue;
+        ASSERT_EQ(disagreement(asked, *graphs), "") << show(asked.script);
+    }
+    std::cout << compared_ << " processes, " << folded_ << " answers by symmetry, " << distinguished_
+              << " where the specification distinguishes replicas, " << fails_ << " that something fails\n";
+    EXPECT_GT(folded_, wanted);
+    EXPECT_GT(distinguished_ * 20, wanted);
+    EXPECT_GT(fails_, wanted);
+}
+
+}  // namespace
+}  // namespace robochart::machine
