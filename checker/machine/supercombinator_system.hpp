@@ -65,7 +65,7 @@ private:
     std::vector<lts::Word> target_;
     bool busy_ = false;
     mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // once looked for
-    std::function<void()> poll_;  // asked where one state has many successors
+    std::function<void()> poll_;                                    // asked where one state has many successors
     std::uint32_t performed_ = 0;
 };
 
