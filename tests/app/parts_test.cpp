@@ -291,7 +291,7 @@ TEST(Project, ProbabilisticClaimsAreDecidedOrSaidNotChecked) {
     EXPECT_THAT(ran.out, HasSubstr("value        P_never Prob=? of [Globally not #going]"));
     EXPECT_THAT(ran.out, HasSubstr("least 0, greatest 0"));
     EXPECT_THAT(ran.out, HasSubstr("not checked  P_run using simulation for 10 steps"));
-    EXPECT_THAT(ran.out, HasSubstr("m.assertions:5: not checked: the generation of paths"));
+    EXPECT_THAT(ran.out, HasSubstr("m.assertions:5: not checked: RoboTool's encoding is one of modules, and `S` is none"));
     EXPECT_THAT(ran.out, HasSubstr("2 of 3 checks hold, 1 value computed, 1 not checked"));
     const auto json = nlohmann::json::parse(run({"check", "--format", "json", folder.path()}).out);
     EXPECT_EQ(json["exit"], 3);
