@@ -153,7 +153,7 @@ private:
 
     static void take(Row row, AssertionReport& report) {
         ProbabilityReport& found = *report.probability;
-        report.searched = row.states > 0;
+        report.searched = true;
         report.statistics.states = std::max(report.statistics.states, row.states);
         report.statistics.transitions = std::max(report.statistics.transitions, row.transitions);
         report.statistics.seconds += row.seconds;

@@ -5,10 +5,10 @@ _robochart_verify_emitted='csp cpp prism monitor tests'
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
     'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
@@ -41,7 +41,7 @@ _robochart_verify_argument() {
     'verify --epsilon' | 'check --epsilon' | 'prism --epsilon') echo '<value>' ;;
     'prism --sim') echo '<value>' ;;
     'prism --scheduler') echo 'uniform' ;;
-    'prism --seed') echo '<value>' ;;
+    'verify --seed' | 'check --seed' | 'prism --seed') echo '<value>' ;;
     'rules --without-limit') echo 'eventually now' ;;
     'prism --const') echo '<value>' ;;
     'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'rules --const' | 'step --const' | 'simulate --const') echo '<value>' ;;

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "probability/experiments/encoding.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -31,10 +32,22 @@ std::vector<std::string> parts_of(const std::string& path) {
     return result;
 }
 
+/// The event in its component, under the name that it has in the script.
+std::string name_in_script(const csp_emit::Provenance& provenance, const ObservedEvent& event) {
+    const std::string direction = event.event.substr(event.event.find('.'));
+    const std::string prefix = event.component + "::";
+    for (const auto& [name, meaning] : provenance.events)
+        if (name.starts_with(prefix) && name.ends_with(direction) &&
+            name.find("::", prefix.size()) == std::string::npos && meaning.origin.span == event.origin.span)
+            return name.substr(prefix.size());
+    throw Wrong(fmt::format("the process of {} has no event {}", event.component, event.event));
+}
+
 class Observing {
 public:
-    Observing(const ObservedEvent& event, std::size_t number)
+    Observing(const ObservedEvent& event, std::string channel, std::size_t number)
         : event_(event),
+          channel_(std::move(channel)),
           known_(fmt::format("Observer{}__", number)),
           first_(fmt::format("FirstObserver{}__", number)) {}
 
@@ -74,8 +87,8 @@ public:
 private:
     /// "e.in" as an event of the script.
     [[nodiscard]] cspm::ExprPtr channel() const {
-        const std::size_t dot = event_.event.find('.');
-        return b::dot({b::name(event_.event.substr(0, dot)), b::name(event_.event.substr(dot + 1))});
+        const std::size_t dot = channel_.find('.');
+        return b::dot({b::name(channel_.substr(0, dot)), b::name(channel_.substr(dot + 1))});
     }
 
     /// Of a component that ends, the observer does not keep it from ending.
@@ -106,6 +119,7 @@ private:
     }
 
     const ObservedEvent& event_;
+    const std::string channel_;
     const std::string known_, first_;  ///< definitions: with a value, and before the first one
     bool done_ = false, declared_ = false;
 };
@@ -114,9 +128,9 @@ private:
 
 void observe(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events) {
     for (std::size_t i = 0; i < events.size(); ++i) {
-        Observing observing(events[i], i);
+        Observing observing(events[i], name_in_script(emission.provenance, events[i]), i);
         emission.script.decls = observing.in(emission.script.decls);
-        if (!observing.done()) throw std::logic_error("there is no process of " + events[i].component);
+        if (!observing.done()) throw Wrong(fmt::format("{} has no process of its own", events[i].component));
         observing.mean(emission.provenance);
     }
 }

@@ -1,4 +1,4 @@
-// Events that properties speak of, told apart in the states of a process: beside the machine or module that has the
+// Events that properties speak of, found in the states of a process: beside the machine or module that has the
 // event a process takes part in it, which never refuses it.
 //     Observer(n)    = e -> Observer(1 - n)
 //     Observer(n, x) = e?y -> Observer(1 - n, y)
@@ -15,13 +15,13 @@ namespace robochart::probability {
 
 struct ObservedEvent {
     std::string component;  ///< that has it, in the CSP semantics: "P::M::c::s"
-    std::string event;      ///< relative to the component: "e.in"
+    std::string event;      ///< relative to the component, as the model has it: "e.in"
+    ir::Origin origin;      ///< of the event
     ir::TypeId type;        ///< of its values; invalid: they are not asked for, or it has none
     bool valued = false;    ///< it carries values
 
     /// What the definition of the observer is called in the provenance: a component of its own.
     [[nodiscard]] std::string name() const { return component + " " + event; }
-    friend bool operator==(const ObservedEvent&, const ObservedEvent&) = default;
 };
 
 /// The names that the parameters of observers have in the provenance.
@@ -29,7 +29,7 @@ inline constexpr const char* observed_parity = "n";
 inline constexpr const char* observed_value = "x";
 
 /// Adds the observers to the definitions D__ of their components, and their meanings. The script has each component
-/// written out (Options::share_modules).
+/// written out (Options::share_modules). Throws Wrong where there is no such component or event.
 void observe(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events);
 
 }  // namespace robochart::probability

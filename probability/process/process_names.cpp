@@ -163,14 +163,14 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
     }
     if (event == nullptr || !(inwards ? event->input : event->output)) absent("event", path + "." + direction);
     if (valued && !event->type) throw NotExpressed(fmt::format("the value of `{}`, which has none", path));
-    ObservedEvent wanted{component, name + (inwards ? ".in" : ".out"), {}, event->type.has_value()};
+    ObservedEvent wanted{component, name + (inwards ? ".in" : ".out"), event->origin, {}, event->type.has_value()};
     for (std::size_t i = 0; i < observed_.size(); ++i) {
         if (observed_[i].name() != wanted.name()) continue;
         if (valued) observed_[i].type = *event->type;
         return i;
     }
     if (observed_.size() == most_observed)
-        throw NotExpressed(fmt::format("more than {} events are told apart", most_observed));
+        throw NotExpressed(fmt::format("more than {} events are observed", most_observed));
     if (valued) wanted.type = *event->type;
     observed_.push_back(std::move(wanted));
     return observed_.size() - 1;
