@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The models of the Quantitative Verification Benchmark Set (shared/suite/prism/qvbs) by `robochart-verify prism`: values compared with those of
-the set, states with its counts, and seconds beside those that four checkers took in QComp 2020 for the same questions.
+the set, states with its counts, and CPU seconds beside those that four checkers took in QComp 2020 for the same questions.
 
 Usage: benchmarks/decide_qvbs.py --program PROGRAM --folder FOLDER [--jobs N] [--only TEXT] [--exact STATES]   (scripts/bench_qvbs.sh)
 """
@@ -96,7 +96,7 @@ def main():
         runs = list(jobs.map(lambda case: decide(options, case[0][0], constants_of(case[0][1]), case[1], False),
                              cases.items()))
     wrong = right = exactly = 0
-    print(f"{'model':<44} {'constants':<28} {'states':>9} {'answers':>7} {'seconds':>8} {'MB':>6}   QComp 2020: Storm, its sparse engine, PRISM, mcsta")
+    print(f"{'model':<44} {'constants':<28} {'states':>9} {'answers':>7} {'CPU s':>8} {'MB':>6}   QComp 2020: Storm, its sparse engine, PRISM, mcsta")
     for ((model, constants), rows), ran in zip(cases.items(), runs):
         answers, states = [], 0
         if ran.exit in (0, 1):
@@ -107,7 +107,7 @@ def main():
         if rows[0]["states_full"] and states != int(rows[0]["states_full"]):
             faults.append(f"{states} states instead of {rows[0]['states_full']}")
         recorded = [f"{row['property']} {figures}" for row in rows if (figures := QCOMP.get((model, constants, row["property"])))]
-        print(f"{model:<44} {constants:<28} {states:>9,} {len(answers):>7} {ran.wall:>8.2f} {ran.rss / 1e6:>6.0f}   {' '.join(recorded)}")
+        print(f"{model:<44} {constants:<28} {states:>9,} {len(answers):>7} {ran.cpu:>8.2f} {ran.rss / 1e6:>6.0f}   {' '.join(recorded)}")
         bad = [each for each in faults if each]
         wrong += len(bad)
         right += len(rows) - len(bad)
@@ -120,7 +120,7 @@ def main():
             bad += [ran.said().strip()[-200:]] * (len(rows) - len(answers))
             wrong += len(bad)
             exactly += len(rows) - len(bad)
-            print(f"  with fractions: {ran.wall:.2f} s" + "".join("\n  " + each for each in bad))
+            print(f"  with fractions: {ran.cpu:.2f} CPU s" + "".join("\n  " + each for each in bad))
     print(f"{right} answers as the set has them, {wrong} not; {exactly} equal as fractions; {refused} refused by name; "
           f"{sum(ran.cpu for ran in runs):.1f} CPU s")
     return 1 if wrong else 0

@@ -2,8 +2,9 @@
 """The six sets of constants of the UVC case study, nineteen values each, and its deadlock check, by `robochart-verify prism`: compares states,
 transitions and values with the reference, and prints seconds beside those that PRISM 4.6 took (shared/suite/prism/uvc/EXPECTED.tsv).
 
-Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N] [--usual]   (scripts/bench_uvc.sh)
+Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N] [--usual] [--model]   (scripts/bench_uvc.sh)
 --usual: the usual width of intervals, and PRISM's own results to compare with.
+--model: not RoboTool's PRISM file, but the model in RoboChart with its assertions, by `check --encoding robotool`.
 """
 import argparse
 import csv
@@ -35,6 +36,22 @@ def decide(options, name, rows):
     return seconds, json.loads(ran.stdout)["runs"][0]
 
 
+def decide_model(options, name):
+    """The same by the assertions of the model."""
+    command = [options.program, "check", options.folder, "--encoding", "robotool", "--format", "json", "-q",
+               "--prefs", options.folder + "/prism-gen/rc2prism.prefs", "--assertion", "P_dangerous_" + name]
+    if not options.usual:
+        command += ["--epsilon", "1e-11"]
+    begin = time.monotonic()
+    ran = subprocess.run(command, capture_output=True, text=True)
+    seconds = time.monotonic() - begin
+    if ran.returncode != 0:
+        raise SystemExit(f"{name}: exit {ran.returncode}: {ran.stderr}")
+    rows = json.loads(ran.stdout)["assertions"][0]["probability"]["rows"]
+    return seconds, {"states": rows[0]["states"], "transitions": rows[0]["transitions"],
+                     "answers": [{"constants": {"t": row["constants"]["t"]}, "value": row["value"]} for row in rows]}
+
+
 def deadlock_free(options, row):
     command = [options.program, "prism", options.folder + "/prism-gen/system.prism", "--property", NO_DEADLOCK,
                "--const", ",".join(each for each in row["constants"].split(",") if not each.startswith("t="))]
@@ -47,19 +64,24 @@ def main():
     parser.add_argument("--folder", required=True)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--usual", action="store_true")
+    parser.add_argument("--model", action="store_true")
+    parser.add_argument("--only", default="", help="sets of constants whose name has this in it")
     options = parser.parse_args()
     wanted, most = ("prism_result", 1e-5) if options.usual else ("reference", 1e-10)
     sets = {}
     deadlock = []
     with open(options.folder + "/EXPECTED.tsv", newline="") as table:
         for row in csv.DictReader(table, delimiter="\t"):
+            if options.only not in row["constant_set"]:
+                continue
             if row["t"].isdigit():
                 sets.setdefault(row["constant_set"], []).append(row)
             else:
                 deadlock.append(row)
     begin = time.monotonic()
     with ThreadPoolExecutor(options.jobs) as jobs:
-        answers = list(jobs.map(lambda item: decide(options, *item), sets.items()))
+        answers = list(jobs.map(
+            lambda item: decide_model(options, item[0]) if options.model else decide(options, *item), sets.items()))
     wall = time.monotonic() - begin
     worst, right = 0.0, 0
     print(f"{'constants':<24} {'states':>10} {'seconds':>8} {'PRISM 4.6, seconds':>19}")

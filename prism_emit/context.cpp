@@ -15,6 +15,12 @@ std::string Context::unique(const std::string& wanted) {
     return name;
 }
 
+void Context::note(const ir::Variable& variable, const std::string& element, const std::string& name) {
+    const ir::Type& type = system.type(variable.type);
+    const bool named = type.kind == ir::TypeKind::enumeration;
+    emission.names.push_back({"variable", element, name, named ? type.labels : std::vector<std::string>{}});
+}
+
 void Context::note(const std::string& kind, const std::string& element, const std::string& name) {
     emission.names.push_back({kind, element, name});
 }

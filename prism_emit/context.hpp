@@ -33,6 +33,8 @@ public:
 
     /// The name, made one that is not reserved and not taken yet.
     [[nodiscard]] std::string unique(const std::string& wanted);
+    /// Notes what a variable of the model is called.
+    void note(const ir::Variable& variable, const std::string& element, const std::string& name);
     /// Notes what an element is called.
     void note(const std::string& kind, const std::string& element, const std::string& name);
     /// "tick_16", "Action_20": numbers count on over the whole model.

@@ -31,7 +31,7 @@ std::map<std::string, std::string> add_globals(Context& context) {
         if (!carrier) continue;
         const std::string name = context.unique(variable.name);
         names[variable.name] = name;
-        context.note("variable", element, name);
+        context.note(variable, element, name);
         Scope scope;
         scope.element = element;
         prism::ExprPtr initial;

@@ -91,7 +91,7 @@ void MachineEmitter::name_variables(Part& part) {
         std::string name;
         if (variable.scope != ir::VariableScope::required) {
             name = context_.unique(part.stem + "_" + variable.name);
-            context_.note("variable", part.element + "::" + variable.name, name);
+            context_.note(variable, part.element + "::" + variable.name, name);
         } else if (host != &part) {
             const auto& known = host->machine->variables;
             const auto own = std::find_if(known.begin(), known.end(),

@@ -62,7 +62,9 @@ std::string values_table(const ProbabilityReport& report) {
         body += "<tr>";
         for (const auto& [name, value] : varying(report, row))
             body += fmt::format("<td class=\"number\">{}</td>", xml_text(value));
-        body += fmt::format("<td>{}</td></tr>", xml_text(row_text(row)));
+        const std::string path = path_text(row, "");
+        body += fmt::format("<td>{}{}</td></tr>", xml_text(row_text(row)),
+                            path.empty() ? "" : fmt::format("<pre>{}</pre>", xml_text(path)));
     }
     return fmt::format("<br>{}<table><thead><tr>{}<th scope=\"col\">value</th></tr></thead><tbody>{}</tbody></table>{}",
                        xml_text(reading_of(report)), head, body, value_plot(report));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/report/prism_report.hpp"
 #include "app/report/probability_report.hpp"
 #include "diagnostics/escape.hpp"
 
@@ -34,7 +35,7 @@ std::optional<Point> point(const ProbabilityReport& report, const probability::R
         return each.kind == prism::Result::Kind::number && std::isfinite(each.low.bounds().high);
     });
     if (!x || !numbers) return std::nullopt;
-    return Point{*x, row.results.front().low.bounds().low, row.results.back().low.bounds().high};
+    return Point{*x, interval_of(row.results.front()).low, interval_of(row.results.back()).high};
 }
 
 std::vector<Point> points(const ProbabilityReport& report) {

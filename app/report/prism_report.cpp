@@ -52,8 +52,11 @@ namespace {
 
 /// "(ci, 1000 paths of 4.6 steps, 1 to 31)".
 std::string paths_text(const prism::Estimate& estimate) {
-    return fmt::format("({}, {} paths of {:.2g} steps, {} to {})", prism::method_name(estimate.method),
-                       estimate.samples, estimate.mean_steps, estimate.least_steps, estimate.most_steps);
+    constexpr double few = 10;
+    const std::string mean = estimate.mean_steps < few ? fmt::format("{:.2g}", estimate.mean_steps)
+                                                       : fmt::format("{:.0f}", estimate.mean_steps);
+    return fmt::format("({}, {} paths of {} steps, {} to {})", prism::method_name(estimate.method), estimate.samples,
+                       mean, estimate.least_steps, estimate.most_steps);
 }
 
 /// "0.384 +- 0.04 at 99 %".
@@ -62,13 +65,38 @@ std::string estimate_text(const prism::Estimate& estimate) {
     return fmt::format("{:.6g} +- {:.3g} at {:.6g} %", estimate.mean, *estimate.width, 100 * (1 - estimate.alpha));
 }
 
+}  // namespace
+
+Json estimate_json(const prism::Estimate& estimate) {
+    Json json{
+        {"method", prism::method_name(estimate.method)},
+        {"samples", estimate.samples},
+        {"alpha", estimate.alpha},
+        {"steps", {{"mean", estimate.mean_steps}, {"least", estimate.least_steps}, {"most", estimate.most_steps}}}};
+    if (estimate.width) json["width"] = number_json(*estimate.width);
+    if (estimate.hits) json["hits"] = *estimate.hits;
+    if (estimate.binomial) json["clopperPearson"] = {estimate.binomial->low, estimate.binomial->high};
+    return json;
+}
+
+std::string sampled_text(const prism::Result& result) {
+    const prism::Estimate& estimate = *result.estimate;
+    const std::string answer = result.kind == Kind::number ? estimate_text(estimate) : result.truth ? "true" : "false";
+    return answer + " " + paths_text(estimate);
+}
+
+std::string binomial_text(const prism::Result& result) {
+    if (!result.estimate || !result.estimate->binomial) return "";
+    return fmt::format("Clopper-Pearson: from {:.6g} to {:.6g}", result.estimate->binomial->low,
+                       result.estimate->binomial->high);
+}
+
+namespace {
+
 std::string result_text(const PrismAnswer& answer) {
     const prism::Result& result = answer.result;
     if (!answer.error.empty()) return "error: " + answer.error;
-    if (result.estimate && result.kind == Kind::number)
-        return estimate_text(*result.estimate) + " " + paths_text(*result.estimate);
-    if (result.estimate && result.kind == Kind::truth)
-        return fmt::format("{} {}", result.truth ? "true" : "false", paths_text(*result.estimate));
+    if (result.estimate && result.kind != Kind::unknown) return sampled_text(result);
     switch (result.kind) {
         case Kind::truth:
             return result.truth           ? "true"
@@ -164,10 +192,8 @@ std::string answer_text(const PrismReport& report, const PrismAnswer& answer, co
     if (!answer.constants.empty()) text += list(answer.constants) + ": ";
     text += result_text(answer) + "\n";
     const bool number = answer.result.kind == Kind::number || answer.result.kind == Kind::range;
-    const std::optional<prism::Estimate>& estimate = answer.result.estimate;
-    if (estimate && estimate->binomial)
-        text += fmt::format("{}  Clopper-Pearson: from {:.6g} to {:.6g}\n", indent, estimate->binomial->low,
-                            estimate->binomial->high);
+    const std::string binomial = binomial_text(answer.result);
+    if (!binomial.empty()) text += fmt::format("{}  {}\n", indent, binomial);
     if (answer.counterexample) text += counterexample_text(report, *answer.counterexample, indent + "  ");
     if (number && !answer.result.reason.empty() && answer.error.empty())
         text += fmt::format("{}  wider than asked for: {}\n", indent, answer.result.reason);
@@ -193,18 +219,6 @@ const char* answer_word(const PrismAnswer& answer) {
 Json constants_json(const NamedValues& constants) {
     Json json = Json::object();
     for (const auto& [name, value] : constants) json[name] = value;
-    return json;
-}
-
-Json estimate_json(const prism::Estimate& estimate) {
-    Json json{
-        {"method", prism::method_name(estimate.method)},
-        {"samples", estimate.samples},
-        {"alpha", estimate.alpha},
-        {"steps", {{"mean", estimate.mean_steps}, {"least", estimate.least_steps}, {"most", estimate.most_steps}}}};
-    if (estimate.width) json["width"] = number_json(*estimate.width);
-    if (estimate.hits) json["hits"] = *estimate.hits;
-    if (estimate.binomial) json["clopperPearson"] = {estimate.binomial->low, estimate.binomial->high};
     return json;
 }
 
@@ -245,10 +259,7 @@ Json answer_json(const PrismReport& report, const PrismAnswer& answer) {
     }
     if (result.estimate) json["estimate"] = estimate_json(*result.estimate);
     if (result.estimate && result.kind == Kind::number) {
-        const prism::Enclosure bounds = interval_of(result);
-        json["value"] = number_json(result.estimate->mean);
-        json["low"] = number_json(bounds.low);
-        json["high"] = number_json(bounds.high);
+        json.update(interval_json(result));
     } else if (result.kind == Kind::number) {
         json.update(real_json(result.low));
     }
@@ -301,6 +312,13 @@ std::string csv_row(const PrismReport& report, const PrismRun& run, const PrismA
 }
 
 }  // namespace
+
+Json interval_json(const prism::Result& result) {
+    const prism::Enclosure bounds = interval_of(result);
+    return {{"value", number_json(result.estimate->mean)},
+            {"low", number_json(bounds.low)},
+            {"high", number_json(bounds.high)}};
+}
 
 prism::Enclosure interval_of(const prism::Result& result) {
     if (!result.estimate) return {result.low.bounds().low, result.high.bounds().high};

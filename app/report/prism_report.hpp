@@ -54,6 +54,14 @@ struct PrismReport {
 /// Around a number: where it lies, or of an estimate the interval that is right most often, that of Clopper and Pearson
 /// where the samples are hits and misses.
 [[nodiscard]] prism::Enclosure interval_of(const prism::Result& result);
+/// "0.384 +- 0.04 at 99 % (ci, 1000 paths of 4.6 steps, 1 to 31)", or "true (sprt, ...)".
+[[nodiscard]] std::string sampled_text(const prism::Result& result);
+/// "Clopper-Pearson: from 0.34 to 0.42"; "" where the samples are no hits and misses.
+[[nodiscard]] std::string binomial_text(const prism::Result& result);
+/// Of a number that was estimated, {"value", "low", "high"}: the mean, in `interval_of`.
+[[nodiscard]] diagnostics::Json interval_json(const prism::Result& result);
+/// The method, the samples and the intervals.
+[[nodiscard]] diagnostics::Json estimate_json(const prism::Estimate& estimate);
 /// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
 [[nodiscard]] std::string value_text(const prism::Real& value);
 /// {"value", "low", "high"}, and "exact" where it is a fraction.

@@ -16,6 +16,12 @@ using probability::Row;
 using Kind = prism::Result::Kind;
 
 std::string result_text(const prism::Result& result) {
+    if (result.estimate) {
+        const std::string binomial = binomial_text(result);
+        const std::string answer =
+            result.kind == Kind::unknown ? "not decided: " + result.reason : sampled_text(result);
+        return answer + (binomial.empty() ? "" : "; " + binomial);
+    }
     switch (result.kind) {
         case Kind::truth:
             return result.truth           ? "true"
@@ -36,8 +42,17 @@ const char* word_of(const Row& row) {
     if (!row.error.empty()) return "error";
     for (const prism::Result& each : row.results)
         if (each.kind == Kind::unknown) return "not decided";
+    if (row.path) return "path";
     const prism::Result& first = row.results.front();
-    return first.kind == Kind::truth ? (first.truth ? "true" : "false") : "value";
+    if (first.kind == Kind::truth) return first.truth ? "true" : "false";
+    return first.estimate ? "estimate" : "value";
+}
+
+Json path_json(const probability::Path& path) {
+    Json json{{"from", path.begin}, {"steps", Json::array()}, {"deadlock", path.deadlock}};
+    for (const probability::Path::Step& step : path.steps)
+        json["steps"].push_back({{"by", step.by}, {"changes", step.changes}});
+    return json;
 }
 
 Json row_json(const Row& row) {
@@ -48,9 +63,16 @@ Json row_json(const Row& row) {
               {"seconds", diagnostics::rounded(row.seconds, 3)}};
     for (const auto& [name, value] : row.constants) json["constants"][name] = value;
     if (!row.error.empty()) json["reason"] = row.error;
+    if (row.path) json["path"] = path_json(*row.path);
     for (const prism::Result& each : row.results) {
         if (!each.reason.empty()) json["reason"] = each.reason;
         if (!each.where.empty()) json["state"] = each.where;
+    }
+    if (!row.results.empty() && row.results.front().estimate) {
+        const prism::Result& sampled = row.results.front();
+        json["estimate"] = estimate_json(*sampled.estimate);
+        if (sampled.kind == Kind::number) json.update(interval_json(sampled));
+        return json;
     }
     const bool values =
         std::all_of(row.results.begin(), row.results.end(), [](const auto& each) { return each.kind == Kind::number; });
@@ -71,8 +93,21 @@ std::string row_text(const Row& row) {
     const auto open = std::find_if(row.results.begin(), row.results.end(),
                                    [](const prism::Result& each) { return each.kind == Kind::unknown; });
     if (open != row.results.end()) return result_text(*open);
+    if (row.path)
+        return fmt::format("a random path of {} steps{}", row.path->steps.size(),
+                           row.path->deadlock ? ", to a deadlock" : "");
     if (row.results.size() == 1) return result_text(row.results.front());
     return fmt::format("least {}, greatest {}", result_text(row.results.front()), result_text(row.results.back()));
+}
+
+std::string path_text(const Row& row, const std::string& indent) {
+    if (!row.path) return "";
+    std::string text = fmt::format("{}0: {}\n", indent, row.path->begin);
+    std::size_t number = 0;
+    for (const probability::Path::Step& step : row.path->steps)
+        text +=
+            fmt::format("{}{}: {}{}{}\n", indent, ++number, step.by, step.changes.empty() ? "" : ": ", step.changes);
+    return text;
 }
 
 std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport& report, const Row& row) {
@@ -85,8 +120,13 @@ std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport
 }
 
 std::string reading_of(const ProbabilityReport& report) {
+    const auto sampled = [](const Row& row) {
+        return row.path || std::any_of(row.results.begin(), row.results.end(),
+                                       [](const prism::Result& each) { return each.estimate.has_value(); });
+    };
     if (report.encoding == "robotool")
-        return "in RoboTool's encoding, where all possible steps are equally likely and bounds count steps";
+        return fmt::format("{} RoboTool's encoding, where all possible steps are equally likely and bounds count steps",
+                           std::any_of(report.rows.begin(), report.rows.end(), sampled) ? "by random paths in" : "in");
     const std::string who = report.scheduler == "any" ? "over all schedulers"
                             : report.scheduler == "urgent"
                                 ? "over the schedulers by which inputs and time wait for all that needs neither"
@@ -102,6 +142,7 @@ std::string probability_text(const ProbabilityReport& report, const std::string&
         for (const auto& [name, value] : varying(report, row))
             constants += fmt::format("{}{}={}", constants.empty() ? "" : ", ", name, value);
         text += fmt::format("{}  {}{}{}\n", indent, constants, constants.empty() ? "" : ": ", row_text(row));
+        text += path_text(row, indent + "    ");
     }
     return text;
 }

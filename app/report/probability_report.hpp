@@ -13,6 +13,8 @@ namespace robochart::app {
 [[nodiscard]] diagnostics::Json probability_json(const ProbabilityReport&);
 /// "0.5"; "least 0.25, greatest 0.5"; "false, for example in the state x=1".
 [[nodiscard]] std::string row_text(const probability::Row&);
+/// The steps of a row's path, a line for each; "" where it has none.
+[[nodiscard]] std::string path_text(const probability::Row&, const std::string& indent);
 /// Those constants of a row that take several values.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport&,
                                                                        const probability::Row&);

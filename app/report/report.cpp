@@ -47,7 +47,9 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
+/// Of random paths nothing is explored.
 bool has_statistics(const AssertionReport& a) {
+    if (a.probability && a.statistics.states == 0) return false;
     return a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0;
 }
 

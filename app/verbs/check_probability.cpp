@@ -37,7 +37,7 @@ std::vector<Claim> claims_of(const Project& project, const Options& options) {
 /// Of a row: an error before a failure, that before what is not known.
 Answer answer_of(const Row& row) {
     if (!row.error.empty()) return Answer::error;
-    Answer answer = Answer::holds;
+    Answer answer = row.path ? Answer::computed : Answer::holds;
     for (const Result& each : row.results) {
         if (each.kind == Result::Kind::unknown) return Answer::inconclusive;
         if (each.kind != Result::Kind::truth) answer = Answer::computed;
@@ -79,6 +79,12 @@ probability::Scheduler scheduler_of(const Options& options) {
     return options.scheduler == "uniform" ? probability::Scheduler::uniform : probability::Scheduler::any;
 }
 
+/// Whether an assertion is decided on RoboTool's chain. Random paths are always taken through that: those of a decision
+/// process depend on who chooses.
+bool robotools(const Options& options, const frontend::ProbabilisticAssertion& assertion) {
+    return options.encoding == "robotool" || probability::simulated(assertion);
+}
+
 class Decider {
 public:
     Decider(Project& project, const Options& options) : project_(project), options_(options), all_(*project.model) {}
@@ -86,10 +92,8 @@ public:
     void operator()(const Claim& claim, AssertionReport& report) {
         try {
             const probability::Question question = this->question(claim);
-            if (question.simulation != nullptr)
-                throw NotExpressed("`using sim`: properties are not decided by simulation here");
             report.reason.clear();
-            probability::decide(*encoding_, question, {options_.epsilon, options_.exact}, options_.run->budget(),
+            probability::decide(*encoding_, question, how(), options_.run->budget(),
                                 [&](Row row) { take(std::move(row), report); });
         } catch (const NotExpressed& why) {
             report.answer = Answer::unchecked;
@@ -106,17 +110,21 @@ private:
             subject_of(project_, probability::subjects(all_, *claim.file, *claim.assertion));
         const auto functions = probability::functions(all_, *claim.file, *claim.assertion);
         // Functions are written into RoboTool's models; without any they stay the same for the next property.
-        const bool same = encoding_ && ir::qualified(subject) == ir::qualified(subject_);
-        if (!same || (robotool() && (!functions.empty() || with_functions_))) {
+        const bool chain = robotools(options_, *claim.assertion);
+        const bool same = encoding_ && chain == chain_ && ir::qualified(subject) == ir::qualified(subject_);
+        if (!same || (chain && (!functions.empty() || with_functions_))) {
             encoding_.reset();
             subject_ = subject;
-            encoding_ = robotool() ? robotool(functions) : process();
+            encoding_ = chain ? robotool(functions) : process();
+            chain_ = chain;
             with_functions_ = !functions.empty();
         }
         return probability::translate(all_, *claim.file, *claim.assertion, encoding_->elements());
     }
 
-    [[nodiscard]] bool robotool() const { return options_.encoding == "robotool"; }
+    [[nodiscard]] probability::Deciding how() const {
+        return {options_.epsilon, options_.exact, options_.seed.value_or(0), options_.threads};
+    }
 
     std::unique_ptr<probability::Encoding> robotool(const std::map<std::string, probability::Function>& functions) {
         if (subject_.kind != ir::ComponentKind::module)
@@ -158,6 +166,7 @@ private:
     probability::Assertions all_;
     std::unique_ptr<probability::Encoding> encoding_;
     ir::ComponentRef subject_;
+    bool chain_ = false;  ///< it is RoboTool's
     bool with_functions_ = false;
 };
 
@@ -178,7 +187,8 @@ void check_probabilities(Project& project, const Options& options, Report& repor
                                     diagnostics::shown(frontend::claim(*claim.assertion)));
             set_place(project, claim.assertion->span, one);
             one.reason = not_decided;
-            one.probability = ProbabilityReport{options.encoding, options.encoding == "csp" ? scheduler : "", {}};
+            const bool chain = robotools(options, *claim.assertion);
+            one.probability = ProbabilityReport{chain ? "robotool" : "csp", chain ? "" : scheduler, {}};
             report.assertions.push_back(std::move(one));
         }
     }

@@ -32,7 +32,7 @@ void check_unique(const Model& model, const Names& names, Diagnostics& out);
 void check_imports(const Model& model, const Names& names, Diagnostics& out);
 /// Assertions of one name in a file: RC-N03.
 void check_unique(const File& file, Diagnostics& out);
-/// Probabilistic assertions, and parts of assertion files that nothing reads: RC-Q09 to RC-Q12. (RC-P33 is the
+/// Probabilistic assertions, and parts of assertion files that nothing reads: RC-Q10 to RC-Q12. (RC-P33 is the
 /// reader's.)
 void check_probabilistic(const File& file, Diagnostics& out);
 /// What `prob property` may claim: RC-Q11, RC-Q12.

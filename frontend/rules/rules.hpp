@@ -33,7 +33,7 @@ extern const Rule initial_type, assignment_type, if_type, condition_type, wait_t
 
 // rules_assertions.cpp
 extern const Rule unknown_component, not_a_component, no_state, no_clock, no_constant, constant_type, constant_twice,
-    constants_open, generated_path, part_passed_over, not_a_property, path_property, missed_where;
+    constants_open, part_passed_over, not_a_property, path_property, missed_where;
 // rules_lints.cpp
 extern const Rule w_loose_machine, w_loose_controller, w_loose_platform, w_stuck, w_unreachable, w_never, w_else_never,
     w_always, w_unset, w_unused, w_unread, w_loop, w_negative, w_zero, w_maybe_zero, w_shadows, w_hidden_member,

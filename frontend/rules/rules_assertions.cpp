@@ -32,10 +32,6 @@ const Rule constants_open{
     "RC-Q08", warning, "`{}` requires the constant{} {}, which this assertion leaves open",
     "What a component requires is decided outside it. Without a value in the assertion the default of the "
     "instantiation counts, or what `--const` says."};
-const Rule generated_path{
-    "RC-Q09", warning, "`{}` is not checked: no path is generated here",
-    "`prob generate path` asks RoboTool for a random run. It is read, with the names in it. A run "
-    "that checks lists it as not checked and does not succeed."};
 const Rule part_passed_over{"RC-Q10", warning, "`{}` is passed over: nothing here reads it",
                             "`instantiate T as S`, and definitions whose name is in quotation marks, are kept as "
                             "text. Types have the carriers of the finite instantiation."};
@@ -56,9 +52,8 @@ const Rule missed_where{
 
 const std::vector<const Rule*>& of_assertions() {
     static const std::vector<const Rule*> rules = {
-        &unknown_component, &not_a_component, &no_state,       &no_clock,       &no_constant,
-        &constant_type,     &constant_twice,  &constants_open, &generated_path, &part_passed_over,
-        &not_a_property,    &path_property,   &missed_where};
+        &unknown_component, &not_a_component, &no_state,         &no_clock,       &no_constant,   &constant_type,
+        &constant_twice,    &constants_open,  &part_passed_over, &not_a_property, &path_property, &missed_where};
     return rules;
 }
 

@@ -2,7 +2,8 @@
 // constants.
 #pragma once
 
-#include <stdexcept>
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "checker/prism/explore/state_space.hpp"
@@ -12,10 +13,21 @@
 
 namespace robochart::probability {
 
-/// The model, or the property in it, is wrong; the message says what.
-class Wrong : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
+/// What names of a model in PRISM say to a reader of the model of RoboChart.
+struct Wording {
+    struct Variable {
+        std::string begin;                           ///< "M::c::s at ", "M::c::s::x = "
+        std::map<std::int32_t, std::string> values;  ///< those that are no numbers
+    };
+    std::map<std::string, Variable> variables;   ///< others only serve the encoding
+    std::map<std::string, std::string> actions;  ///< the events
+    std::map<std::string, std::string> modules;  ///< the machines
+};
+
+/// What random paths are taken through.
+struct Unexplored {
+    const prism::Instance& instance;
+    const Wording& wording;
 };
 
 class Encoding {
@@ -31,6 +43,8 @@ public:
     /// The states of the model with what the question adds to it, for values of constants by their names in PRISM.
     /// Valid until the next call. Throws NotExpressed, Wrong, prism::EvaluationError, diagnostics::LimitReached.
     [[nodiscard]] virtual const prism::StateSpace& space(const Question&, const prism::Values&) = 0;
+    /// The same, not explored, as what random paths are taken through. Throws as `space`.
+    [[nodiscard]] virtual Unexplored unexplored(const Question&, const prism::Values&) = 0;
     /// Whether the value of a question is one number; else the least and the greatest over all schedulers.
     [[nodiscard]] virtual bool one_value() const = 0;
 };

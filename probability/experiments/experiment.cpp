@@ -8,7 +8,11 @@
 
 #include "checker/prism/checks/check.hpp"
 #include "checker/prism/experiment.hpp"
+#include "checker/prism/sampling/random_path.hpp"
+#include "checker/prism/sampling/unsampled.hpp"
 #include "checker/prism/session.hpp"
+#include "checker/prism/simulation.hpp"
+#include "probability/experiments/path_words.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -63,8 +67,8 @@ struct Given {
 
 class Experiment {
 public:
-    Experiment(Encoding& encoding, const Question& question, const Accuracy& accuracy, diagnostics::Budget& budget)
-        : encoding_(encoding), question_(question), accuracy_(accuracy), budget_(budget) {}
+    Experiment(Encoding& encoding, const Question& question, const Deciding& how, diagnostics::Budget& budget)
+        : encoding_(encoding), question_(question), how_(how), budget_(budget) {}
 
     void operator()(const std::function<void(Row)>& found) {
         for (const Setting& each : question_.settings) read(each);
@@ -133,8 +137,14 @@ private:
             }
         };
         try {
-            const prism::StateSpace& space = encoding_.space(question_, of_model);
-            decide(space, of_model, of_property, seconds(), found);
+            if (question_.path) {
+                generate(encoding_.unexplored(question_, of_model), of_model, of_property, found);
+            } else if (question_.simulation.empty()) {
+                const prism::StateSpace& space = encoding_.space(question_, of_model);
+                decide(space, of_model, of_property, seconds(), found);
+            } else {
+                sample(encoding_.unexplored(question_, of_model).instance, of_model, of_property, found);
+            }
         } catch (const prism::EvaluationError& error) {
             fail(message(error));
         } catch (const Wrong& error) {
@@ -160,37 +170,111 @@ private:
                               : std::vector<prism::Property>{{{}, question_.property}};
         const prism::CheckedProperties checked = prism::check_properties(space.model(), file, findings);
         if (!findings.ok()) throw Wrong(errors(findings));
-        prism::Session session(space, checked, {accuracy_.relative, accuracy_.exact, &budget_});
+        prism::Session session(space, checked, {how_.relative, how_.exact, &budget_});
         for (const prism::Values& constants : of_property) {
-            const auto begin = std::chrono::steady_clock::now();
             Row one = row(of_model, constants);
             one.states = space.chain().states();
             one.transitions = space.transitions();
-            try {
-                for (std::size_t i = 0; i < checked.properties.size(); ++i)
-                    one.results.push_back(session.check(i, constants));
-            } catch (const prism::EvaluationError& error) {
-                one.results.clear();
-                one.error = message(error);
-            }
-            one.seconds = exploring + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            fill(one, checked.properties.size(), [&](std::size_t i) { return session.check(i, constants); });
+            one.seconds += exploring;
             exploring = 0;  // counts once
             found(std::move(one));
         }
     }
 
+    /// By random paths: nothing is explored.
+    void sample(const prism::Instance& instance, const prism::Values& of_model,
+                const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
+        diagnostics::Diagnostics findings;
+        prism::PropertyFile file;
+        file.constants = question_.constants;
+        file.properties = {{{}, question_.property}};
+        const prism::CheckedProperties checked = prism::check_properties(instance.model(), file, findings);
+        if (!findings.ok()) throw Wrong(errors(findings));
+        const prism::SamplingOptions options{method(), how_.seed, how_.threads, &budget_};
+        for (const prism::Values& constants : of_property) {
+            Row one = row(of_model, constants);
+            fill(one, 1,
+                 [&](std::size_t i) { return prism::simulate(instance, checked, i, constants, options, findings); });
+            found(std::move(one));
+        }
+    }
+
+    [[nodiscard]] prism::Method method() const {
+        try {
+            return prism::read_method(question_.simulation);
+        } catch (const prism::BadMethod& error) {
+            throw Wrong(fmt::format("`using sim with`: {}", error.what()));
+        }
+    }
+
+    /// A random path, or several until one comes to a deadlock.
+    void generate(const Unexplored& model, const prism::Values& of_model, const std::vector<prism::Values>& of_property,
+                  const std::function<void(Row)>& found) {
+        constexpr std::uint64_t most_steps = 100'000;  // of which all are kept
+        constexpr std::uint64_t usual_limit = 10'000;
+        const Generation& asked = *question_.path;
+        const bool to_deadlock = asked.steps.empty();
+        std::uint64_t steps = asked.limit.empty() ? usual_limit : count("up to", asked.limit);
+        if (!to_deadlock) {
+            const std::uint64_t wanted = count("for", asked.steps);
+            steps = asked.limit.empty() ? wanted : std::min(wanted, steps);
+        }
+        if (steps > most_steps) throw Wrong(fmt::format("a path has {} steps at most", most_steps));
+        const std::uint64_t repeats = asked.repeats.empty() ? 0 : count("repeats", asked.repeats);
+        Row one = row(of_model, of_property.front());
+        try {
+            prism::RandomPath path;
+            for (std::uint64_t number = 0; number <= repeats && !(to_deadlock && path.deadlock); ++number)
+                path = prism::random_path(model.instance, how_.seed, number, steps, &budget_);
+            if (!to_deadlock || path.deadlock)
+                one.path = in_words(path, model);
+            else
+                one.results.emplace_back().reason =
+                    repeats == 0 ? fmt::format("a path of {} steps comes to no deadlock", steps)
+                                 : fmt::format("none of {} paths of {} steps comes to a deadlock", repeats + 1, steps);
+        } catch (const prism::Unsampled& why) {
+            one.results.emplace_back().reason = why.what();
+        }
+        found(std::move(one));
+    }
+
+    /// A number of steps or paths.
+    static std::uint64_t count(const char* what, const std::string& text) {
+        try {
+            const prism::Constant number{prism::Type::integer, {"c", {}}, nullptr};
+            const std::int64_t value = prism::read_series("c=" + text, {number}).front().values.front().integer;
+            if (value >= 0) return static_cast<std::uint64_t>(value);
+            throw prism::BadValue(text);
+        } catch (const prism::BadValue&) {
+            throw Wrong(fmt::format("`{} {}`: expected a number from 0 on", what, text));
+        }
+    }
+
+    /// The answers, or why they cannot be evaluated, with the time that they take.
+    static void fill(Row& row, std::size_t count, const std::function<prism::Result(std::size_t)>& answer) {
+        const auto begin = std::chrono::steady_clock::now();
+        try {
+            for (std::size_t i = 0; i < count; ++i) row.results.push_back(answer(i));
+        } catch (const prism::EvaluationError& error) {
+            row.results.clear();
+            row.error = message(error);
+        }
+        row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
     Encoding& encoding_;
     const Question& question_;
-    const Accuracy& accuracy_;
+    const Deciding& how_;
     diagnostics::Budget& budget_;
     std::vector<Given> given_;
 };
 
 }  // namespace
 
-void decide(Encoding& encoding, const Question& question, const Accuracy& accuracy, diagnostics::Budget& budget,
+void decide(Encoding& encoding, const Question& question, const Deciding& how, diagnostics::Budget& budget,
             const std::function<void(Row)>& found) {
-    Experiment(encoding, question, accuracy, budget)(found);
+    Experiment(encoding, question, how, budget)(found);
 }
 
 }  // namespace robochart::probability

@@ -22,7 +22,6 @@ struct Kind {
     const EventMeaning* meaning = nullptr;  ///< of the event, or of the hidden one
     bool tock = false;
     bool waits = false;  ///< an input: the platform decides whether it happens
-    std::uint32_t action = 0;
 };
 
 /// A choice of a state.
@@ -79,9 +78,7 @@ public:
         model.first_choice = {0};
         model.first_branch = {0};
         model.actions = {"", tock_action, "loop"};
-        for (const auto& [channel, action] : sources.actions)
-            if (std::find(model.actions.begin(), model.actions.end(), action) == model.actions.end())
-                model.actions.push_back(action);
+        result_.happening = {0};
     }
 
     DecisionProcess operator()() {
@@ -121,7 +118,6 @@ private:
         result.tock = named && result.meaning->kind == MeaningKind::tock;
         result.waits = named && (result.meaning->kind == MeaningKind::trigger ||
                                  result.meaning->kind == MeaningKind::external_write);
-        result.action = result.tock ? 1 : action(name);
         return result;
     }
 
@@ -133,11 +129,34 @@ private:
         }
     }
 
-    [[nodiscard]] std::uint32_t action(const std::string& name) const {
-        const auto found = sources_.actions.find(name.substr(0, name.find('.')));
-        if (found == sources_.actions.end()) return 0;
-        const auto& actions = result_.model.actions;
-        return static_cast<std::uint32_t>(std::find(actions.begin(), actions.end(), found->second) - actions.begin());
+    /// The observers whose parity is another behind the step than before it.
+    [[nodiscard]] EventSet happening(lts::StateIndex from, lts::StateIndex to) {
+        return sources_.observed.empty() ? 0 : parities(from) ^ parities(to);
+    }
+
+    [[nodiscard]] EventSet parities(lts::StateIndex state) {
+        if (parities_.empty()) parities_.resize(explored_.size(), unknown);
+        EventSet& result = parities_[state];
+        if (result != unknown) return result;
+        result = 0;
+        const std::vector<std::size_t>& parts = reader_.parts(explored_.state(state));
+        for (std::size_t i = 0; i < sources_.observed.size(); ++i)
+            for (const std::size_t part : parts) {
+                const auto held = reader_.part(part).variable(sources_.observed[i].name(), observed_parity);
+                if (held && held->text != "0") result |= EventSet{1} << i;
+            }
+        return result;
+    }
+
+    [[nodiscard]] std::uint32_t action(EventSet events) {
+        if (events == 0) return 0;
+        const auto [known, added] =
+            actions_.try_emplace(events, static_cast<std::uint32_t>(result_.model.actions.size()));
+        if (added) {
+            result_.model.actions.push_back(observed_action(events));
+            result_.happening.push_back(events);
+        }
+        return known->second;
     }
 
     /// Those that the scheduler may take.
@@ -150,7 +169,8 @@ private:
                 draws[{what.meaning->component, what.meaning->draw->junction}].push_back(&step);
                 continue;
             }
-            Choice one{what.action, what.tock, what.waits, {{step.target, 1}}};
+            const std::uint32_t action = what.tock ? 1 : this->action(happening(state, step.target));
+            Choice one{action, what.tock, what.waits, {{step.target, 1}}};
             if (std::find(result.begin(), result.end(), one) == result.end()) result.push_back(std::move(one));
         }
         for (const auto& [junction, steps] : draws) result.push_back(drawn(state, junction.first, steps));
@@ -171,7 +191,9 @@ private:
             for (const std::size_t part : parts)
                 if (const auto held = reader_.part(part).variable(component, name))
                     if (const auto number = number_of(sources_.system, sources_.instantiation, *held)) return *number;
-            throw Wrong(fmt::format("a probability reads {}, whose value is not known there", name));
+            throw NotExpressed(fmt::format(
+                "a probability at {} reads {}, which the process does not hold there: nothing else reads it", component,
+                name));
         };
         Choice result;
         Rational sum;
@@ -259,10 +281,17 @@ private:
     std::vector<markov::State> number_;  ///< of each state of the exploration
     std::map<std::pair<lts::Event, lts::Event>, Kind> kinds_;
     std::map<Rational, std::uint32_t> numbers_;
+    static constexpr EventSet unknown = ~EventSet{0};
+    std::vector<EventSet> parities_;  ///< of each state of the exploration; empty: none was asked for
+    std::map<EventSet, std::uint32_t> actions_;
     std::map<markov::State, Choice> single_;  ///< states with one choice, which has been made
 };
 
 }  // namespace
+
+std::string observed_action(EventSet events) {
+    return events == 0 ? "" : fmt::format("events {}", events);
+}
 
 DecisionProcess decision_process(const Exploration& explored, StateReader& reader, const Sources& sources,
                                  Scheduler scheduler, const std::function<void()>& poll) {

@@ -12,6 +12,7 @@
 #include "checker/markov/model/model.hpp"
 #include "csp_emit/base/emission.hpp"
 #include "probability/process/exploration.hpp"
+#include "probability/process/observers.hpp"
 #include "probability/process/state_reader.hpp"
 #include "probability/process/weights.hpp"
 
@@ -27,6 +28,13 @@ enum class Scheduler {
 /// The action of choices that let time pass.
 inline constexpr const char* tock_action = "tock";
 
+/// Sets of observed events are sets of bits, from that of the first on.
+using EventSet = std::uint32_t;
+inline constexpr std::size_t most_observed = 16;
+
+/// The action of choices that are just these events: of none of them, "".
+[[nodiscard]] std::string observed_action(EventSet events);
+
 /// What the process is made of.
 struct Sources {
     const ir::System& system;
@@ -34,14 +42,15 @@ struct Sources {
     const csp_emit::Provenance& provenance;
     const lts::EventTable& events;
     const std::vector<Seat>& seats;
-    /// Actions that rewards speak of, by channel of the CSP semantics: "P::M::e" -> "M::e".
-    const std::map<std::string, std::string>& actions;
+    /// Events that rewards speak of; at most `most_observed`.
+    const std::vector<ObservedEvent>& observed;
 };
 
 struct DecisionProcess {
     markov::Model model;
     markov::StateSet deadlocks;            ///< nothing is possible any more but that time passes
     std::vector<lts::StateIndex> origins;  ///< of each state, that of the exploration
+    std::vector<EventSet> happening;       ///< the sets of events that are choices, each once; the empty set is one
 };
 
 /// Throws Wrong where the probabilities of a junction are no distribution.

@@ -9,6 +9,7 @@
 #include "checker/cspm/session.hpp"
 #include "checker/prism/checks/check.hpp"
 #include "csp_emit/emit.hpp"
+#include "probability/process/observers.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -129,6 +130,7 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
             if (each.name == source.name) wanted.constants[each.path] = literal_of(system_, declared, value);
         text += fmt::format("{}={};", path, value.text());
     }
+    for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.valid() ? ".val;" : ";");
     if (explored_ && explored_->constants == text) return *explored_;
     answered_.reset();
     explored_.reset();  // its memory is needed
@@ -149,11 +151,12 @@ namespace {
 
 /// The semantics in time. Throws Wrong where there is none.
 csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
-                           diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
+                           bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
     diagnostics::Diagnostics findings;
     if (budget != nullptr) findings.within(budget);
     csp_emit::Options options;
     options.whole_states = whole_states;
+    options.share_modules = share_modules;
     csp_emit::Emission result =
         csp_emit::emit(system, instantiation, csp_emit::Time::timed, options, sources, findings);
     if (!findings.ok()) throw Wrong(first_error(findings));
@@ -163,7 +166,9 @@ csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& in
 }  // namespace
 
 void ProcessEncoding::explore(Explored& made) const {
-    made.emission = emitted(system_, made.instantiation, true, sources_, options_.budget);
+    const std::vector<ObservedEvent>& observed = names_->observed();
+    made.emission = emitted(system_, made.instantiation, true, observed.empty(), sources_, options_.budget);
+    observe(made.emission, observed);
     try {
         made.session = std::make_unique<cspm::Session>(made.emission.script, options_.budget, true);
         refine::Limits limits;
@@ -184,7 +189,7 @@ void ProcessEncoding::explore(Explored& made) const {
 
 /// What was explored has to be the process that assertions are decided on: branching bisimilar to it.
 void ProcessEncoding::compare(Explored& made) const {
-    const csp_emit::Emission usual = emitted(system_, made.instantiation, false, sources_, options_.budget);
+    const csp_emit::Emission usual = emitted(system_, made.instantiation, false, true, sources_, options_.budget);
     cspm::Session session(usual.script, options_.budget);
     refine::Limits limits;
     if (options_.budget != nullptr) static_cast<diagnostics::Limits&>(limits) = options_.budget->limits();
@@ -198,8 +203,29 @@ void ProcessEncoding::compare(Explored& made) const {
     made.compared = made.exploration->size();
 }
 
+namespace {
+
+/// A reward of an event is one of each set of events that happen together and that it is in; `[]` is of every step but
+/// that of time.
+void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happening,
+               std::vector<prism::RewardItem>& items) {
+    if (!item.transition || item.action.text == tock_action) return items.push_back(item);
+    for (const EventSet events : happening) {
+        bool earns = item.action.text.empty();
+        for (std::size_t i = 0; i < most_observed && !earns; ++i)
+            earns = (events >> i & 1U) != 0 && item.action.text == observed_action(EventSet{1} << i);
+        if (!earns) continue;
+        prism::RewardItem one = item;
+        one.action.text = observed_action(events);
+        items.push_back(std::move(one));
+    }
+}
+
+}  // namespace
+
 /// What PRISM's language is to know of the process: names of what is asked for, rewards.
-prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question) const {
+prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question,
+                                               const std::vector<EventSet>& happening) const {
     const Weights weights(system_, found.instantiation);
     prism::ModelFile file;
     file.kind = prism::ModelKind::mdp;
@@ -215,7 +241,10 @@ prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Ques
     // PRISM asks for a variable and a module.
     if (file.globals.empty()) file.globals.push_back({{"nothing__", {}}, prism::Type::boolean, {}, {}, {}});
     file.modules.push_back({{"process__", {}}, {}, {}, {}, {}});
-    file.rewards = question.rewards;
+    for (const prism::RewardStructure& each : question.rewards) {
+        file.rewards.push_back({each.name, {}});
+        for (const prism::RewardItem& item : each.items) add_items(item, happening, file.rewards.back().items);
+    }
     return file;
 }
 
@@ -235,19 +264,25 @@ std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex st
             throw Wrong(fmt::format("a value of {} has more than 32 bits", asked.variable));
         return static_cast<std::int32_t>(*value);
     }
-    if (asked.variable.empty()) return 0;
+    if (asked.variable.empty() || asked.carried) return 0;
     throw Wrong(fmt::format("{} of {} has no value in the state {}", asked.variable, asked.component,
                             found.system->describe(found.exploration->state(state))));
 }
 
-prism::GivenSpace ProcessEncoding::states(const Explored& found) const {
+DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
     const auto poll = [budget = options_.budget] {
         if (budget != nullptr) budget->poll();
     };
-    DecisionProcess process = decision_process(*found.exploration, *found.reader,
-                                               {system_, found.instantiation, found.emission.provenance,
-                                                found.session->event_table(), names_->seats(), names_->actions()},
-                                               options_.scheduler, poll);
+    return decision_process(*found.exploration, *found.reader,
+                            {system_, found.instantiation, found.emission.provenance, found.session->event_table(),
+                             names_->seats(), names_->observed()},
+                            options_.scheduler, poll);
+}
+
+prism::GivenSpace ProcessEncoding::states(const Explored& found, DecisionProcess process) const {
+    const auto poll = [budget = options_.budget] {
+        if (budget != nullptr) budget->poll();
+    };
     prism::GivenSpace result{std::move(process.model), std::move(process.deadlocks), {}};
     for (const lts::StateIndex origin : process.origins) {
         poll();
@@ -257,19 +292,25 @@ prism::GivenSpace ProcessEncoding::states(const Explored& found) const {
     return result;
 }
 
+Unexplored ProcessEncoding::unexplored(const Question& /*question*/, const prism::Values& /*constants*/) {
+    throw NotExpressed(
+        "random paths of a decision process depend on who chooses: they are taken in RoboTool's encoding");
+}
+
 const prism::StateSpace& ProcessEncoding::space(const Question& question, const prism::Values& constants) {
     if (!question.modules.empty())
         throw NotExpressed(
             "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");
     const Explored& found = explored(constants);
     auto made = std::make_unique<Answered>();
-    made->model = prism::check_model(declarations(found, question), made->findings);
+    DecisionProcess process = decisions(found);
+    made->model = prism::check_model(declarations(found, question, process.happening), made->findings);
     if (!made->model) throw Wrong(first_error(made->findings));
     prism::Values of_file;
     for (const auto& [name, value] : constants)
         if (name.find("::") == std::string::npos) of_file.emplace(name, value);
     made->space = std::make_unique<prism::StateSpace>(
-        *made->model, of_file, states(found),
+        *made->model, of_file, states(found, std::move(process)),
         prism::ExploreOptions{options_.max_states, options_.exact, options_.budget}, made->findings);
     answered_ = std::move(made);
     return *answered_->space;

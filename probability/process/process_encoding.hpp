@@ -36,6 +36,8 @@ public:
     [[nodiscard]] Elements& elements() override;
     [[nodiscard]] prism::Constant constant(const std::string& path) override;
     [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    /// Throws NotExpressed.
+    [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
     /// How many states the comparison with the process that is checked for refinement had; 0: none was made.
     [[nodiscard]] std::uint64_t compared() const;
@@ -47,9 +49,11 @@ private:
     const Explored& explored(const prism::Values&);
     void explore(Explored& made) const;
     void compare(Explored& made) const;
-    [[nodiscard]] prism::ModelFile declarations(const Explored& found, const Question& question) const;
+    [[nodiscard]] prism::ModelFile declarations(const Explored& found, const Question& question,
+                                                const std::vector<EventSet>& happening) const;
     [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const;
-    [[nodiscard]] prism::GivenSpace states(const Explored& found) const;
+    [[nodiscard]] DecisionProcess decisions(const Explored& found) const;
+    [[nodiscard]] prism::GivenSpace states(const Explored& found, DecisionProcess process) const;
 
     const ir::System& system_;
     const ir::ComponentRef& subject_;

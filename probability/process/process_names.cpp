@@ -141,15 +141,56 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
     absent("state", machine + "::" + state);
 }
 
-/// Which event of a machine a hidden step is, its name does not tell; an answer without it would be too small.
+/// As seen from where the event is declared: `in` is into the software, so out of the platform.
+std::size_t ProcessNames::observed_event(const std::string& path, const std::string& direction, bool valued) {
+    const std::string name = last_of(path);
+    const ir::Event* event = nullptr;
+    std::string component;
+    bool inwards = direction == "in";
+    const auto look = [&](const std::vector<ir::Event>& events, const std::string& of) {
+        const auto found =
+            std::find_if(events.begin(), events.end(), [&](const auto& each) { return each.name == name; });
+        if (found == events.end()) return;
+        event = &*found;
+        component = of;
+    };
+    if (const Seat* const where = seat(owner_of(path))) {
+        look(where->machine->events, where->component);
+    } else if (subject_.kind == ir::ComponentKind::module) {
+        const ir::Platform& platform = system_.modules[subject_.definition].platform;
+        if (owner_of(path) == subject_.path + "::" + platform.name) look(platform.events, ir::qualified(subject_));
+        inwards = !inwards;
+    }
+    if (event == nullptr || !(inwards ? event->input : event->output)) absent("event", path + "." + direction);
+    if (valued && !event->type) throw NotExpressed(fmt::format("the value of `{}`, which has none", path));
+    ObservedEvent wanted{component, name + (inwards ? ".in" : ".out"), event->origin, {}, event->type.has_value()};
+    for (std::size_t i = 0; i < observed_.size(); ++i) {
+        if (observed_[i].name() != wanted.name()) continue;
+        if (valued) observed_[i].type = *event->type;
+        return i;
+    }
+    if (observed_.size() == most_observed)
+        throw NotExpressed(fmt::format("more than {} events are observed", most_observed));
+    if (valued) wanted.type = *event->type;
+    observed_.push_back(std::move(wanted));
+    return observed_.size() - 1;
+}
+
 std::string ProcessNames::action(const std::string& path, const std::string& direction) {
-    throw NotExpressed(fmt::format("rewards of the event `{}.{}`: steps of the process are not distinguished by events",
-                                   path, direction));
+    return observed_action(EventSet{1} << observed_event(path, direction, false));
 }
 
 ExprPtr ProcessNames::value(const std::string& path, const std::string& direction) {
-    throw NotExpressed(
-        fmt::format("the value of `{}.{}`: states hold variables, not what was communicated last", path, direction));
+    const ObservedEvent& event = observed_[observed_event(path, direction, true)];
+    const bool boolean = system_.type(event.type).kind == ir::TypeKind::boolean;
+    if (!boolean && !is_number(system_, event.type))
+        throw NotExpressed(
+            fmt::format("`{}` carries values of the type {}, which is none of numbers, truths and plain "
+                        "literals",
+                        path, system_.type(event.type).name));
+    const bool real = system_.type(event.type).kind == ir::TypeKind::real;
+    const ExprPtr read = observed({free_name(path + "_" + direction), event.name(), observed_value, "", boolean, true});
+    return real ? prism::make_expr(Op::divide, {}, {read, named(units)}) : read;
 }
 
 prism::RewardItem ProcessNames::of_state(prism::RewardItem item) {

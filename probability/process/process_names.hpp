@@ -1,10 +1,10 @@
 // What the names of properties are in the states of a process.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
+#include "probability/process/observers.hpp"
 #include "probability/process/seats.hpp"
 #include "probability/properties/elements.hpp"
 
@@ -17,6 +17,7 @@ struct Observable {
     std::string variable;   ///< "": a state is asked for
     std::string state;      ///< its element
     bool boolean = false;
+    bool carried = false;  ///< the value that an event carried last: before the first it is 0
 };
 
 /// A constant of the model with the machine that reads it.
@@ -43,8 +44,7 @@ public:
     [[nodiscard]] const std::vector<Seat>& seats() const { return seats_; }
     [[nodiscard]] const std::vector<Observable>& observables() const { return observables_; }
     [[nodiscard]] const std::vector<ConstantHere>& constants() const { return constants_; }
-    /// By channel of the CSP semantics.
-    [[nodiscard]] const std::map<std::string, std::string>& actions() const { return actions_; }
+    [[nodiscard]] const std::vector<ObservedEvent>& observed() const { return observed_; }
     /// The machine's constant that a path leads to; throws NotExpressed.
     [[nodiscard]] ConstantHere find_constant(const std::string& path) const;
 
@@ -55,6 +55,8 @@ private:
     [[nodiscard]] const Seat* seat(const std::string& path) const;
     [[nodiscard]] std::string free_name(const std::string& path) const;
     [[nodiscard]] prism::ExprPtr observed(Observable observable);
+    /// The place of an event among `observed`. `valued`: its values are asked for.
+    [[nodiscard]] std::size_t observed_event(const std::string& path, const std::string& direction, bool valued);
     [[nodiscard]] prism::ExprPtr shared_variable(const std::string& path, const std::string& name);
 
     const ir::System& system_;
@@ -62,7 +64,7 @@ private:
     std::vector<Seat> seats_;
     std::vector<Observable> observables_;
     std::vector<ConstantHere> constants_;
-    std::map<std::string, std::string> actions_;
+    std::vector<ObservedEvent> observed_;
 };
 
 }  // namespace robochart::probability

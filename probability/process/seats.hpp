@@ -20,10 +20,4 @@ struct Seat {
 /// Of a module, a controller or a machine.
 [[nodiscard]] std::vector<Seat> seats_in(const ir::System&, const ir::ComponentRef&);
 
-/// The events that are one event: what connections without a buffer join, as channels of the CSP semantics without
-/// direction: "P::M::e". `path`: of a machine, a controller or the platform inside the component, then the event.
-/// Empty: there is no such event.
-[[nodiscard]] std::vector<std::string> joined_events(const ir::System&, const ir::ComponentRef&,
-                                                     const std::string& path);
-
 }  // namespace robochart::probability

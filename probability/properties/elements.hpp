@@ -15,6 +15,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// The model, or the property in it, is wrong; the message says what.
+class Wrong : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// The counterparts of elements. All throw NotExpressed where there is none.
 class Elements {
 public:

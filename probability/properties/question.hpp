@@ -1,11 +1,11 @@
 // A probabilistic assertion in PRISM's language, as data.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "checker/prism/syntax/syntax.hpp"
-#include "frontend/syntax/ast.hpp"
 
 namespace robochart::probability {
 
@@ -17,15 +17,23 @@ struct Setting {
     std::vector<std::string> values;  ///< in PRISM: "0.5"; "1:2:9" is a range with its step
 };
 
+/// A random path that is asked for, as numbers in PRISM's language.
+struct Generation {
+    std::string steps;    ///< how many; "": up to a deadlock
+    std::string repeats;  ///< how many other paths are tried where one comes to no deadlock; "": none
+    std::string limit;    ///< how many steps a path may have; "": as many as there are usually
+};
+
 /// A property with what it needs beside the model.
 struct Question {
-    prism::ExprPtr property;
+    prism::ExprPtr property;  ///< null: a path is asked for
+    std::optional<Generation> path = {};
     std::vector<prism::Constant> constants;        ///< open ones that only the property uses
     std::vector<prism::Constant> model_constants;  ///< open ones that rewards and modules use too
     std::vector<prism::RewardStructure> rewards;
     std::vector<prism::Module> modules;
     std::vector<Setting> settings;
-    const frontend::Expr* simulation = nullptr;  ///< `using sim with`; null: none
+    std::string simulation;  ///< `using sim with`, as prism::read_method reads it: "ci,width=0.01"; "": none
 };
 
 }  // namespace robochart::probability

@@ -129,14 +129,22 @@ public:
         : all_(all), file_(file), definitions_(definitions), elements_(elements) {}
 
     Question operator()(const ast::ProbabilisticAssertion& assertion) {
-        if (!assertion.property) refuse("the generation of paths");
         for (const ast::ProbabilisticClause& clause : assertion.clauses) {
             const ProbabilisticDefinition* const definition = definitions_.of(clause);
             if (definition == nullptr) continue;  // reported by the resolver
             if (definition->kind == ProbabilisticKind::constants) settings(*definition);
             if (definition->kind == ProbabilisticKind::modules) modules(*definition);
         }
+        if (!assertion.property) return generation(assertion.path);
         question_.property = expression(*assertion.property);
+        if (!question_.simulation.empty() && question_.property != simulated_)
+            refuse("`using sim` inside another expression: random paths answer one probability or reward");
+        return std::move(question_);
+    }
+
+    Question generation(const ast::PathGeneration& path) {
+        const auto number = [&](const ast::ExprPtr& expr) { return expr ? prism::print(expression(*expr)) : ""; };
+        question_.path = Generation{number(path.steps), number(path.repeats), number(path.limit)};
         return std::move(question_);
     }
 
@@ -187,6 +195,7 @@ private:
     ExprPtr in_state(const ast::Expr& expr);
     ExprPtr path(const ast::Expr& expr);
     ExprPtr quantitative(const ast::Expr& expr);
+    void simulate(const ast::Expr& simulation);
     std::shared_ptr<const prism::StepBound> steps(const ast::Expr& path);
 
     // names
@@ -211,6 +220,7 @@ private:
     Question question_;
     std::map<const ast::Declaration*, ExprPtr> bound_;      ///< parameters of the function that is written out
     std::map<const ast::Declaration*, std::string> known_;  ///< constants of assertion files
+    ExprPtr simulated_;                                     ///< what `using sim` stands behind
     bool in_model_ = false;                                 ///< rewards or modules are translated
     unsigned depth_ = 0;
 };
@@ -444,13 +454,46 @@ ExprPtr Translator::quantitative(const ast::Expr& expr) {
         rewards(*found);
         query->reward = {found->name, expr.span};
     }
-    if (expr.args[2]) question_.simulation = expr.args[2].get();
     prism::Expr made;
     made.op = reward ? Op::reward : Op::probability;
     made.span = expr.span;
     made.parts = {expression(*expr.args[0])};
     made.query = std::move(query);
-    return prism::make_expr(std::move(made));
+    ExprPtr result = prism::make_expr(std::move(made));
+    if (expr.args[2]) {
+        simulate(*expr.args[2]);
+        simulated_ = result;
+    }
+    return result;
+}
+
+/// PRISM's methods with RoboTool's names of their parameters: `-simwidth` is `w` or `epsilon`, `-simconf` `alpha` or
+/// `delta`, `-simsamples` `n`, `-simpathlen` `pathlen`; of SPRT `delta` is the half of the indifference region.
+void Translator::simulate(const ast::Expr& simulation) {
+    using Names = std::map<std::string, std::string>;
+    static const std::map<std::string, Names> parameters{
+        {"CI", {{"w", "width"}, {"alpha", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
+        {"ACI", {{"w", "width"}, {"alpha", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
+        {"APMC", {{"epsilon", "width"}, {"delta", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
+        {"SPRT", {{"delta", "width"}, {"alpha", "confidence"}, {"pathlen", "path"}}}};
+    const Names& names = parameters.at(simulation.text);
+    std::string method = simulation.text;
+    std::transform(method.begin(), method.end(), method.begin(),
+                   [](char letter) { return static_cast<char>(letter - 'A' + 'a'); });
+    std::set<std::string> given;
+    for (const ast::Binding& each : simulation.bindings) {
+        const std::string& name = each.variable->name;
+        const auto known = names.find(name);
+        if (known == names.end()) {
+            std::string all;
+            for (const auto& [one, other] : names) all += (all.empty() ? "" : ", ") + one;
+            throw Wrong(fmt::format("`sim with {}` has no parameter `{}`: {}", simulation.text, name, all));
+        }
+        if (!given.insert(name).second)
+            throw Wrong(fmt::format("`sim with {}`: `{}` is given twice", simulation.text, name));
+        method += fmt::format(",{}={}", known->second, prism::print(expression(*each.value)));
+    }
+    question_.simulation = method;
 }
 
 // ---------------------------------------------------------------- definitions
@@ -599,6 +642,20 @@ Beginning beginning(const Assertions& all, const ast::File& file, const ast::Qua
     Beginning result{{}, way.used, way.end()};
     for (const ast::Declaration* step : way.path.steps) result.parts.push_back(step->name);
     return result;
+}
+
+namespace {
+
+bool has_simulation(const ast::Expr& expr) {
+    return expr.kind == ExprKind::simulation || std::any_of(expr.args.begin(), expr.args.end(), [](const auto& part) {
+               return part && has_simulation(*part);
+           });
+}
+
+}  // namespace
+
+bool simulated(const ast::ProbabilisticAssertion& assertion) {
+    return !assertion.property || has_simulation(*assertion.property);
 }
 
 std::vector<std::string> subjects(const Assertions& all, const ast::File& file,

@@ -35,7 +35,10 @@ struct Beginning {
 [[nodiscard]] std::vector<std::string> subjects(const Assertions&, const frontend::File&,
                                                 const frontend::ProbabilisticAssertion&);
 
-/// The property. Throws NotExpressed.
+/// Whether it is answered by random paths: `using sim with`, `prob generate path`.
+[[nodiscard]] bool simulated(const frontend::ProbabilisticAssertion&);
+
+/// The property. Throws NotExpressed; Wrong where a simulation has wrong parameters.
 [[nodiscard]] Question translate(const Assertions&, const frontend::File&, const frontend::ProbabilisticAssertion&,
                                  Elements&);
 

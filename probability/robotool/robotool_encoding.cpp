@@ -9,6 +9,7 @@
 #include "checker/prism/checks/check.hpp"
 #include "checker/prism/experiment.hpp"
 #include "checker/prism/syntax/printer.hpp"
+#include "probability/robotool/wording.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -99,11 +100,14 @@ private:
     std::string module_, platform_;
 };
 
-struct RoboToolEncoding::Explored {
+/// The model with what a question adds, for values of its constants; explored, or to be walked through, on request.
+struct RoboToolEncoding::Prepared {
     std::string text;
     std::optional<prism::CheckedModel> model;
+    prism::Values values;
     diagnostics::Diagnostics findings;
     std::unique_ptr<prism::StateSpace> space;
+    std::unique_ptr<prism::Instance> instance;
 };
 
 namespace {
@@ -123,7 +127,8 @@ RoboToolEncoding::RoboToolEncoding(const ir::System& system, const ir::Module& m
                                    const std::map<std::string, Function>& functions)
     : options_(std::move(options)),
       emission_(emitted(system, module, options_, functions)),
-      names_(std::make_unique<Names>(emission_, module)) {}
+      names_(std::make_unique<Names>(emission_, module)),
+      wording_(wording_of(emission_)) {}
 
 RoboToolEncoding::~RoboToolEncoding() = default;
 
@@ -179,21 +184,37 @@ prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const 
     return result;
 }
 
-const prism::StateSpace& RoboToolEncoding::space(const Question& question, const prism::Values& constants) {
+RoboToolEncoding::Prepared& RoboToolEncoding::prepared(const Question& question, const prism::Values& constants) {
     const prism::ModelFile whole = model(question);
-    const prism::Values values = all_values(whole, constants);
+    prism::Values values = all_values(whole, constants);
     std::string text = prism::print(whole);
     for (const auto& [name, value] : values) text += fmt::format("{}={}\n", name, value.text());
-    if (explored_ && explored_->space && explored_->text == text) return *explored_->space;
-    explored_.reset();  // its memory is needed
-    explored_ = std::make_unique<Explored>();
-    explored_->text = std::move(text);
-    explored_->model = prism::check_model(whole, explored_->findings);
-    if (!explored_->model) throw Wrong(first_error(explored_->findings));
-    explored_->space = std::make_unique<prism::StateSpace>(
-        *explored_->model, values, prism::ExploreOptions{options_.max_states, options_.exact, options_.budget},
-        explored_->findings);
-    return *explored_->space;
+    if (prepared_ && prepared_->text == text) return *prepared_;
+    prepared_.reset();  // its memory is needed
+    auto made = std::make_unique<Prepared>();
+    made->text = std::move(text);
+    made->values = std::move(values);
+    made->model = prism::check_model(whole, made->findings);
+    if (!made->model) throw Wrong(first_error(made->findings));
+    prepared_ = std::move(made);
+    return *prepared_;
+}
+
+const prism::StateSpace& RoboToolEncoding::space(const Question& question, const prism::Values& constants) {
+    Prepared& found = prepared(question, constants);
+    if (!found.space)
+        found.space = std::make_unique<prism::StateSpace>(
+            *found.model, found.values, prism::ExploreOptions{options_.max_states, options_.exact, options_.budget},
+            found.findings);
+    return *found.space;
+}
+
+Unexplored RoboToolEncoding::unexplored(const Question& question, const prism::Values& constants) {
+    if (emission_.model.kind != prism::ModelKind::dtmc)
+        throw NotExpressed("random paths of an mdp, which the preferences ask for, depend on who chooses");
+    Prepared& found = prepared(question, constants);
+    if (!found.instance) found.instance = std::make_unique<prism::Instance>(*found.model, found.values);
+    return {*found.instance, wording_};
 }
 
 }  // namespace robochart::probability

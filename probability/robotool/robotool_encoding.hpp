@@ -35,20 +35,23 @@ public:
     [[nodiscard]] Elements& elements() override;
     [[nodiscard]] prism::Constant constant(const std::string& path) override;
     [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return false; }
     /// The model with what the question adds to it.
     [[nodiscard]] prism::ModelFile model(const Question&) const;
 
 private:
     class Names;
-    struct Explored;
+    struct Prepared;
 
+    Prepared& prepared(const Question&, const prism::Values&);
     [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
 
     RoboToolOptions options_;
     prism_emit::Emission emission_;
     std::unique_ptr<Names> names_;
-    std::unique_ptr<Explored> explored_;  ///< the latest: questions of one model come one after the other
+    Wording wording_;
+    std::unique_ptr<Prepared> prepared_;  ///< the latest: questions of one model come one after the other
 };
 
 }  // namespace robochart::probability

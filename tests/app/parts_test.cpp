@@ -274,6 +274,60 @@ TEST(Project, WithErrorsDoesNotStopTheOthers) {
     EXPECT_EQ(nlohmann::json::parse(valid.out)["errors"], 1);
 }
 
+// Throws of a fair coin: heads after four steps of RoboTool's chain with probability 0.5.
+TEST(Project, ProbabilisticClaimsAreAnsweredByRandomPaths) {
+    const Folder folder(
+        {{"m.rct",
+          "robotic platform Table { event throw } stm Coin { event throw initial i state Ready { } state Heads { } "
+          "probabilistic toss transition t0 { from i to Ready } transition t1 { from Ready to toss trigger throw } "
+          "transition t2 { from toss to Heads probability 0.5 } transition t3 { from toss to Ready probability 0.5 } "
+          "transition t4 { from Heads to Heads trigger throw } } "
+          "controller Hand { event throw sref coin = Coin connection Hand on throw to coin on throw } "
+          "module Game { rref table = Table cref hand = Hand connection table on throw to hand on throw ( _async ) }"},
+         {"m.assertions",
+          "label heads = Game::hand::coin is in Coin::Heads\n"
+          "prob property Value : Prob=? of [Finally <=3 #heads] using sim with CI at n=1000, alpha=0.001, and "
+          "pathlen=100\n"
+          "prob property Holds : Prob>0.2 of [Finally <=3 #heads] using sim with SPRT at delta=0.05, alpha=0.001, and "
+          "pathlen=100\n"
+          "prob property Fails : Prob>0.8 of [Finally <=3 #heads] using sim with SPRT at delta=0.05, alpha=0.001, and "
+          "pathlen=100\n"
+          "prob property Open : Prob>0.2 of [Finally #heads] using sim with CI at n=10, alpha=0.01, and pathlen=2\n"
+          "prob property Wrong : Prob>0.2 of [Finally #heads] using sim with CI at w=0, alpha=0.01, and pathlen=9\n"
+          "prob generate path Run : using simulation for 2 steps\n"}});
+    const auto asked = [&](const char* name) {
+        return run({"check", folder.path(), "--allow", "PJ3", "--allow", "PT2", "--assertion", name});
+    };
+    const auto value = asked("Value");
+    EXPECT_EQ(value.exit, 0) << value.out << value.err;
+    EXPECT_THAT(value.out, HasSubstr("by random paths in RoboTool's encoding"));
+    EXPECT_THAT(value.out, HasSubstr("at 99.9 % (ci, 1000 paths of 3 steps, 3 to 3); Clopper-Pearson: from 0.4"));
+    EXPECT_EQ(asked("Value").out.substr(value.out.find("at 99.9")), value.out.substr(value.out.find("at 99.9")))
+        << "the same seed gives the same paths";
+    EXPECT_EQ(asked("Holds").exit, 0);
+    const auto fails = asked("Fails");
+    EXPECT_EQ(fails.exit, 1);
+    EXPECT_THAT(fails.out, Not(HasSubstr("known")));
+    EXPECT_THAT(fails.out, Not(HasSubstr("states")));
+    const auto open = asked("Open");
+    EXPECT_EQ(open.exit, 3);
+    EXPECT_THAT(open.out, HasSubstr("not decided: path 1 is open after 2 steps (path=2)"));
+    EXPECT_EQ(asked("Wrong").exit, 2);
+    const auto path = asked("Run");
+    EXPECT_EQ(path.exit, 0) << path.out << path.err;
+    EXPECT_THAT(path.out, HasSubstr("a random path of 2 steps"));
+    EXPECT_THAT(path.out, HasSubstr("0: Game::hand::coin at i\n"));
+    EXPECT_THAT(path.out, HasSubstr("1: Game::hand::coin: Game::hand::coin at Ready\n"));
+    EXPECT_THAT(path.out,
+                HasSubstr("2: Game::hand::coin::throw.in, Game::Table::throw.out: Game::hand::coin at toss\n"));
+    const auto json = nlohmann::json::parse(
+        run({"check", "--format", "json", folder.path(), "--assertion", "Value", "--seed", "5"}).out);
+    const auto& row = json["assertions"].at(0)["probability"]["rows"].at(0);
+    EXPECT_EQ(row["answer"], "estimate");
+    EXPECT_EQ(row["estimate"]["samples"], 1000);
+    EXPECT_EQ(row["estimate"]["clopperPearson"].at(0), row["low"]);
+}
+
 // What has no answer may neither pass for something that holds, nor be passed over.
 TEST(Project, ProbabilisticClaimsAreDecidedOrSaidNotChecked) {
     const Folder folder({{"m.rct",
@@ -291,7 +345,8 @@ TEST(Project, ProbabilisticClaimsAreDecidedOrSaidNotChecked) {
     EXPECT_THAT(ran.out, HasSubstr("value        P_never Prob=? of [Globally not #going]"));
     EXPECT_THAT(ran.out, HasSubstr("least 0, greatest 0"));
     EXPECT_THAT(ran.out, HasSubstr("not checked  P_run using simulation for 10 steps"));
-    EXPECT_THAT(ran.out, HasSubstr("m.assertions:5: not checked: the generation of paths"));
+    EXPECT_THAT(ran.out,
+                HasSubstr("m.assertions:5: not checked: RoboTool's encoding is one of modules, and `S` is none"));
     EXPECT_THAT(ran.out, HasSubstr("2 of 3 checks hold, 1 value computed, 1 not checked"));
     const auto json = nlohmann::json::parse(run({"check", "--format", "json", folder.path()}).out);
     EXPECT_EQ(json["exit"], 3);

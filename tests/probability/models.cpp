@@ -43,7 +43,7 @@ RoboToolOptions small_ranges() {
 }
 
 std::vector<Row> robotool(const Loaded& loaded, const std::string& assertion, const RoboToolOptions& options,
-                          const Accuracy& accuracy) {
+                          const Deciding& how) {
     std::vector<Row> rows;
     const Assertions all(loaded.model);
     const Claim asked = claim(loaded, assertion);
@@ -52,7 +52,7 @@ std::vector<Row> robotool(const Loaded& loaded, const std::string& assertion, co
         RoboToolEncoding encoding(loaded.system, loaded.system.modules.front(), options,
                                   functions(all, *asked.file, *asked.assertion));
         const Question question = translate(all, *asked.file, *asked.assertion, encoding.elements());
-        decide(encoding, question, accuracy, budget, [&](Row row) { rows.push_back(std::move(row)); });
+        decide(encoding, question, how, budget, [&](Row row) { rows.push_back(std::move(row)); });
     } catch (const std::runtime_error& why) {
         rows.emplace_back().error = why.what();
     }

@@ -37,7 +37,7 @@ struct Claim {
 
 /// The rows of an assertion in RoboTool's encoding of the only module. Why it is not decided is the error of a row.
 [[nodiscard]] std::vector<Row> robotool(const Loaded&, const std::string& assertion,
-                                        const RoboToolOptions& options = small_ranges(), const Accuracy& accuracy = {});
+                                        const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
 
 /// The rows of an assertion on the decision process of a component: of the only module, else of the first controller or
 /// machine. `compared`: the states that were compared with the process that is checked for refinement.

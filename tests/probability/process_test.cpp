@@ -188,12 +188,104 @@ TEST(Process, OfAModule) {
     EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
 }
 
+/// A throw at once and one in each time unit, each of them announced: 1 / 0.5 throws until A on average, and the event
+/// says which throw was the last.
+const char* const announced = R"(
+	stm S {
+		event said : nat
+		event done
+		var n : nat = 0
+		initial i
+		state Ready { }
+		state W { entry wait(1) }
+		state A { }
+		probabilistic p
+		transition t0 { from i to Ready }
+		transition t1 { from Ready to p action n = (if n < 2 then n + 1 else n end) ; said!n }
+		transition a { from p to A probability 0.5 action done }
+		transition c { from p to W probability 0.5 }
+		transition r { from W to Ready }
+	}
+)";
+
+TEST(Process, EventsAreRewarded) {
+    const auto earned = [](const std::string& items, const std::string& what) {
+        return decided(announced, "rewards r = " + items + " endrewards " + property("Reward {r} =? of [" + what + "]"),
+                       Scheduler::urgent);
+    };
+    EXPECT_EQ(earned("[S::said.out] true : 1;", "Reachable S is in S::A"), "2 to 2");
+    EXPECT_EQ(earned("[S::said.out] true : 1; [S::done.out] true : 10;", "Total"), "12 to 12");
+    EXPECT_EQ(earned("[S::said.out] S::n == 2 : 1;", "Total"), "1 to 1")
+        << "the second throw and those after it: 0.5 + 0.25 + ...";
+    EXPECT_EQ(earned("[S::said.out] true : 1; true : 100;", "Cumul 2"), "201.5 to 201.5")
+        << "two units, and a throw at the beginning of each: 1 + 0.5";
+}
+
+TEST(Process, ValuesOfEventsAreAskedFor) {
+    EXPECT_EQ(
+        decided(announced, property("Prob=? of [Finally S is in S::A /\\ S::said.out.val == 1]"), Scheduler::urgent),
+        "0.5 to 0.5");
+    EXPECT_EQ(
+        decided(announced, property("Prob=? of [Finally S is in S::A /\\ S::said.out.val == 2]"), Scheduler::urgent),
+        "0.5 to 0.5");
+    EXPECT_EQ(decided(announced, property("Prob=? of [S::said.out.val == 0 Until S is in S::A]")), "0 to 0")
+        << "0 only before the first";
+}
+
+/// Two machines throw when the platform asks one of them. What one of them did is said apart from what the platform
+/// did, though the process has one event for both; an event inside happens for both ends at once.
+const char* const pair_text = R"(
+	robotic platform Table { event go }
+	stm Thrower {
+		event go
+		event heads
+		initial i
+		state Ready { }
+		state Heads { }
+		probabilistic toss
+		transition t0 { from i to Ready }
+		transition t1 { from Ready to toss trigger go }
+		transition t2 { from toss to Heads probability 0.5 action heads }
+		transition t3 { from toss to Ready probability 0.5 }
+	}
+	stm Listener {
+		event heads
+		initial i
+		state Waiting { }
+		state Heard { }
+		transition t0 { from i to Waiting }
+		transition t1 { from Waiting to Heard trigger heads }
+	}
+	controller Hands {
+		event go
+		sref one = Thrower
+		sref ear = Listener
+		connection Hands on go to one on go
+		connection one on heads to ear on heads
+	}
+	module Game { rref table = Table cref hands = Hands connection table on go to hands on go ( _async ) }
+)";
+
+TEST(Process, EventsInsideAModuleAreRewarded) {
+    const auto earned = [](const std::string& items) {
+        return decided(pair_text,
+                       "rewards r = " + items + " endrewards " +
+                           property("Reward {r} min=? of [Reachable Game::hands::ear is in Listener::Heard]"),
+                       Scheduler::uniform);
+    };
+    EXPECT_EQ(earned("[Game::table::go.out] true : 1;"), "2");
+    EXPECT_EQ(earned("[Game::hands::one::go.in] true : 1;"), "2");
+    EXPECT_EQ(earned("[Game::hands::one::go.in] true : 1; [Game::table::go.out] true : 3;"), "8")
+        << "one step is both, and earns both";
+    EXPECT_EQ(earned("[Game::hands::one::heads.out] true : 1; [Game::hands::ear::heads.in] true : 3;"), "4");
+}
+
 TEST(Process, WhatHasNoCounterpartIsRefusedByName) {
     const std::string coin = thrower("", coin_ways);
-    EXPECT_EQ(decided(coin, property("Prob=? of [Finally S::go.in.val == 0]")),
-              "the value of `S::go.in`: states hold variables, not what was communicated last");
+    EXPECT_EQ(decided(thrower("trigger go", coin_ways), property("Prob=? of [Finally S::go.in.val == 0]")),
+              "the value of `S::go`, which has none");
     EXPECT_EQ(decided(coin, "rewards r = [S::go.out] true : 1; endrewards " + property("Reward {r} =? of [Total]")),
-              "rewards of the event `S::go.out`: steps of the process are not distinguished by events");
+              "the process has no event `S::go.out`");
     EXPECT_EQ(
         decided(coin, "pmodules M: pmodule N { x : bool; } " + property("Prob=? of [Finally @M::N::x] with modules M")),
         "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");

@@ -143,6 +143,61 @@ TEST(RoboToolChain, InnerStatesAreAskedFor) {
               "Game::hand::thrower::p=0.5: 1");
 }
 
+/// Of 1000 throws of a fair coin; all intervals are computed from the hits, which the seed gives.
+TEST(RoboToolChain, IsSampled) {
+    const std::string sampled = "Prob=? of [Finally <=4 Game::hand::thrower is in Heads] using sim with ";
+    const auto rows = asked("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
+    ASSERT_EQ(rows.front().error, "");
+    const prism::Result& result = rows.front().results.front();
+    ASSERT_TRUE(result.estimate && result.estimate->binomial);
+    EXPECT_EQ(result.estimate->method, prism::Method::Kind::ci);
+    EXPECT_EQ(result.estimate->samples, 1000u);
+    EXPECT_EQ(result.estimate->alpha, 0.001);
+    EXPECT_LT(result.estimate->binomial->low, 0.5);
+    EXPECT_GT(result.estimate->binomial->high, 0.5);
+    EXPECT_EQ(rows.front().states, 0u) << "nothing is explored";
+    const auto same = asked("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
+    EXPECT_EQ(same.front().results.front().estimate->hits, result.estimate->hits);
+    const auto apmc = asked("prob property P: " + sampled + "APMC at epsilon=0.1, delta=0.01, and pathlen=100" + half);
+    EXPECT_EQ(apmc.front().results.front().estimate->samples, 265u) << "ln(200) / 0.02";
+    EXPECT_EQ(text(asked("prob property P: Prob>=0.9 of [Finally <=4 Game::hand::thrower is in Heads] using sim with "
+                         "SPRT at delta=0.05, alpha=0.001, and pathlen=100" +
+                         half)),
+              "Game::hand::thrower::p=0.5: false");
+    EXPECT_EQ(text(asked("prob property P: " + sampled + "CI at n=10, alpha=0.01, and pathlen=3" + half)),
+              "Game::hand::thrower::p=0.5: not decided: path 1 is open after 3 steps (path=3)");
+    EXPECT_EQ(text(asked("prob property P: " + sampled + "CI at n=10, alpha=2, and pathlen=3" + half)),
+              "Game::hand::thrower::p=0.5: `using sim with`: confidence=2: expected a number between 0 and 1");
+    EXPECT_EQ(text(asked("prob property P: " + sampled + "SPRT at n=10, alpha=0.1, and pathlen=3" + half)),
+              "`sim with SPRT` has no parameter `n`: alpha, delta, pathlen");
+    EXPECT_EQ(text(asked("prob property P: not " + sampled + "CI at n=10, alpha=0.1, and pathlen=3" + half)),
+              "`using sim` inside another expression: random paths answer one probability or reward");
+}
+
+/// The steps of the chain are known; what the coin shows depends on the seed.
+TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
+    const auto rows = asked("prob generate path P: using simulation for 4 steps" + half);
+    ASSERT_EQ(rows.front().error, "");
+    ASSERT_TRUE(rows.front().path);
+    const Path& path = *rows.front().path;
+    EXPECT_EQ(path.begin,
+              "Game::Table::side = Head, Game::Table::throws = 0, Game::hand::thrower at i, "
+              "Game::hand::thrower::Again at no state");
+    ASSERT_EQ(path.steps.size(), 4u);
+    EXPECT_EQ(path.steps[0].by, "Game::hand::thrower");
+    EXPECT_EQ(path.steps[0].changes, "Game::hand::thrower at Ready");
+    EXPECT_EQ(path.steps[1].by, "Game::hand::thrower::throw.in, Game::Table::throw.out");
+    EXPECT_EQ(path.steps[1].changes, "Game::hand::thrower at toss");
+    const bool heads = path.steps[2].changes == "Game::hand::thrower at the entry of Heads";
+    EXPECT_TRUE(heads || path.steps[2].changes == "Game::hand::thrower at Ready") << path.steps[2].changes;
+    EXPECT_EQ(path.steps[3].changes, heads ? "Game::hand::thrower at Heads" : "Game::hand::thrower at toss");
+    EXPECT_FALSE(path.deadlock);
+    EXPECT_EQ(text(asked("prob generate path P: using simulation for deadlock with 2 repeats up to 20 steps" + half)),
+              "Game::hand::thrower::p=0.5: not decided: none of 3 paths of 20 steps comes to a deadlock");
+    EXPECT_EQ(text(asked("prob generate path P: using simulation for 1000000 steps" + half)),
+              "Game::hand::thrower::p=0.5: a path has 100000 steps at most");
+}
+
 TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
     RoboToolOptions options = testing::small_ranges();
     options.preferences.kind = prism::ModelKind::mdp;
@@ -234,7 +289,6 @@ TEST(RoboToolChain, WhatHasNoCounterpartIsRefusedByName) {
               "RoboTool's encoding has no state `Thrower::Heads`");
     EXPECT_EQ(refusal("Prob=? of [Finally Game::hand::thrower::throw.in.val == 0]"),
               "RoboTool's encoding has no value `Game::hand::thrower::throw.in`");
-    EXPECT_EQ(text(asked("prob generate path P: using simulation for 10 steps")), "the generation of paths");
     EXPECT_EQ(text(asked("formula f = $g formula g = $f prob property P: Prob=? of [Finally $f]")),
               "a definition that uses itself");
     EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally deadlock] with constants "

@@ -2,9 +2,9 @@
 #include "checker/prism/sampling/sampler.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "checker/prism/sampling/parallel.hpp"
-#include "checker/prism/sampling/unsampled.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -12,23 +12,13 @@ namespace {
 constexpr std::uint64_t first_block = 64;
 constexpr std::uint64_t greatest_block = 8192;
 
-std::vector<std::int32_t> initial_state(const Instance& instance, Code& code, diagnostics::Budget* budget) {
-    std::vector<std::int32_t> result;
-    std::size_t found = 0;
-    list_initial_states(instance, code, budget, [&](const std::int32_t* values) {
-        if (++found > 1) throw Unsampled("paths are sampled from one initial state, and the model has several");
-        result.assign(values, values + instance.layout().fields().size());
-    });
-    return result;
-}
-
 }  // namespace
 
 /// What a thread works with.
 struct Sampler::Worker {
     Worker(const Instance& instance, const Expr& asked, const Values& constants, diagnostics::Budget* budget)
         : code(instance.code(constants)),
-          walk(instance, code, initial_state(instance, code, budget), diagnostics),
+          walk(instance, code, sampled_from(instance, code, budget), diagnostics),
           question(asked, instance, code, walk) {}
 
     diagnostics::Diagnostics diagnostics;
@@ -40,8 +30,6 @@ struct Sampler::Worker {
 Sampler::Sampler(const Instance& instance, const Expr& question, const Values& constants, std::uint64_t most,
                  const SamplingOptions& options)
     : options_(options), most_(most) {
-    if (instance.model().kind != ModelKind::dtmc)
-        throw Unsampled("an mdp is sampled under a scheduler only: --scheduler uniform names one");
     const std::uint64_t threads = std::min<std::uint64_t>(threads_wanted(options.threads), most);
     for (std::uint64_t i = 0; i < threads; ++i)
         workers_.push_back(std::make_unique<Worker>(instance, question, constants, options.budget));
@@ -60,9 +48,15 @@ void Sampler::fill() {
     taken_ = 0;
     const std::uint64_t size = std::clamp<std::uint64_t>(finished_, first_block, greatest_block);
     block_.assign(std::min(size, most_ - finished_), {});
+    // Nobody asks for samples behind one that is open.
+    std::atomic<std::size_t> open = block_.size();
     in_parallel(block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {
+        if (number > open) return;
         const Draws draws(options_.seed, finished_ + number);
         block_[number] = workers_[thread]->question.ask(draws, options_.method.path, options_.budget);
+        if (block_[number].decided) return;
+        for (std::size_t least = open; number < least && !open.compare_exchange_weak(least, number);) {
+        }
     });
 }
 

@@ -3,12 +3,26 @@
 
 #include <algorithm>
 
+#include "checker/prism/sampling/unsampled.hpp"
+
 namespace robochart::prism {
 namespace {
 
 constexpr std::uint64_t most_combinations = std::uint64_t{1} << 32U;
 
 }  // namespace
+
+std::vector<std::int32_t> sampled_from(const Instance& instance, Code& code, diagnostics::Budget* budget) {
+    if (instance.model().kind != ModelKind::dtmc)
+        throw Unsampled("an mdp is sampled under a scheduler only: --scheduler uniform names one");
+    std::vector<std::int32_t> result;
+    std::size_t found = 0;
+    list_initial_states(instance, code, budget, [&](const std::int32_t* values) {
+        if (++found > 1) throw Unsampled("paths are sampled from one initial state, and the model has several");
+        result.assign(values, values + instance.layout().fields().size());
+    });
+    return result;
+}
 
 Walk::Walk(const Instance& instance, Code& code, std::vector<std::int32_t> initial,
            diagnostics::Diagnostics& diagnostics)
@@ -57,6 +71,7 @@ std::uint64_t Walk::combinations(const CommandTable::Act& act) const {
 std::optional<std::uint32_t> Walk::choose() {
     forced_ = enabled_ <= 1;
     chosen_.clear();
+    act_ = nullptr;
     std::uint64_t number = forced_ ? 0 : draws_.below(enabled_);
     for (const CommandTable::Act& act : commands_.acts()) {
         const std::uint64_t count = combinations(act);
@@ -69,9 +84,17 @@ std::optional<std::uint32_t> Walk::choose() {
             chosen_.push_back(enabled[number % enabled.size()]);
             number /= enabled.size();
         }
+        act_ = &act;
         return act.action;
     }
     return std::nullopt;
+}
+
+std::vector<std::string> Walk::movers() const {
+    std::vector<std::string> result;
+    if (act_ != nullptr)
+        for (const std::uint32_t group : act_->groups) result.push_back(commands_.module(group));
+    return result;
 }
 
 /// Right-hand sides read the old state: all are evaluated before the first is written.

@@ -11,6 +11,10 @@
 
 namespace robochart::prism {
 
+/// The values of the variables in the initial state of a dtmc that paths are sampled from. Throws Unsampled where it is
+/// no dtmc, or there are several; EvaluationError, LimitReached.
+[[nodiscard]] std::vector<std::int32_t> sampled_from(const Instance& instance, Code& code, diagnostics::Budget* budget);
+
 /// A path: all combinations of enabled commands of a state are equally likely, as docs/probability.md, "Semantics", has
 /// it. Probabilities are taken as doubles, so that a draw errs by at most 2^-52.
 class Walk {
@@ -26,6 +30,9 @@ public:
     std::optional<std::uint32_t> choose();
     /// They act: on to the next state. A deadlock stays where it is.
     void step();
+
+    /// The modules whose commands were drawn, by their names.
+    [[nodiscard]] std::vector<std::string> movers() const;
 
     /// The values of the state, with those behind them that Instance::code has names for.
     [[nodiscard]] StateValues state() const { return values_.data(); }
@@ -51,9 +58,10 @@ private:
     Draws draws_{0, 0};
     std::vector<std::int32_t> values_;
     std::uint64_t length_ = 0;
-    std::uint64_t enabled_ = 0;          ///< combinations
-    std::vector<std::uint32_t> chosen_;  ///< commands
-    bool forced_ = true;                 ///< the last step was the only one possible
+    std::uint64_t enabled_ = 0;               ///< combinations
+    const CommandTable::Act* act_ = nullptr;  ///< what was drawn; null: nothing
+    std::vector<std::uint32_t> chosen_;       ///< commands
+    bool forced_ = true;                      ///< the last step was the only one possible
     // Brent, An improved Monte Carlo factorization algorithm, BIT 20, 1980: a state to compare with, renewed after
     // twice as many steps each time.
     std::vector<std::int32_t> anchor_;

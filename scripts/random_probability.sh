@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# The Markov models of random models of RoboChart (docs/testing.md): the decision process of the timed semantics is branching
+# bisimilar to the process that is checked for refinement, fewer schedulers lie within all, and RoboTool's chain lies between
+# the schedulers of its text. Builds the tests of the component in release form first.
+# Arguments: how many models (default 1000), the first seed (default 0).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
+cmake --build --preset release --target tests_probability
+export ROBOCHART_SEEDS="${1:-1000}" ROBOCHART_FIRST_SEED="${2:-0}"
+exec build/release/tests/probability/tests_probability \
+  --gtest_filter='Agreement.OfRandomModels:Agreement.TheChainLiesBetweenTheSchedulers'
