@@ -190,6 +190,7 @@ TEST(SweepPlots, BarsAreAtTheirShares) {
     ASSERT_EQ(std::sscanf(svg.c_str() + bar, "sim-target\" d=\"M%lf %lfV%lf", &x, &low, &high), 3);
     EXPECT_NEAR(low - high, 260, 0.2);
     EXPECT_THAT(svg, HasSubstr(">100 %</text>"));
+    EXPECT_THAT(svg, HasSubstr(">0 %</text>"));
 }
 
 }  // namespace
