@@ -2,6 +2,7 @@
 // bracket at which the tail, its rounding added, is small enough.
 #include "statistics/binomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace robochart::statistics {
@@ -46,6 +47,11 @@ long double sum(std::uint64_t low, std::uint64_t high, std::uint64_t n, double p
 
 }  // namespace
 
+double rounding(std::uint64_t trials) {
+    // A term is the exponential of a sum of logarithms of about n ln n, each good to 2^-63.
+    return 1e-8 * std::max(1.0, static_cast<double>(trials) / 1e8);
+}
+
 double at_least(std::uint64_t successes, std::uint64_t trials, double probability) {
     if (successes == 0) return 1;
     if (successes > trials || probability <= 0) return 0;
@@ -64,7 +70,7 @@ double lower_bound(std::uint64_t successes, std::uint64_t trials, double error) 
     double low = 0;
     double high = static_cast<double>(successes) / static_cast<double>(trials);
     for (double middle = high / 2; low < middle && middle < high; middle = low + (high - low) / 2)
-        (at_least(successes, trials, middle) * (1 + rounding) <= error ? low : high) = middle;
+        (at_least(successes, trials, middle) * (1 + rounding(trials)) <= error ? low : high) = middle;
     return low;
 }
 
@@ -73,7 +79,7 @@ double upper_bound(std::uint64_t successes, std::uint64_t trials, double error) 
     double high = 1;
     double low = static_cast<double>(successes) / static_cast<double>(trials);
     for (double middle = low + (high - low) / 2; low < middle && middle < high; middle = low + (high - low) / 2)
-        (at_most(successes, trials, middle) * (1 + rounding) <= error ? high : low) = middle;
+        (at_most(successes, trials, middle) * (1 + rounding(trials)) <= error ? high : low) = middle;
     return high;
 }
 

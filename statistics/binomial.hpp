@@ -6,10 +6,8 @@
 
 namespace robochart::statistics {
 
-/// The most trials that the functions of this folder take: up to there their rounding is within `rounding`.
-inline constexpr std::uint64_t most_trials = 100'000'000;
-/// The relative error of a tail is at most this.
-inline constexpr double rounding = 1e-8;
+/// The relative error of a tail of so many trials is at most this: 1e-8 up to 10^8 of them, then in proportion.
+[[nodiscard]] double rounding(std::uint64_t trials);
 
 /// Between two probabilities, both included.
 struct Interval {

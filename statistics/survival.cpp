@@ -3,17 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "statistics/means.hpp"
 
 namespace robochart::statistics {
-
-double normal_quantile(double chance) {
-    double low = 0;
-    double high = 40;
-    for (double middle = 20; low < middle && middle < high; middle = low + (high - low) / 2)
-        (std::erfc(middle / std::numbers::sqrt2) / 2 > chance ? low : high) = middle;
-    return high;
-}
 
 std::vector<SurvivalStep> survival(std::vector<Duration> durations, double error) {
     std::sort(durations.begin(), durations.end(), [](const Duration& a, const Duration& b) { return a.time < b.time; });

@@ -29,7 +29,4 @@ struct SurvivalStep {
 /// The time by which it has come in half of the trials; none if that is never seen.
 [[nodiscard]] std::optional<double> median(const std::vector<SurvivalStep>&);
 
-/// The value that a standard normal variable exceeds with this chance, up to one half.
-[[nodiscard]] double normal_quantile(double chance);
-
 }  // namespace robochart::statistics

@@ -305,7 +305,7 @@ std::string csv_row(const PrismReport& report, const PrismRun& run, const PrismA
 prism::Enclosure interval_of(const prism::Result& result) {
     if (!result.estimate) return {result.low.bounds().low, result.high.bounds().high};
     const prism::Estimate& estimate = *result.estimate;
-    if (estimate.binomial) return *estimate.binomial;
+    if (estimate.binomial) return {estimate.binomial->low, estimate.binomial->high};
     return {estimate.mean - estimate.width.value_or(0), estimate.mean + estimate.width.value_or(0)};
 }
 

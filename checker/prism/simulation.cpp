@@ -7,13 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "checker/markov/statistics/intervals.hpp"
-#include "checker/markov/statistics/sequential.hpp"
 #include "checker/prism/explore/constants.hpp"
 #include "checker/prism/explore/question_numbers.hpp"
 #include "checker/prism/labels.hpp"
 #include "checker/prism/sampling/sampler.hpp"
 #include "checker/prism/sampling/unsampled.hpp"
+#include "statistics/binomial.hpp"
+#include "statistics/means.hpp"
+#include "statistics/sequential.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -32,7 +33,7 @@ std::uint64_t samples_of(const Method& method) {
     if (method.kind == Kind::sprt) return any_number;
     if (method.samples || !method.width) return method.samples.value_or(usual_samples);
     if (method.kind != Kind::apmc) return any_number;
-    const double wanted = markov::hoeffding_samples(*method.width, method.confidence.value_or(usual_alpha));
+    const double wanted = statistics::hoeffding_samples(*method.width, method.confidence.value_or(usual_alpha));
     return wanted < 1e18 ? static_cast<std::uint64_t>(std::max(1.0, wanted)) : any_number;
 }
 
@@ -80,9 +81,9 @@ private:
 
     /// How many deviations the interval is wide, on each side.
     [[nodiscard]] double quantile(double alpha) const {
-        if (method_.kind == Kind::aci) return markov::normal_quantile(alpha / 2);
+        if (method_.kind == Kind::aci) return statistics::normal_quantile(alpha / 2);
         return values_.count() < 2 ? std::numeric_limits<double>::infinity()
-                                   : markov::student_quantile(alpha / 2, values_.count() - 1);
+                                   : statistics::student_quantile(alpha / 2, values_.count() - 1);
     }
 
     /// N >= v t^2 / w^2. Student's quantile is above the normal one, which is known.
@@ -105,7 +106,7 @@ private:
         if (method_.kind != Kind::sprt) interval(result);
         if (probability_) {
             result.hits = hits_;
-            result.binomial = markov::clopper_pearson(hits_, values_.count(), result.alpha);
+            result.binomial = statistics::clopper_pearson(hits_, values_.count(), result.alpha);
         }
         return result;
     }
@@ -115,8 +116,8 @@ private:
         const double error = values_.standard_error();
         const bool given = method_.width && method_.samples;
         if (method_.kind == Kind::apmc) {
-            result.width = given ? *method_.width : markov::hoeffding_epsilon(count, result.alpha);
-            if (given) result.alpha = markov::hoeffding_delta(count, *method_.width);
+            result.width = given ? *method_.width : statistics::hoeffding_epsilon(count, result.alpha);
+            if (given) result.alpha = statistics::hoeffding_delta(count, *method_.width);
         } else if (values_.count() < 2) {
             result.width = std::numeric_limits<double>::infinity();  // of a deviation one sample says nothing
         } else if (given) {
@@ -129,8 +130,8 @@ private:
 
     /// The probability to be so many deviations above.
     [[nodiscard]] double tail(double deviations) const {
-        return method_.kind == Kind::aci ? markov::normal_tail(deviations)
-                                         : markov::student_tail(deviations, values_.count() - 1);
+        return method_.kind == Kind::aci ? statistics::normal_tail(deviations)
+                                         : statistics::student_tail(deviations, values_.count() - 1);
     }
 
     Result with_estimate() const {
@@ -185,12 +186,13 @@ private:
                 fmt::format("sprt compares {:.6g} with {:.6g}, which must lie between 0 and 1: "
                             "choose a smaller width",
                             bound - indifference, bound + indifference));
-        markov::SequentialTest test(bound, indifference, alpha());
-        while (!test.above()) {
-            const bool hit = take() > 0;
-            test.add(hit ? 1 : 0, hit ? 0 : 1);
+        const statistics::Sprt test{bound + indifference, bound - indifference, alpha(), alpha()};
+        auto answer = statistics::Sprt::Answer::open;
+        while (answer == statistics::Sprt::Answer::open) {
+            take();
+            answer = test.answer(hits_, values_.count());
         }
-        return truth(*test.above());
+        return truth(answer == statistics::Sprt::Answer::at_least);
     }
 
     static constexpr double least_alpha = 1e-15;
@@ -200,10 +202,10 @@ private:
     const bool probability_;
     Code code_;
     const std::uint64_t most_;
-    const double normal_ = markov::normal_quantile(alpha() / 2);
+    const double normal_ = statistics::normal_quantile(alpha() / 2);
     Sampler sampler_;
     std::optional<Real> bound_;
-    markov::Moments values_;
+    statistics::Moments values_;
     bool endless_ = false;
     std::uint64_t hits_ = 0;
     double steps_ = 0;

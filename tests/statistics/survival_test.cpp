@@ -39,11 +39,5 @@ TEST(Survival, WhatNeverComesHasNoMedian) {
     EXPECT_TRUE(survival({}, 0.05).empty());
 }
 
-TEST(Survival, QuantilesOfTheNormalDistribution) {
-    EXPECT_NEAR(normal_quantile(0.025), 1.959963985, 1e-8);
-    EXPECT_NEAR(normal_quantile(0.005), 2.575829304, 1e-8);
-    EXPECT_NEAR(normal_quantile(0.5), 0, 1e-8);
-}
-
 }  // namespace
 }  // namespace robochart::statistics

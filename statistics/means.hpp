@@ -1,11 +1,9 @@
-// Confidence intervals of means and proportions, from independent samples.
+// Confidence intervals of means, from independent samples.
 #pragma once
 
 #include <cstdint>
 
-#include "checker/markov/solve/enclosure.hpp"
-
-namespace robochart::markov {
+namespace robochart::statistics {
 
 /// The value that a variable exceeds with this probability: of the normal distribution, and of Student's t.
 [[nodiscard]] double normal_quantile(double tail);
@@ -13,12 +11,6 @@ namespace robochart::markov {
 /// The probability to exceed a value.
 [[nodiscard]] double normal_tail(double value);
 [[nodiscard]] double student_tail(double value, std::uint64_t freedom);
-
-/// An interval that misses the probability of a hit with probability at most `alpha`, whatever that probability is
-/// (Clopper and Pearson, The use of confidence or fiducial limits illustrated in the case of the binomial, Biometrika
-/// 26, 1934): from B(alpha/2; k, n-k+1) to B(1-alpha/2; k+1, n-k), moved outward by more than the error of these
-/// quantiles.
-[[nodiscard]] Enclosure clopper_pearson(std::uint64_t hits, std::uint64_t samples, double alpha);
 
 /// As many samples that the mean of as many hits misses their probability by more than `epsilon` with probability at
 /// most `delta`: the bound of Hoeffding, as Herault, Lassaigne, Magniette and Peyronnet use it (Approximate
@@ -45,4 +37,4 @@ private:
     double squares_ = 0;  ///< of differences from the mean (Welford, Technometrics 4, 1962)
 };
 
-}  // namespace robochart::markov
+}  // namespace robochart::statistics

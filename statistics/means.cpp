@@ -1,17 +1,13 @@
-// See intervals.hpp. Quantiles are Boost.Math's, good to about 1e-15.
-#include "checker/markov/statistics/intervals.hpp"
+// See means.hpp. Quantiles are Boost.Math's, good to about 1e-15.
+#include "statistics/means.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 
-namespace robochart::markov {
+namespace robochart::statistics {
 namespace {
-
-/// More than the error of a quantile.
-constexpr double outward = 1e-11;
 
 boost::math::students_t_distribution<double> student(std::uint64_t freedom) {
     return boost::math::students_t_distribution<double>(static_cast<double>(freedom));
@@ -33,14 +29,6 @@ double normal_tail(double value) {
 
 double student_tail(double value, std::uint64_t freedom) {
     return boost::math::cdf(boost::math::complement(student(freedom), value));
-}
-
-Enclosure clopper_pearson(std::uint64_t hits, std::uint64_t samples, double alpha) {
-    const auto k = static_cast<double>(hits);
-    const auto n = static_cast<double>(samples);
-    const double low = hits == 0 ? 0 : boost::math::ibeta_inv(k, n - k + 1, alpha / 2);
-    const double high = hits == samples ? 1 : boost::math::ibetac_inv(k + 1, n - k, alpha / 2);
-    return {std::max(0.0, low * (1 - outward)), std::min(1.0, high * (1 + outward))};
 }
 
 double hoeffding_samples(double epsilon, double delta) {
@@ -70,4 +58,4 @@ double Moments::standard_error() const {
     return count_ == 0 ? 0 : std::sqrt(variance() / static_cast<double>(count_));
 }
 
-}  // namespace robochart::markov
+}  // namespace robochart::statistics
