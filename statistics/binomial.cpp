@@ -7,13 +7,13 @@
 
 namespace robochart::statistics {
 
-namespace {
-
 /// lgamma itself writes a variable that all threads share.
 long double log_factorial(std::uint64_t n) {
     int sign = 0;
     return lgammal_r(static_cast<long double>(n) + 1, &sign);
 }
+
+namespace {
 
 /// P(X = k), for a probability strictly between 0 and 1.
 long double term(std::uint64_t k, std::uint64_t n, long double p) {

@@ -17,6 +17,8 @@ struct Interval {
     friend bool operator==(const Interval&, const Interval&) = default;
 };
 
+/// The natural logarithm of n!.
+[[nodiscard]] long double log_factorial(std::uint64_t n);
 /// P(X >= successes) and P(X <= successes) of a binomial X of so many trials with this probability each.
 [[nodiscard]] double at_least(std::uint64_t successes, std::uint64_t trials, double probability);
 [[nodiscard]] double at_most(std::uint64_t successes, std::uint64_t trials, double probability);

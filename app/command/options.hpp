@@ -125,6 +125,7 @@ struct Options {
     std::vector<std::string> allowed;    ///< codes of warnings not wanted
     std::uint32_t trials = 0;            ///< simulate: instead of the scenario's; 0: as it says
     std::optional<std::uint64_t> seed;   ///< simulate: instead of the scenario's; prism: of the paths
+    std::string compare;                 ///< simulate: a table of earlier trials to compare a sweep with
     bool pictures = true;                ///< simulate: write tables and pictures
     bool monitor = false;                ///< simulate: a monitor beside every controller
     std::string log;                     ///< simulate: folder for logs of every robot, "" for none

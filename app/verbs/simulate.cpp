@@ -35,7 +35,7 @@ simulation::Scenario read_scenario_of(Project& project, const Options& options) 
         return {};
     }
     simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
-    if (options.trials > 0) scenario.trials = options.trials;
+    if (options.trials > 0) scenario.set_trials(options.trials);
     if (options.seed) scenario.seed = *options.seed;
     return scenario;
 }
@@ -177,6 +177,9 @@ std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation,
     if (controller == nullptr)
         simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span,
                                                {error});
+    else
+        simulation::find_states(simulation.scenario, simulation::machines_of(controller->drive()),
+                                simulation.project->diagnostics);
     return controller;
 }
 
@@ -213,9 +216,11 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     if (!simulation->scenario.variations.empty()) return sweep(options, stage);
     Project& project = *simulation->project;
+    if (!options.compare.empty())
+        project.diagnostics.report(rules::bad_option, {}, {"--compare takes a scenario in which something varies"});
     if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
     const auto controller = build_controller(*simulation, options);
-    if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
+    if (controller == nullptr || !project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;
     wanted.threads = stage.parallel ? options.threads : 1;
     wanted.stage = stage.make;

@@ -2,6 +2,7 @@
 // of a point is kept with what earlier runs have worked out, so a run that was stopped goes on where it was.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "simulation/scenario/rules.hpp"
+#include "simulation/sweep/comparison.hpp"
 
 namespace robochart::app {
 namespace {
@@ -44,6 +46,7 @@ public:
             if (const auto refusal = look_at(point)) return *refusal;
         }
         redraw("");
+        compared_ = simulation::compare(scenario_, result_, table_);
         result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
         return report();
     }
@@ -55,12 +58,33 @@ private:
         const auto missing = [&](const char* what) {
             project_->diagnostics.report(simulation::rules::missing, scenario_.name.span, {what});
         };
-        if (scenario_.claims.empty()) missing("what is claimed (accept probability)");
+        if (scenario_.claims.empty())
+            missing("what is claimed (accept probability) or estimated (estimate probability)");
+        if (until_proved() && std::all_of(scenario_.claims.begin(), scenario_.claims.end(),
+                                          [](const simulation::Claim& claim) { return claim.estimate; }))
+            missing("what is to be proved (accept probability)");
+        if (!options_.compare.empty()) read_table();
         std::size_t points = 1;
         for (const simulation::Variation& each : scenario_.variations) points *= each.values.size();
         if (points > most_points)
             project_->diagnostics.report(simulation::rules::out_of_range, scenario_.variations.back().span,
                                          {fmt::format("{} points are more than {}", points, most_points)});
+    }
+
+    /// `--compare`: what it has is kept, what is wrong with it reported.
+    void read_table() {
+        std::string error;
+        const auto source = project_->sources.load(options_.compare, error);
+        if (source) {
+            auto table = simulation::read_table(project_->sources.text(*source), scenario_, error);
+            if (table) table_ = std::move(*table);
+        }
+        const bool estimates = std::any_of(scenario_.claims.begin(), scenario_.claims.end(),
+                                           [](const simulation::Claim& claim) { return claim.estimate; });
+        if (error.empty() && !estimates) error = "the scenario has no estimate";
+        if (!error.empty())
+            project_->diagnostics.report(
+                rules::bad_option, {}, {fmt::format("--compare {}: {}", diagnostics::shown(options_.compare), error)});
     }
 
     Exit refused(Project& project) const { return show_diagnostics(project, options_), refusal(project); }
@@ -72,7 +96,7 @@ private:
         if (!until_proved()) return true;
         const std::optional<double> second = point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
         for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
-            if (!simulation::least(result_.points, c, second).ended) return true;
+            if (!scenario_.claims[c].estimate && !simulation::least(result_.points, c, second).ended) return true;
         return false;
     }
 
@@ -131,6 +155,7 @@ private:
         for (std::size_t v = 0; v < point.size(); ++v)
             hasher.add(simulation::value_text(scenario_.variations[v], point[v]));
         hasher.add(simulation.scenario.seed);
+        hasher.add(simulation.scenario.trials);
         hasher.add(result_.points.size());
         hasher.add(std::uint64_t{options_.monitor ? 1U : 0U});
         hasher.add(stage_.name);
@@ -171,7 +196,8 @@ private:
         if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
         const Exit exit = exit_code();
         if (options_.format == Format::json)
-            print_exact(simulation::sweep_json(scenario_, result_, files, static_cast<int>(exit)));
+            print_exact(simulation::sweep_json(scenario_, result_, simulation::comparison_json(scenario_, compared_),
+                                               files, static_cast<int>(exit)));
         else
             print_text(files);
         return exit;
@@ -191,13 +217,17 @@ private:
     /// Success where every point, or where values are tried until one is proved every least value, is decided.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
+        if (std::any_of(compared_.begin(), compared_.end(),
+                        [&](const simulation::Compared& each) { return simulation::rejected(scenario_, each); }))
+            return Exit::failed;
         for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
             for (const simulation::PointResult& point : result_.points) {
                 if (!until_proved() && simulation::point_word(point, c) == "open") return Exit::inconclusive;
                 const std::optional<double> second =
                     point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
                 const simulation::Least found = simulation::least(result_.points, c, second);
-                if (until_proved() && !(found.value && found.certain)) return Exit::inconclusive;
+                if (until_proved() && !scenario_.claims[c].estimate && !(found.value && found.certain))
+                    return Exit::inconclusive;
             }
         return Exit::success;
     }
@@ -209,6 +239,7 @@ private:
                   result_.cpu_seconds,
                   result_.earlier > 0 ? fmt::format("; {} points known from earlier runs", result_.earlier) : "");
             print("{}\n", simulation::sweep_text(scenario_, result_));
+            if (!compared_.empty()) print("{}\n", simulation::comparison_text(scenario_, compared_));
             if (!scenario_.bands.empty()) print("bands are not asked where something varies\n\n");
             print("in this world, but for what varies\n{}\n", simulation::world_text(scenario_));
             if (!files.empty()) print("files\n");
@@ -217,6 +248,7 @@ private:
         }
         if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached());
         for (const std::string& line : simulation::least_lines(scenario_, result_)) print("{}\n", line);
+        if (!options_.compare.empty()) print("{}\n", simulation::comparison_summary(scenario_, compared_));
     }
 
     const Options& options_;
@@ -225,6 +257,8 @@ private:
     simulation::Scenario scenario_;
     Prepared prepared_;
     bool shown_ = false;
+    std::vector<simulation::TableRow> table_;  ///< of `--compare`
+    std::vector<simulation::Compared> compared_;
     simulation::SweepResult result_;
     const Clock::time_point start_ = Clock::now();
 };

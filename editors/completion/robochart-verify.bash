@@ -20,7 +20,7 @@ _robochart_verify_options() {
     'rules') echo '--without-limit --as-sleec-tk --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
-    'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
+    'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
     'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
     'explain') echo '--color -h --help' ;;
     'lsp') echo '--stdio -h --help' ;;
@@ -61,6 +61,7 @@ _robochart_verify_argument() {
     'emit tests --extra-states') echo '<value>' ;;
     'simulate --trials') echo '<value>' ;;
     'simulate --seed') echo '<value>' ;;
+    'simulate --compare') echo '<file>' ;;
     'simulate --log') echo '<folder>' ;;
     'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit prism -o' | 'emit prism --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out') echo '<folder>' ;;
     'draw -o' | 'draw --out') echo '<folder>' ;;

@@ -84,6 +84,7 @@ complete -c robochart-verify -n '__robochart_verify_is "conform"' -l traces -r -
 complete -c robochart-verify -n '__robochart_verify_is "emit tests"' -l extra-states -x -d 'states over control cycles that an implementation may have more than the model'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l trials -x -d 'number of trials, instead of the scenario\'s'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l seed -x -d 'seed of the first trial, instead of the scenario\'s'
+complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l compare -r -F -d 'compare the estimates of a sweep with a table of earlier trials, such as its sweep.csv'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l monitor -d 'stop a trial where a robot does what its model does not allow'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l log -x -a '(__fish_complete_directories)' -d 'write what every robot read and did in every cycle, for `conform --traces`'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l no-pictures -d 'write no tables and pictures'

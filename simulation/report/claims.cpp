@@ -26,7 +26,9 @@ void ClaimJudge::add(const ClaimOutcome& outcome, std::uint64_t steps) {
     result_.outcomes.push_back(outcome);
     result_.successes += outcome.holds ? 1U : 0U;
     result_.steps += steps;
-    if (claim_.indifference > 0)
+    if (claim_.estimate)
+        estimate();
+    else if (claim_.indifference > 0)
         test();
     else
         look_at_interval();
@@ -44,6 +46,13 @@ void ClaimJudge::look_at_interval() {
     if (above || below) decide(above);
 }
 
+void ClaimJudge::estimate() {
+    if (result_.trials() < claim_.trials) return;
+    result_.interval = statistics::clopper_pearson(result_.successes, result_.trials(), result_.error);
+    result_.looked = result_.trials();
+    result_.verdict = ClaimVerdict::estimated;
+}
+
 void ClaimJudge::test() {
     const statistics::Sprt::Answer answer = sprt_.answer(result_.successes, result_.trials());
     if (answer != statistics::Sprt::Answer::open) decide(answer == statistics::Sprt::Answer::at_least);
@@ -55,7 +64,16 @@ void ClaimJudge::decide(bool above) {
 }
 
 std::string verdict_word(ClaimVerdict verdict) {
-    return verdict == ClaimVerdict::holds ? "holds" : verdict == ClaimVerdict::fails ? "fails" : "open";
+    switch (verdict) {
+        case ClaimVerdict::holds:
+            return "holds";
+        case ClaimVerdict::fails:
+            return "fails";
+        case ClaimVerdict::estimated:
+            return "estimated";
+        default:
+            return "open";
+    }
 }
 
 std::string evidence_text(const Claim& claim, const ClaimResult& found) {
@@ -82,7 +100,11 @@ std::string sensor_line(const Sensor& sensor) {
     const auto range = [](double cm) { return cm > 0 ? fmt::format("to {:g} cm", cm) : std::string("without limit"); };
     switch (sensor.kind) {
         case SensorKind::line_of_sight:
-            return text + fmt::format("line of sight {}, without errors", range(sensor.sight_range));
+            return text + fmt::format("line of sight {}, {}", range(sensor.sight_range),
+                                      sensor.false_negative > 0 || sensor.false_positive > 0
+                                          ? fmt::format("{} of robots missed, {} seen that are not there",
+                                                        percent(sensor.false_negative), percent(sensor.false_positive))
+                                          : "without errors");
         case SensorKind::range_and_bearing: {
             const RangeAndBearing& radio = sensor.range_and_bearing;
             return text + fmt::format("messages to {:g} cm, {}, {}, {}", radio.range,
@@ -95,6 +117,8 @@ std::string sensor_line(const Sensor& sensor) {
         case SensorKind::light:
             return text + fmt::format("{} light sensors with shadows, {} leak", sensor.light_ring.sensors,
                                       percent(sensor.light_ring.leak));
+        case SensorKind::ground:
+            return text + fmt::format("the distance to {}, without errors", sensor.source.text);
         case SensorKind::proximity:
             return text +
                    fmt::format("{} rays {}, without errors", sensor.proximity.sensors, range(sensor.proximity.range));
@@ -126,13 +150,25 @@ std::string placements_line(const Scenario& scenario) {
                        left_out > 0 ? fmt::format("; and {} more places", left_out) : "");
 }
 
+std::string failure_line(const Failure& failure) {
+    const char* const what = failure.kind == FailureKind::motors    ? "motors"
+                             : failure.kind == FailureKind::radio   ? "radio"
+                             : failure.kind == FailureKind::sensors ? "sensors"
+                                                                    : "everything";
+    return failure.mean_time > 0 ? fmt::format("failures: {} of each robot, after {:g} s in the mean, exponentially",
+                                               what, failure.mean_time)
+                                 : fmt::format("failures: {} of {} robots at {:g} s", what, failure.robots, failure.at);
+}
+
 }  // namespace
 
 std::string claims_text(const Scenario& scenario, const std::vector<ClaimResult>& results) {
     std::string out;
     for (std::size_t c = 0; c < results.size(); ++c)
         out += fmt::format("  {:<8} {}\n           {}\n",
-                           results[c].verdict == ClaimVerdict::fails ? "FAILS" : verdict_word(results[c].verdict),
+                           results[c].verdict == ClaimVerdict::fails       ? "FAILS"
+                           : results[c].verdict == ClaimVerdict::estimated ? "estimate"
+                                                                           : verdict_word(results[c].verdict),
                            scenario.claims[c].text, evidence_text(scenario.claims[c], results[c]));
     return out;
 }
@@ -150,6 +186,7 @@ std::vector<std::string> world_lines(const Scenario& scenario) {
                                 arena.walls.empty() ? "" : fmt::format(", {} inside", arena.walls.size())));
     lines.push_back(placements_line(scenario));
     for (const Sensor& sensor : scenario.sensors) lines.push_back(sensor_line(sensor));
+    for (const Failure& failure : scenario.failures) lines.push_back(failure_line(failure));
     lines.push_back(fmt::format("{:g} s in control steps of {:g} s, {} physics steps each", scenario.duration,
                                 scenario.world.control_step, scenario.world.physics_steps));
     lines.push_back(

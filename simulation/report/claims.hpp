@@ -11,7 +11,8 @@
 
 namespace robochart::simulation {
 
-enum class ClaimVerdict { holds, fails, open };
+/// `estimated`: of an estimate after all its trials.
+enum class ClaimVerdict { holds, fails, open, estimated };
 
 /// What one trial says of a claim.
 struct ClaimOutcome {
@@ -50,6 +51,7 @@ public:
 private:
     void look_at_interval();
     void test();
+    void estimate();
     void decide(bool above);
 
     const Claim& claim_;
@@ -59,7 +61,7 @@ private:
     bool done_ = false;
 };
 
-/// "holds", "fails", "open".
+/// "holds", "fails", "open", "estimated".
 [[nodiscard]] std::string verdict_word(ClaimVerdict);
 /// What the verdict rests on: "183 of 183 trials; between 95.032 % and 100 %".
 [[nodiscard]] std::string evidence_text(const Claim&, const ClaimResult&);

@@ -8,7 +8,7 @@
 namespace robochart::simulation {
 
 std::string percent(double probability) {
-    return fmt::format("{:.6g} %", 100 * probability);
+    return fmt::format("{:.6g} %", 100 * probability + 0.0);  // -0 becomes 0
 }
 
 std::string percent_below(double probability) {

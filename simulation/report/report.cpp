@@ -63,8 +63,8 @@ Json bands_json(const Scenario& scenario, const RunResult& result) {
 Json claim_json(const Claim& claim, const ClaimResult& found) {
     Json json{{"claim", claim.text},
               {"verdict", verdict_word(found.verdict)},
-              {"atLeast", claim.at_least},
-              {"probability", number(claim.probability)},
+              {"atLeast", claim.estimate ? Json() : Json(claim.at_least)},
+              {"probability", claim.estimate ? Json() : number(claim.probability)},
               {"confidence", number(claim.confidence)},
               {"error", number(found.error)},
               {"trials", found.trials()},
@@ -152,11 +152,13 @@ std::string summary(const RunResult& result) {
         return std::count_if(result.claims.begin(), result.claims.end(),
                              [&](const ClaimResult& claim) { return claim.verdict == verdict; });
     };
+    const auto estimates = count(ClaimVerdict::estimated);
+    const auto claims = static_cast<std::ptrdiff_t>(result.claims.size()) - estimates;
     std::vector<std::string> parts;
     if (!result.bands.empty() || result.claims.empty())
         parts.push_back(fmt::format("{} of {} bands hold", held, result.bands.size()));
-    if (!result.claims.empty())
-        parts.push_back(fmt::format("{} of {} claims hold", count(ClaimVerdict::holds), result.claims.size()));
+    if (claims > 0) parts.push_back(fmt::format("{} of {} claims hold", count(ClaimVerdict::holds), claims));
+    if (estimates > 0) parts.push_back(fmt::format("{} estimated", estimates));
     if (count(ClaimVerdict::open) > 0) parts.push_back(fmt::format("{} open", count(ClaimVerdict::open)));
     return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -136,14 +136,27 @@ private:
     void measure(std::size_t number) {
         const Measure& measure = scenario_.measures[number];
         Chart chart;
-        const bool share = measure.kind == MeasureKind::reached;
+        const bool share = measure.kind == MeasureKind::reached || measure.kind == MeasureKind::in_state ||
+                           measure.kind == MeasureKind::working;
         const double factor = share ? 100 : 1;
-        if (share)
+        if (measure.kind == MeasureKind::reached)
             chart = {"Robots at " + scenario_.lights.at(measure.light).name.text, "%",
                      fmt::format("The share of robots whose centres are at most {} cm from the light.", measure.link),
                      false, 100.0};
         switch (measure.kind) {
             case MeasureKind::reached:
+                break;
+            case MeasureKind::in_state:
+                chart.title = "Robots in " + measure.state.text;
+                chart.unit = "%";
+                chart.definition = "The share of robots whose first machine is in this state.";
+                chart.most = 100.0;
+                break;
+            case MeasureKind::working:
+                chart.title = "Robots without failures";
+                chart.unit = "%";
+                chart.definition = "The share of robots of which nothing has failed.";
+                chart.most = 100.0;
                 break;
             case MeasureKind::spread:
                 chart.title = "Distance to the centroid";
@@ -165,7 +178,7 @@ private:
         }
         chart.title += fmt::format(" ({})", measure.name.text);
         chart.series.push_back(
-            series("", [&](const Frame& frame) { return factor * measured(scenario_, measure, frame.poses); }));
+            series("", [&](const Frame& frame) { return factor * measured(scenario_, measure, frame); }));
         add_targets(number, factor, chart.targets);
         result_.charts.push_back(std::move(chart));
     }

@@ -35,13 +35,16 @@ const char* described(const std::vector<Carried>& arguments) {
 std::string described(const Feed& feed) {
     const char* what = feed.carries == Carries::signal    ? "there or not"
                        : feed.carries == Carries::boolean ? "a truth value"
+                       : feed.carries == Carries::whole   ? "a whole number"
                                                           : "a quantity";
     return fmt::format("a reading that is {}", what);
 }
 
 bool fits(Carries carries, const std::vector<Carried>& arguments) {
     if (carries == Carries::signal) return arguments.empty();
-    const Carried wanted = carries == Carries::boolean ? Carried::boolean : Carried::real;
+    const Carried wanted = carries == Carries::boolean ? Carried::boolean
+                           : carries == Carries::whole ? Carried::whole
+                                                       : Carried::real;
     return arguments.size() == 1 && arguments.front() == wanted;
 }
 
@@ -58,6 +61,9 @@ public:
     }
 
     Plan bind() {
+        for (const Sensor& sensor : scenario_.sensors)
+            plan_.messages.push_back(
+                sensor.message.text.empty() ? no_slot : variable(sensor.message, Carries::whole).value_or(no_slot));
         for (const Feed& feed : scenario_.feeds) bind_feed(feed);
         for (const Stimulus& stimulus : scenario_.stimuli) bind_stimulus(stimulus);
         for (std::uint32_t d = 0; d < scenario_.drives.size(); ++d) bind_drive(scenario_.drives[d], d);
@@ -107,19 +113,21 @@ private:
     }
 
     /// The slot that holds what the controller last wrote to a shared variable.
-    std::optional<std::uint32_t> variable(const Name& name) {
+    std::optional<std::uint32_t> variable(const Name& name, Carries carries = Carries::real) {
         const auto found = output(name, Port::Kind::variable, "shared variable that it writes named");
         if (!found) return std::nullopt;
         const Port& port = emission_.outputs[*found];
-        if (!fits(Carries::real, port.arguments)) {
-            diagnostics_.report(rules::wrong_type, name.span,
-                                {name.text, described(port.arguments), "a quantity", "follow"});
+        if (!fits(carries, port.arguments)) {
+            diagnostics_.report(
+                rules::wrong_type, name.span,
+                {name.text, described(port.arguments), carries == Carries::whole ? "a message" : "a quantity",
+                 carries == Carries::whole ? "send" : "follow"});
             return std::nullopt;
         }
         if (slots_[*found] == no_slot) {
             slots_[*found] = static_cast<std::uint32_t>(plan_.variables.size());
             plan_.variables.push_back(port.initial);
-            plan_.effects[*found].push_back({Effect::Kind::store, slots_[*found]});
+            plan_.effects[*found].push_back({Effect::Kind::store, carries == Carries::whole, slots_[*found]});
         }
         return slots_[*found];
     }
@@ -129,7 +137,7 @@ private:
         if (!found) return no_slot;
         if (bits_[*found] == no_slot && plan_.requests < most_requests) {
             bits_[*found] = plan_.requests++;
-            plan_.effects[*found].push_back({Effect::Kind::request, bits_[*found]});
+            plan_.effects[*found].push_back({Effect::Kind::request, false, bits_[*found]});
         }
         return bits_[*found];
     }
@@ -162,7 +170,7 @@ private:
                                 {drive.on->text, described(port.arguments), "'turn'", "take for an angle"});
             return;
         }
-        plan_.effects[*found].push_back({Effect::Kind::drive, index});
+        plan_.effects[*found].push_back({Effect::Kind::drive, false, index});
     }
 
     const Scenario& scenario_;

@@ -26,6 +26,7 @@ struct BoundFeed {
 struct Effect {
     enum class Kind { store, request, drive };
     Kind kind = Kind::store;
+    bool whole = false;      ///< store: of a whole number
     std::uint32_t slot = 0;  ///< of the variable, the bit, or the place in Scenario::drives
 };
 
@@ -48,6 +49,7 @@ struct Plan {
     std::vector<BoundStimulus> stimuli;
     std::vector<std::vector<Effect>> effects;  ///< of each output
     std::vector<double> variables;             ///< initial values of the slots
+    std::vector<std::uint32_t> messages;       ///< of each sensor: the slot that robots send, or `no_slot`
     std::optional<BoundSpeeds> speeds;         ///< the drive follows two variables
     std::uint32_t requests = 0;
 };

@@ -16,4 +16,7 @@ namespace robochart::simulation {
 /// The robots at the start of a trial; reports those that do not fit.
 [[nodiscard]] std::optional<World> start(const Scenario&, std::uint32_t trial, diagnostics::Diagnostics&);
 
+/// Reports what only the embedded world has (RC-M15); for the adapters of other simulators.
+void refuse_beyond(const Scenario&, const char* simulator, diagnostics::Diagnostics&);
+
 }  // namespace robochart::simulation

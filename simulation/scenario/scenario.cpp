@@ -1,6 +1,7 @@
 // What follows from a scenario's parts.
 #include "simulation/scenario/scenario.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace robochart::simulation {
@@ -22,6 +23,29 @@ bool Formula::of_trial() const {
 
 std::uint64_t Scenario::steps() const {
     return static_cast<std::uint64_t>(std::llround(duration / world.control_step));
+}
+
+std::vector<double*> shares_of(Sensor& sensor, std::string_view option) {
+    const auto is = [&](SensorKind kind, std::string_view name) { return sensor.kind == kind && option == name; };
+    if (is(SensorKind::line_of_sight, "error")) return {&sensor.false_negative, &sensor.false_positive};
+    if (is(SensorKind::line_of_sight, "false_negative")) return {&sensor.false_negative};
+    if (is(SensorKind::line_of_sight, "false_positive")) return {&sensor.false_positive};
+    if (is(SensorKind::range_and_bearing, "loss")) return {&sensor.range_and_bearing.loss};
+    if (is(SensorKind::light, "leak")) return {&sensor.light_ring.leak};
+    return {};
+}
+
+Vector Light::position(double time) const {
+    const Vector way = to - at;
+    const double far = length(way);
+    if (speed <= 0 || far == 0) return at;
+    return at + std::min(1.0, speed * time / far) * way;
+}
+
+void Scenario::set_trials(std::uint32_t count) {
+    trials = count;
+    for (Claim& claim : claims)
+        if (claim.estimate) claim.trials = count;
 }
 
 void Scenario::set_robots(std::uint32_t count) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -19,23 +20,29 @@ namespace robochart::simulation {
 
 using Name = frontend::Word;
 
-enum class SensorKind { line_of_sight, range_and_bearing, light, proximity };
+enum class SensorKind { line_of_sight, range_and_bearing, light, proximity, ground };
 
 /// What a sensor or actuator reports.
-enum class Reading { robot, clear, wall, distance, near, away, towards, lit, turned };
+enum class Reading { robot, clear, wall, distance, near, away, towards, count, message, lit, on, turned };
 
 /// How a reading reaches the controller.
-enum class Carries { signal, boolean, real };
+enum class Carries { signal, boolean, whole, real };
 
 struct Sensor {
     Name name;
     SensorKind kind = SensorKind::line_of_sight;
-    double sight_range = 0;  ///< 0: unlimited
+    double sight_range = 0;     ///< 0: unlimited
+    double false_negative = 0;  ///< line of sight: how often a robot that is there is not seen
+    double false_positive = 0;  ///< and how often one is seen where there is none
     RangeAndBearing range_and_bearing;
     LightRing light_ring;
-    Name source;  ///< light: which
+    Name source;   ///< light, ground: which light
+    Name message;  ///< range and bearing: the shared variable that every robot sends; 0: it sends nothing
     ProximityRing proximity;
 };
+
+/// The shares of a sensor that an option of this name sets; none where it has no such option.
+[[nodiscard]] std::vector<double*> shares_of(Sensor&, std::string_view option);
 
 struct Actuator {
     Name name;
@@ -60,14 +67,15 @@ struct Feed {
     diagnostics::Span span;
 };
 
-enum class Motion { speeds, forward, turn, stop };
+enum class Motion { speeds, forward, turn, stop, wander, seek };
 
 /// `drive ACTUATOR by MOTION(...) on OPERATION`.
 struct Drive {
     Name actuator;
     Motion motion = Motion::stop;
-    double speed = 0;      ///< forward, turn: of the wheels, cm/s
-    Name linear, angular;  ///< speeds: the variables
+    double speed = 0;       ///< forward, turn, wander, seek: of the wheels, cm/s
+    std::size_t light = 0;  ///< seek: towards it
+    Name linear, angular;   ///< speeds: the variables
     double linear_factor = 1;
     double angular_factor = 1;  ///< turn: of the operation's argument
     std::optional<Name> on;
@@ -83,9 +91,14 @@ struct Stimulus {
     std::optional<bool> truth;
 };
 
+/// `light NAME at (X, Y) moving to (X, Y) at SPEED`: it stays where it has come to.
 struct Light {
     Name name;
     Vector at;
+    Vector to;
+    double speed = 0;  ///< cm/s; 0: it does not move
+
+    [[nodiscard]] Vector position(double time) const;
     diagnostics::Span span;
 };
 
@@ -98,7 +111,7 @@ struct Placement {
     diagnostics::Span span;
 };
 
-enum class MeasureKind { cluster, spread, second_moment, distance, reached };
+enum class MeasureKind { cluster, spread, second_moment, distance, reached, in_state, working };
 
 /// `measure NAME is KIND(ARGUMENT)`.
 struct Measure {
@@ -106,6 +119,20 @@ struct Measure {
     MeasureKind kind = MeasureKind::spread;
     double link = 0;        ///< cluster: centres at most this far apart belong together; reached: from the light
     std::size_t light = 0;  ///< distance: from the swarm's centroid to this light; reached: the light
+    Name state;             ///< in_state: of the first machine
+    std::vector<std::uint16_t> states;  ///< its number, and those of the states in it; known with the controller
+};
+
+/// What a robot loses: `whole` its controller and all of the others.
+enum class FailureKind { whole, motors, radio, sensors };
+
+/// `failure of KIND at TIME in N robots`, or `failure of KIND with mean time TIME`.
+struct Failure {
+    FailureKind kind = FailureKind::whole;
+    double at = 0;             ///< s
+    std::uint32_t robots = 0;  ///< the first so many, in the order of placements
+    double mean_time = 0;      ///< s; not 0: of every robot, after a time of its own, exponentially distributed
+    diagnostics::Span span;
 };
 
 /// What holds or not at an instant, or over a trial. Instants are the ends of control steps, and the start.
@@ -151,24 +178,26 @@ struct Band {
     diagnostics::Span span;
 };
 
-/// `accept probability PROPERTY >= SHARE with confidence SHARE`.
+/// `accept probability PROPERTY >= SHARE with confidence SHARE`, or `estimate probability PROPERTY with ...`.
 struct Claim {
-    Formula property;      ///< of a trial
-    bool at_least = true;  ///< else at most
+    Formula property;       ///< of a trial
+    bool estimate = false;  ///< nothing is claimed: an interval after the trials of the scenario
+    bool at_least = true;   ///< else at most
     double probability = 0;
     double confidence = 0;
     double indifference = 0;        ///< 0: by intervals; else by a test that does not tell probabilities so close apart
-    std::uint32_t trials = 10'000;  ///< at most
+    std::uint32_t trials = 10'000;  ///< at most; of an estimate exactly
     std::string text;               ///< as written
     diagnostics::Span span;
 };
 
-enum class Varied { robots, noise, constant };
+enum class Varied { robots, noise, constant, sensor };
 
 /// `vary robots in 1 to 30`.
 struct Variation {
     Varied what = Varied::robots;
-    std::string constant;        ///< of the model, its name
+    std::string constant;        ///< of the model, its name; sensor: the name of one
+    std::string option;          ///< sensor: "error", "loss"
     std::vector<double> values;  ///< ascending, without repetition
     bool until_proved = false;   ///< the first variation: up to the first value at which the claims are proved
     diagnostics::Span span;
@@ -193,6 +222,7 @@ struct Scenario {
     std::vector<Feed> feeds;
     std::vector<Drive> drives;
     std::vector<Stimulus> stimuli;
+    std::vector<Failure> failures;
     std::vector<Measure> measures;
     std::vector<Band> bands;
     std::vector<Claim> claims;
@@ -201,6 +231,8 @@ struct Scenario {
     double record = 0.5;                ///< s between recorded positions
 
     [[nodiscard]] std::uint64_t steps() const;
+    /// Another number of trials, for bands and estimates.
+    void set_trials(std::uint32_t count);
     /// Another number of robots, with an arena for them.
     void set_robots(std::uint32_t count);
 };

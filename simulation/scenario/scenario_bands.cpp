@@ -32,13 +32,20 @@ void ScenarioReader::measure() {
         in_.expect(",");
         measure.link = in_.positive(Dimension::length, "the distance from the light");
         in_.expect(")");
+    } else if (kind.text == "in_state") {
+        measure.kind = MeasureKind::in_state;
+        in_.expect("(");
+        measure.state = in_.qualified_name("a state of the controller's first machine");
+        in_.expect(")");
+    } else if (kind.text == "working") {
+        measure.kind = MeasureKind::working;
     } else if (kind.text == "spread") {
         measure.kind = MeasureKind::spread;
     } else if (kind.text == "second_moment") {
         measure.kind = MeasureKind::second_moment;
     } else {
         in_.report(rules::unknown_part, kind.span, {"kind of measure", kind.text});
-        return in_.fail("'cluster', 'distance', 'reached', 'spread' or 'second_moment'");
+        return in_.fail("'cluster', 'distance', 'in_state', 'reached', 'second_moment', 'spread' or 'working'");
     }
     scenario_.measures.push_back(measure);
 }
@@ -53,8 +60,15 @@ std::size_t ScenarioReader::light_named(const Name& name) {
 Dimension ScenarioReader::dimension_of(std::size_t measure) const {
     if (measure >= scenario_.measures.size()) return Dimension::number;
     const MeasureKind kind = scenario_.measures[measure].kind;
-    if (kind == MeasureKind::cluster || kind == MeasureKind::reached) return Dimension::share;
-    return kind == MeasureKind::second_moment ? Dimension::number : Dimension::length;
+    switch (kind) {
+        case MeasureKind::spread:
+        case MeasureKind::distance:
+            return Dimension::length;
+        case MeasureKind::second_moment:
+            return Dimension::number;
+        default:
+            return Dimension::share;
+    }
 }
 
 std::size_t ScenarioReader::measure_named() {
@@ -67,7 +81,7 @@ std::size_t ScenarioReader::measure_named() {
 
 void ScenarioReader::accept() {
     const diagnostics::Span word = in_.token().span;
-    if (in_.take("probability")) return claim(word);
+    if (in_.take("probability")) return claim(word, false);
     Band band;
     band.each = in_.take("each");
     if (!band.each && !in_.take("mean")) return in_.fail("'each', 'mean' or 'probability'");

@@ -21,6 +21,7 @@ void ScenarioReader::check() {
     if (said_.contains("robots") && scenario_.placements.empty())
         in_.report(rules::missing, robots_span_, {"where the robots are placed"});
     scenario_.set_robots(scenario_.robots);
+    scenario_.set_trials(scenario_.trials);
     check_steps();
     check_places();
     check_lights();
@@ -70,7 +71,7 @@ void ScenarioReader::check_places() {
 
 void ScenarioReader::check_lights() {
     for (const Sensor& sensor : scenario_.sensors)
-        if (sensor.kind == SensorKind::light && !sensor.source.text.empty()) (void)light_named(sensor.source);
+        if (!sensor.source.text.empty()) (void)light_named(sensor.source);
 }
 
 namespace {
@@ -102,6 +103,23 @@ bool is_beyond(const Region& region, const Arena& arena) {
 }
 
 }  // namespace
+
+void refuse_beyond(const Scenario& scenario, const char* simulator, diagnostics::Diagnostics& diagnostics) {
+    const auto refuse = [&](diagnostics::Span span, const char* what) {
+        diagnostics.report(rules::not_there, span, {simulator, what});
+    };
+    for (const Sensor& sensor : scenario.sensors) {
+        if (sensor.false_negative > 0 || sensor.false_positive > 0)
+            refuse(sensor.name.span, "errors of a line of sight");
+        if (!sensor.message.text.empty()) refuse(sensor.name.span, "messages with values");
+        if (sensor.kind == SensorKind::ground) refuse(sensor.name.span, "sensors for the ground");
+    }
+    for (const Feed& feed : scenario.feeds)
+        if (feed.reading == Reading::count) refuse(feed.span, "counts of neighbours");
+    for (const Failure& failure : scenario.failures) refuse(failure.span, "failures of robots");
+    for (const Light& light : scenario.lights)
+        if (light.speed > 0) refuse(light.span, "lights that move");
+}
 
 std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
     World world(scenario.world, scenario.seed + trial);

@@ -16,20 +16,32 @@ constexpr std::size_t most_depth = 100;
 
 }  // namespace
 
-void ScenarioReader::claim(diagnostics::Span begin) {
-    Claim claim;
-    claim.property = either();
-    if (!claim.property.of_trial()) claim.property = over(Formula::Kind::at, "at", std::move(claim.property), INFINITY);
-    claim.at_least = in_.take(">=");
-    if (!claim.at_least) in_.expect("<=");
-    claim.probability = in_.not_negative(Dimension::share, "a probability");
+void ScenarioReader::estimate() {
+    const diagnostics::Span word = in_.token().span;
+    in_.expect("probability");
+    claim(word, true);
+}
+
+void ScenarioReader::confidence(Claim& claim) {
     in_.expect("with");
     in_.expect("confidence");
     claim.confidence = in_.not_negative(Dimension::share, "the confidence");
-    const diagnostics::Span confidence = in_.last_span();
     if (!in_.failed() && (claim.confidence < 0.5 || claim.confidence >= 1))
-        in_.report(rules::out_of_range, confidence, {"the confidence is at least 50 % and less than 100 %"});
-    while (in_.take(",")) {
+        in_.report(rules::out_of_range, in_.last_span(), {"the confidence is at least 50 % and less than 100 %"});
+}
+
+void ScenarioReader::claim(diagnostics::Span begin, bool estimate) {
+    Claim claim;
+    claim.estimate = estimate;
+    claim.property = either();
+    if (!claim.property.of_trial()) claim.property = over(Formula::Kind::at, "at", std::move(claim.property), INFINITY);
+    if (!estimate) {
+        claim.at_least = in_.take(">=");
+        if (!claim.at_least) in_.expect("<=");
+        claim.probability = in_.not_negative(Dimension::share, "a probability");
+    }
+    confidence(claim);
+    while (!estimate && in_.take(",")) {
         if (in_.take("indifference")) {
             claim.indifference = in_.positive(Dimension::share, "the indifference");
             if (claim.probability - claim.indifference <= 0 || claim.probability + claim.indifference >= 1)

@@ -31,8 +31,8 @@ Scenario ScenarioReader::read() {
     return scenario_;
 }
 
-const std::array<ScenarioReader::ItemRow, 21>& ScenarioReader::items() {
-    static constexpr std::array<ItemRow, 21> table{{
+const std::array<ScenarioReader::ItemRow, 24>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 24> table{{
         {"model", true, &ScenarioReader::model},        {"step", true, &ScenarioReader::step},
         {"physics", true, &ScenarioReader::physics},    {"unit", true, &ScenarioReader::time_unit},
         {"duration", true, &ScenarioReader::duration},  {"trials", true, &ScenarioReader::trials},
@@ -43,7 +43,8 @@ const std::array<ScenarioReader::ItemRow, 21>& ScenarioReader::items() {
         {"drive", false, &ScenarioReader::drive},       {"stimulus", false, &ScenarioReader::stimulus},
         {"measure", false, &ScenarioReader::measure},   {"accept", false, &ScenarioReader::accept},
         {"pictures", true, &ScenarioReader::pictures},  {"record", true, &ScenarioReader::record},
-        {"vary", false, &ScenarioReader::vary},
+        {"vary", false, &ScenarioReader::vary},         {"estimate", false, &ScenarioReader::estimate},
+        {"failure", false, &ScenarioReader::failure},   {"obstacle", false, &ScenarioReader::obstacle},
     }};
     return table;
 }
@@ -124,7 +125,14 @@ void ScenarioReader::light() {
     light.name = new_name("a name for the light");
     in_.expect("at");
     light.span = in_.token().span;
-    light.at = in_.point("a point");
+    light.at = light.to = in_.point("a point");
+    if (in_.take("moving")) {
+        in_.expect("to");
+        light.to = in_.point("a point");
+        inside_.push_back({light.to, "the end of the light's way", in_.last_span()});
+        in_.expect("at");
+        light.speed = in_.positive(Dimension::speed, "the speed of the light");
+    }
     light.span = diagnostics::join(light.span, in_.last_span());
     inside_.push_back({light.at, "the light", light.span});
     scenario_.lights.push_back(light);

@@ -24,7 +24,7 @@ void ScenarioReader::sensor() {
         while (!in_.failed() && !in_.at("}")) option(sensor, known.has_value());
         in_.expect("}");
     }
-    if (known == SensorKind::light && sensor.source.text.empty())
+    if ((known == SensorKind::light || known == SensorKind::ground) && sensor.source.text.empty())
         in_.report(rules::missing, sensor.name.span,
                    {fmt::format("which light '{}' senses (source NAME)", sensor.name.text)});
     if (known) scenario_.sensors.push_back(sensor);
@@ -35,17 +35,25 @@ void ScenarioReader::option(Sensor& sensor, bool known) {
         return (!known || sensor.kind == kind) && in_.take(word);
     };
     const auto sensors = [&] { return static_cast<std::uint32_t>(in_.count(1, 1024, "the number of sensors")); };
-    if (in_.at("range") && sensor.kind != SensorKind::light) {
+    if (in_.at("range") && sensor.kind != SensorKind::light && sensor.kind != SensorKind::ground) {
         in_.take("range");
         const double range = in_.positive(Dimension::length, "the range");
         sensor.sight_range = sensor.range_and_bearing.range = sensor.proximity.range = range;
-    } else if (is(SensorKind::range_and_bearing, "transparent"))
+    } else if (is(SensorKind::line_of_sight, "false_negative"))
+        sensor.false_negative = in_.not_negative(Dimension::share, "how often a robot is missed");
+    else if (is(SensorKind::line_of_sight, "false_positive"))
+        sensor.false_positive = in_.not_negative(Dimension::share, "how often a robot is seen that is not there");
+    else if (is(SensorKind::line_of_sight, "error"))
+        sensor.false_negative = sensor.false_positive = in_.not_negative(Dimension::share, "the error");
+    else if (is(SensorKind::range_and_bearing, "message"))
+        sensor.message = in_.name("a shared variable of the controller");
+    else if (is(SensorKind::range_and_bearing, "transparent"))
         sensor.range_and_bearing.occlusion = false;
     else if (is(SensorKind::range_and_bearing, "noise"))
         sensor.range_and_bearing.noise = in_.not_negative(Dimension::length, "the noise of the range");
     else if (is(SensorKind::range_and_bearing, "loss"))
         sensor.range_and_bearing.loss = in_.not_negative(Dimension::share, "the loss of messages");
-    else if (is(SensorKind::light, "source"))
+    else if (is(SensorKind::light, "source") || is(SensorKind::ground, "source"))
         sensor.source = in_.name("the name of a light");
     else if (is(SensorKind::light, "leak"))
         sensor.light_ring.leak = in_.not_negative(Dimension::share, "the leak");
@@ -79,6 +87,8 @@ void ScenarioReader::feed() {
     feed.reading = row->reading;
     feed.carries = row->carries;
     if (row->argument) argument(feed, *row);
+    if (row->reading == Reading::message && in_sensor_without_message(feed))
+        in_.report(rules::missing, feed.span, {fmt::format("what '{}' sends (message VARIABLE)", feed.part.text)});
     if (row->carries == Carries::real) {
         in_.expect("in");
         feed.factor = in_.unit(row->result, fmt::format("'{}'", reading.text));
@@ -121,6 +131,12 @@ const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& rea
     return row;
 }
 
+bool ScenarioReader::in_sensor_without_message(const Feed& feed) const {
+    return std::any_of(scenario_.sensors.begin(), scenario_.sensors.end(), [&](const Sensor& sensor) {
+        return sensor.name.text == feed.part.text && sensor.message.text.empty();
+    });
+}
+
 bool ScenarioReader::is_actuator_name(const std::string& name) const {
     return std::any_of(scenario_.actuators.begin(), scenario_.actuators.end(),
                        [&](const Actuator& a) { return a.name.text == name; });
@@ -157,8 +173,12 @@ void ScenarioReader::drive() {
         turn(drive);
     else if (in_.take("stop"))
         drive.motion = Motion::stop;
+    else if (in_.take("wander"))
+        forward(drive), drive.motion = Motion::wander;
+    else if (in_.take("seek"))
+        seek(drive);
     else
-        return in_.fail("'speeds', 'forward', 'turn' or 'stop'");
+        return in_.fail("'speeds', 'forward', 'turn', 'wander', 'seek' or 'stop'");
     drive.span = diagnostics::join(drive.span, in_.last_span());
     if (drive.motion != Motion::speeds) {
         in_.expect("on");
@@ -193,6 +213,15 @@ void ScenarioReader::turn(Drive& drive) {
     drive.speed = in_.positive(Dimension::speed, "'turn'");
     in_.expect(",");
     drive.angular_factor = in_.unit(Dimension::angle, "'turn'");
+    in_.expect(")");
+}
+
+void ScenarioReader::seek(Drive& drive) {
+    drive.motion = Motion::seek;
+    in_.expect("(");
+    drive.light = light_named(in_.name("the name of a light"));
+    in_.expect(",");
+    drive.speed = in_.positive(Dimension::speed, "'seek'");
     in_.expect(")");
 }
 

@@ -39,7 +39,7 @@ private:
     };
 
     // scenario.cpp: times, the arena and who is in it
-    static const std::array<ItemRow, 21>& items();
+    static const std::array<ItemRow, 24>& items();
     void item();
     void model();
     void step();
@@ -69,6 +69,8 @@ private:
     void skip_feed();
     void skip_word();
     const ReadingRow* find_reading(const Feed& feed, const Name& reading);
+    /// It reads messages of a sensor that sends none.
+    [[nodiscard]] bool in_sensor_without_message(const Feed& feed) const;
     [[nodiscard]] bool is_actuator_name(const std::string& name) const;
     void argument(Feed& feed, const ReadingRow& row);
     void drive();
@@ -77,6 +79,12 @@ private:
     /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.
     void turn(Drive& drive);
     void stimulus();
+    /// `seek(NAME, SPEED)`, `wander(SPEED)`.
+    void seek(Drive& drive);
+
+    // scenario_world.cpp: failures and obstacles
+    void failure();
+    void obstacle();
 
     // scenario_bands.cpp: measures and bands
     void measure();
@@ -90,7 +98,10 @@ private:
     void range(Dimension dimension, double& low, double& high);
 
     // scenario_claims.cpp: claims and formulas
-    void claim(diagnostics::Span begin);
+    void claim(diagnostics::Span begin, bool estimate);
+    void confidence(Claim& claim);
+    /// `estimate probability PROPERTY with confidence SHARE`.
+    void estimate();
     Formula either();
     Formula both();
     Formula timed();
@@ -106,6 +117,8 @@ private:
     void vary();
     void values(Variation& variation);
     double value_of(Varied what);
+    /// `SENSOR.OPTION`.
+    void sensor_option(Variation& variation);
 
     // scenario_checks.cpp: what belongs together
     void check();

@@ -25,7 +25,8 @@ void ScenarioReader::vary() {
     } else if (in_.take("noise")) {
         variation.what = Varied::noise;
     } else if (!in_.take("robots")) {
-        return in_.fail("'robots', 'noise' or 'const'");
+        sensor_option(variation);
+        if (in_.failed()) return;
     }
     in_.expect("in");
     values(variation);
@@ -36,7 +37,7 @@ void ScenarioReader::vary() {
     variation.span = diagnostics::join(begin, in_.last_span());
     if (in_.failed()) return;
     const auto same = [&](const Variation& other) {
-        return other.what == variation.what && other.constant == variation.constant;
+        return other.what == variation.what && other.constant == variation.constant && other.option == variation.option;
     };
     if (std::any_of(scenario_.variations.begin(), scenario_.variations.end(), same))
         in_.report(rules::said_twice, variation.span, {fmt::format("'{}'", in_.text_since(begin))});
@@ -44,6 +45,21 @@ void ScenarioReader::vary() {
         in_.report(rules::out_of_range, variation.span, {fmt::format("at most {} things vary", most_variations)});
     else
         scenario_.variations.push_back(std::move(variation));
+}
+
+void ScenarioReader::sensor_option(Variation& variation) {
+    variation.what = Varied::sensor;
+    const bool known = std::any_of(scenario_.sensors.begin(), scenario_.sensors.end(),
+                                   [&](const Sensor& sensor) { return in_.at(sensor.name.text); });
+    if (!known) return in_.fail("'robots', 'noise', 'const' or a sensor");
+    variation.constant = in_.name("a sensor").text;
+    in_.expect(".");
+    const Name option = in_.name("an option of the sensor");
+    variation.option = option.text;
+    for (Sensor& sensor : scenario_.sensors)
+        if (sensor.name.text == variation.constant && shares_of(sensor, option.text).empty())
+            in_.report(rules::unknown_part, option.span,
+                       {fmt::format("share of '{}' named", variation.constant), option.text});
 }
 
 /// `LOW to HIGH by STEP`, or values with commas.
@@ -73,6 +89,11 @@ double ScenarioReader::value_of(Varied what) {
     switch (what) {
         case Varied::robots:
             return static_cast<double>(in_.count(1, most_robots_, "a number of robots"));
+        case Varied::sensor: {
+            const double share = in_.not_negative(Dimension::share, "an option of a sensor");
+            if (share > 1) in_.report(rules::out_of_range, in_.last_span(), {"it is more than 100 %"});
+            return share;
+        }
         case Varied::noise:
             return in_.not_negative(Dimension::share, "the noise of the wheels");
         default:

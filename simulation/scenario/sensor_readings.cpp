@@ -7,7 +7,7 @@ namespace robochart::simulation {
 
 std::span<const ReadingRow> readings() {
     using Kind = SensorKind;
-    static constexpr std::array<ReadingRow, 10> table{{
+    static constexpr std::array<ReadingRow, 13> table{{
         {"robot", Kind::line_of_sight, Reading::robot, Carries::signal, std::nullopt},
         {"clear", Kind::line_of_sight, Reading::clear, Carries::signal, std::nullopt},
         {"wall", Kind::line_of_sight, Reading::wall, Carries::signal, std::nullopt},
@@ -15,6 +15,9 @@ std::span<const ReadingRow> readings() {
         {"near", Kind::range_and_bearing, Reading::near, Carries::signal, Dimension::length},
         {"away", Kind::range_and_bearing, Reading::away, Carries::real, Dimension::length, Dimension::angle},
         {"towards", Kind::range_and_bearing, Reading::towards, Carries::real, Dimension::length, Dimension::angle},
+        {"count", Kind::range_and_bearing, Reading::count, Carries::whole, Dimension::length},
+        {"message", Kind::range_and_bearing, Reading::message, Carries::whole, Dimension::length},
+        {"on", Kind::ground, Reading::on, Carries::signal, Dimension::length},
         {"lit", Kind::light, Reading::lit, Carries::boolean, Dimension::number},
         {"near", Kind::proximity, Reading::near, Carries::signal, Dimension::length},
         {"turned", std::nullopt, Reading::turned, Carries::signal, std::nullopt},
@@ -27,6 +30,7 @@ std::optional<SensorKind> sensor_kind(std::string_view name) {
     if (name == "range_and_bearing") return SensorKind::range_and_bearing;
     if (name == "light_ring") return SensorKind::light;
     if (name == "proximity") return SensorKind::proximity;
+    if (name == "ground") return SensorKind::ground;
     return std::nullopt;
 }
 

@@ -30,6 +30,21 @@ std::vector<Point> points_of(const Scenario& scenario) {
     return points;
 }
 
+namespace {
+
+void set_option(Scenario& scenario, const Variation& variation, double value) {
+    for (Sensor& sensor : scenario.sensors)
+        if (sensor.name.text == variation.constant)
+            for (double* const share : shares_of(sensor, variation.option)) *share = value;
+}
+
+/// Its values are shares, written as percentages.
+bool is_share(const Variation& variation) {
+    return variation.what == Varied::noise || variation.what == Varied::sensor;
+}
+
+}  // namespace
+
 Scenario scenario_at(const Scenario& scenario, const Point& point) {
     Scenario result = scenario;
     result.bands.clear();
@@ -38,6 +53,7 @@ Scenario scenario_at(const Scenario& scenario, const Point& point) {
         const Varied what = scenario.variations[v].what;
         if (what == Varied::robots) result.set_robots(static_cast<std::uint32_t>(point[v]));
         if (what == Varied::noise) result.world.body.noise = point[v];
+        if (what == Varied::sensor) set_option(result, scenario.variations[v], point[v]);
     }
     return result;
 }
@@ -52,11 +68,20 @@ std::vector<std::string> constants_at(const Scenario& scenario, const Point& poi
 }
 
 std::string name_of(const Variation& variation) {
-    return variation.what == Varied::robots ? "robots" : variation.what == Varied::noise ? "noise" : variation.constant;
+    switch (variation.what) {
+        case Varied::robots:
+            return "robots";
+        case Varied::noise:
+            return "noise";
+        case Varied::sensor:
+            return variation.constant + "." + variation.option;
+        default:
+            return variation.constant;
+    }
 }
 
 std::string value_text(const Variation& variation, double value) {
-    if (variation.what == Varied::noise) return percent(value);
+    if (is_share(variation)) return percent(value);
     const std::string text = fmt::format("{:.12f}", value);
     const std::size_t last = text.find_last_not_of('0');
     return text.substr(0, text[last] == '.' ? last : last + 1);
@@ -92,6 +117,7 @@ Least least(const std::vector<PointResult>& results, std::size_t claim, std::opt
 
 std::optional<statistics::Interval> pointwise(const Claim& claim, const ClaimResult& found) {
     if (claim.indifference > 0 || found.looked == 0 || found.looked != found.trials()) return std::nullopt;
+    if (claim.estimate) return statistics::clopper_pearson(found.successes, found.looked, 1 - claim.confidence);
     return statistics::Looks(claim.trials, 1 - claim.confidence).at(found.successes, found.looked);
 }
 

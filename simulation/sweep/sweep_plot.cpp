@@ -43,8 +43,8 @@ public:
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
             "role=\"img\" font-family=\"DejaVu Sans, Verdana, sans-serif\" font-size=\"12\">\n<title>{2}</title>\n"
             "<style>{3}</style>\n<rect class=\"sim-paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n"
-            "<text class=\"sim-text\" x=\"12\" y=\"20\" font-size=\"13\" font-weight=\"bold\">{2}</text>\n",
-            plot_width, height, xml_text(title_), picture_style());
+            "<text class=\"sim-text\" x=\"12\" y=\"20\" font-size=\"{4:.3g}\" font-weight=\"bold\">{2}</text>\n",
+            plot_width, height, xml_text(title_), picture_style(), title_size());
         out += legend_.svg(left_edge, 30);
         for (const double share : ticks(0, 1, 6))
             out += fmt::format(
@@ -64,6 +64,12 @@ public:
     }
 
 private:
+    /// A long title is written smaller, so that it fits.
+    [[nodiscard]] double title_size() const {
+        constexpr std::size_t letters = 76;
+        return 13 * std::min(1.0, static_cast<double>(letters) / static_cast<double>(std::max(title_.size(), letters)));
+    }
+
     std::string title_;
     Legend legend_;
     double low_, high_;
@@ -73,7 +79,8 @@ private:
 
 /// How a verdict is drawn, so that it is seen without colour too.
 std::string verdict_mark(const std::string& word, double x, double y, const char* hue) {
-    if (word == "proved") return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"/>", x, y, hue);
+    if (word == "proved" || word == "estimated")
+        return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"/>", x, y, hue);
     if (word == "refuted")
         return fmt::format("<path d=\"M{:.1f} {:.1f}l8 8m0 -8l-8 8\" stroke=\"{}\" stroke-width=\"2.2\"/>", x - 4,
                            y - 4, hue);
@@ -82,10 +89,11 @@ std::string verdict_mark(const std::string& word, double x, double y, const char
         hue);
 }
 
-std::vector<LegendEntry> verdict_entries() {
+std::vector<LegendEntry> verdict_entries(const Claim& claim) {
     std::vector<LegendEntry> entries;
-    for (const char* const word : {"proved", "refuted", "open"})
-        entries.push_back({verdict_mark(word, 0, 0, "#777777"), word});
+    for (const char* const word : {"estimated", "proved", "refuted", "open"})
+        if (claim.estimate == (word == std::string_view("estimated")))
+            entries.push_back({verdict_mark(word, 0, 0, "#777777"), word});
     entries.push_back(
         {"<path class=\"sim-target\" stroke-width=\"1\" d=\"M0 -6V6M-4 -6h8M-4 6h8\"/>", "joint interval"});
     entries.push_back(
@@ -105,15 +113,16 @@ public:
         const Variation& first = scenario_.variations.front();
         const double low = first.values.front();
         const double edge = std::max(1e-9, 0.04 * (first.values.back() - low));
-        std::vector<LegendEntry> entries = verdict_entries();
+        std::vector<LegendEntry> entries = verdict_entries(scenario_.claims[claim]);
         for (std::size_t s = 0; scenario_.variations.size() > 1 && s < seconds().size() && s < most_curves; ++s)
             entries.push_back(
                 {fmt::format("<rect x=\"-6\" y=\"-5\" width=\"12\" height=\"10\" fill=\"{}\"/>", colour(s)),
                  name_of(scenario_.variations[1]) + " " + value_text(scenario_.variations[1], seconds()[s])});
         ShareFrame frame(scenario_.claims[claim].text, entries, low - edge, first.values.back() + edge);
-        frame.add(fmt::format(
-            "<path class=\"sim-target\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\" d=\"M{:g} {:.1f}h{:g}\"/>\n",
-            left_edge, frame.y(scenario_.claims[claim].probability), area_width));
+        if (!scenario_.claims[claim].estimate)
+            frame.add(fmt::format(
+                "<path class=\"sim-target\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\" d=\"M{:g} {:.1f}h{:g}\"/>\n",
+                left_edge, frame.y(scenario_.claims[claim].probability), area_width));
         for (const PointResult& point : result_.points) point_of(frame, point, claim);
         return frame.svg(axis_names(first), name_of(first));
     }
@@ -139,7 +148,7 @@ public:
         const Variation& second = scenario_.variations[1];
         const auto columns = static_cast<double>(first.values.size());
         const auto rows = static_cast<double>(second.values.size());
-        ShareFrame frame(scenario_.claims[claim].text, verdict_entries(), 0, columns);
+        ShareFrame frame(scenario_.claims[claim].text, verdict_entries(scenario_.claims[claim]), 0, columns);
         for (std::size_t p = 0; p < result_.points.size(); ++p) {
             const PointResult& point = result_.points[p];
             if (point.claims.empty()) continue;

@@ -37,7 +37,8 @@ std::string interval_text(const Claim& claim, const ClaimResult& found) {
 }
 
 /// The values of the second variation, or one that says that there is none.
-std::vector<std::optional<double>> seconds_of(const Scenario& scenario) {
+using Seconds = std::vector<std::optional<double>>;
+Seconds seconds_of(const Scenario& scenario) {
     if (scenario.variations.size() < 2) return {std::nullopt};
     const std::vector<double>& values = scenario.variations[1].values;
     return {values.begin(), values.end()};
@@ -71,7 +72,7 @@ std::string runs_text(const Scenario& scenario, const SweepResult& result, std::
 
 std::string sets_text(const Scenario& scenario, const SweepResult& result, std::size_t claim) {
     std::string out;
-    for (const auto& second : seconds_of(scenario)) {
+    for (const auto& second : scenario.claims[claim].estimate ? Seconds{} : seconds_of(scenario)) {
         const std::string at = second ? fmt::format(" ({} {})", name_of(scenario.variations[1]),
                                                     value_text(scenario.variations[1], *second))
                                       : "";
@@ -112,8 +113,8 @@ std::string csv_text(const std::string& text) {
 std::string csv_point(const Scenario& scenario, const Point& point) {
     std::string out;
     for (std::size_t v = 0; v < point.size(); ++v)
-        out += (scenario.variations[v].what == Varied::noise ? fmt::format("{}", point[v])
-                                                             : value_text(scenario.variations[v], point[v])) +
+        out += (scenario.variations[v].what != Varied::robots ? fmt::format("{}", point[v])
+                                                              : value_text(scenario.variations[v], point[v])) +
                ",";
     return out;
 }
@@ -141,6 +142,8 @@ std::string point_word(const PointResult& point, std::size_t claim) {
             return "proved";
         case ClaimVerdict::fails:
             return "refuted";
+        case ClaimVerdict::estimated:
+            return "estimated";
         default:
             return "open";
     }
@@ -156,7 +159,7 @@ std::vector<std::string> least_lines(const Scenario& scenario, const SweepResult
     std::vector<std::string> lines;
     const Variation& first = scenario.variations.front();
     for (std::size_t c = 0; c < scenario.claims.size(); ++c)
-        for (const auto& second : seconds_of(scenario)) {
+        for (const auto& second : scenario.claims[c].estimate ? Seconds{} : seconds_of(scenario)) {
             const Least found = least(result.points, c, second);
             const std::string name = "least " + name_of(first);
             std::string line = !found.value    ? fmt::format("{}: none is proved", name)
@@ -215,8 +218,8 @@ std::string sweep_trials_csv(const Scenario& scenario, const SweepResult& result
     return out;
 }
 
-std::string sweep_json(const Scenario& scenario, const SweepResult& result, const std::vector<std::string>& files,
-                       int exit) {
+std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json comparison,
+                       const std::vector<std::string>& files, int exit) {
     Json points = Json::array();
     for (const PointResult& point : result.points) {
         Json values = Json::object();
@@ -244,6 +247,7 @@ std::string sweep_json(const Scenario& scenario, const SweepResult& result, cons
                     {"claims", std::move(claims)},
                     {"points", std::move(points)},
                     {"least", least_lines(scenario, result)},
+                    {"comparison", std::move(comparison)},
                     {"world", world_lines(scenario)},
                     {"robotSteps", result.robot_steps(scenario)},
                     {"wholeRobotSteps", result.whole_robot_steps(scenario)},

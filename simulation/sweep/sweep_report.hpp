@@ -22,20 +22,21 @@ struct SweepResult {
     [[nodiscard]] std::uint64_t whole_robot_steps(const Scenario&) const;
 };
 
-/// "proved", "refuted", "open", "not looked at".
+/// "proved", "refuted", "open", "estimated", "not looked at".
 [[nodiscard]] std::string point_word(const PointResult&, std::size_t claim);
 /// How long it took in half of the trials: "506.3 s", "never", "" where the claim is not about a time.
 [[nodiscard]] std::string median_text(const Claim&, const ClaimResult&);
 /// Of each claim a table of the points, the sets proved, refuted and open, and the least value.
 [[nodiscard]] std::string sweep_text(const Scenario&, const SweepResult&);
-/// "the least robots is 4", a line for each claim and each value of the second variation.
+/// "the least robots is 4", a line for each claim, estimates apart, and each value of the second variation.
 [[nodiscard]] std::vector<std::string> least_lines(const Scenario&, const SweepResult&);
 /// A row for each point and claim.
 [[nodiscard]] std::string sweep_csv(const Scenario&, const SweepResult&);
 /// A row for each trial.
 [[nodiscard]] std::string sweep_trials_csv(const Scenario&, const SweepResult&);
 /// Schema "robochart-verify/sweep/1" (docs/cli.md).
-[[nodiscard]] std::string sweep_json(const Scenario&, const SweepResult&, const std::vector<std::string>& files,
-                                     int exit);
+/// `comparison`: with earlier trials.
+[[nodiscard]] std::string sweep_json(const Scenario&, const SweepResult&, diagnostics::Json comparison,
+                                     const std::vector<std::string>& files, int exit);
 
 }  // namespace robochart::simulation

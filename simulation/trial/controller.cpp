@@ -24,6 +24,16 @@ std::string fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission
 
 }  // namespace
 
+std::vector<std::uint16_t> states_named(const Machines& machines, std::string_view name) {
+    std::vector<std::uint16_t> numbers;
+    if (machines.empty()) return numbers;
+    const std::vector<std::string>& states = machines.front().states;
+    for (std::size_t s = 0; s < states.size(); ++s)
+        if (states[s] == name || states[s].starts_with(std::string(name) + "::"))
+            numbers.push_back(static_cast<std::uint16_t>(s));
+    return numbers;
+}
+
 Machines machines_of(const rc_drive& drive) {
     Machines result;
     for (std::uint32_t m = 0; m < drive.machines; ++m) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cpp_emit/load/shared_library.hpp"
@@ -22,6 +23,9 @@ struct MachineStates {
 /// The machines of the controllers; where one is shown it is the first.
 using Machines = std::vector<MachineStates>;
 [[nodiscard]] Machines machines_of(const rc_drive&);
+
+/// The numbers of a state and of those in it, by its name in the first machine; none: there is no such state.
+[[nodiscard]] std::vector<std::uint16_t> states_named(const Machines&, std::string_view name);
 
 class Controller {
 public:

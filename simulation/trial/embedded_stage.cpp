@@ -23,8 +23,19 @@ public:
 
     void sense() override { sensing_.update(); }
     [[nodiscard]] Sight line_of_sight(std::size_t robot, const Sensor& sensor) override {
-        return sensing_.line_of_sight(robot, sensor.sight_range);
+        const Sight sight = sensing_.line_of_sight(robot, sensor.sight_range);
+        if (sight.what == Seen::robot)
+            return world_.random().chance(sensor.false_negative) ? Sight{Seen::nothing, 0} : sight;
+        return world_.random().chance(sensor.false_positive) ? Sight{Seen::robot, sight.distance} : sight;
     }
+    [[nodiscard]] std::vector<std::uint32_t> robots_within(std::size_t robot, const Sensor& sensor,
+                                                           double distance) override {
+        std::vector<std::uint32_t> numbers;
+        for (const Bearing& other : sensing_.range_and_bearing(robot, sensor.range_and_bearing, distance))
+            numbers.push_back(other.robot);
+        return numbers;
+    }
+    void silence(std::size_t robot) override { sensing_.silence(robot); }
     [[nodiscard]] bool somebody_within(std::size_t robot, const Sensor& sensor, double distance) override {
         return sensing_.somebody_within(robot, sensor.range_and_bearing, distance);
     }
@@ -39,7 +50,8 @@ public:
     }
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const Sensor& sensor) override {
         for (const Light& light : scenario_.lights)
-            if (light.name.text == sensor.source.text) return sensing_.lit_sensors(robot, sensor.light_ring, light.at);
+            if (light.name.text == sensor.source.text)
+                return sensing_.lit_sensors(robot, sensor.light_ring, light.position(world_.time()));
         return 0;
     }
     [[nodiscard]] bool close_within(std::size_t robot, const Sensor& sensor, double distance) override {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "simulation/scenario/rules.hpp"
+
 namespace robochart::simulation {
 
 namespace {
@@ -95,7 +97,17 @@ double share_within(const std::vector<Pose>& poses, Vector point, double distanc
     return poses.empty() ? 0 : static_cast<double>(near) / static_cast<double>(poses.size());
 }
 
-double measured(const Scenario& scenario, const Measure& measure, const std::vector<Pose>& poses) {
+double share_in(const Measure& measure, const Frame& frame) {
+    if (frame.states.empty()) return 0;
+    std::size_t there = 0;
+    for (std::size_t robot = 0; robot < frame.poses.size(); ++robot)
+        if (std::find(measure.states.begin(), measure.states.end(), frame.state(robot)) != measure.states.end())
+            ++there;
+    return static_cast<double>(there) / static_cast<double>(frame.poses.size());
+}
+
+double measured(const Scenario& scenario, const Measure& measure, const Frame& frame) {
+    const std::vector<Pose>& poses = frame.poses;
     switch (measure.kind) {
         case MeasureKind::cluster:
             return largest_cluster(poses, measure.link);
@@ -104,18 +116,35 @@ double measured(const Scenario& scenario, const Measure& measure, const std::vec
         case MeasureKind::second_moment:
             return second_moment(poses, scenario.world.body.radius);
         case MeasureKind::distance:
-            return length(centroid(poses) - scenario.lights.at(measure.light).at);
+            return length(centroid(poses) - scenario.lights.at(measure.light).position(frame.time));
         case MeasureKind::reached:
-            return share_within(poses, scenario.lights.at(measure.light).at, measure.link);
+            return share_within(poses, scenario.lights.at(measure.light).position(frame.time), measure.link);
+        case MeasureKind::in_state:
+            return share_in(measure, frame);
+        case MeasureKind::working:
+            return frame.working.empty()
+                       ? 1
+                       : static_cast<double>(std::count(frame.working.begin(), frame.working.end(), true)) /
+                             static_cast<double>(frame.working.size());
     }
     return 0;
 }
 
-MeasureNow measures_now(const Scenario& scenario, const std::vector<Pose>& poses) {
+void find_states(Scenario& scenario, const Machines& machines, diagnostics::Diagnostics& diagnostics) {
+    for (Measure& measure : scenario.measures) {
+        if (measure.kind != MeasureKind::in_state) continue;
+        measure.states = states_named(machines, measure.state.text);
+        if (measure.states.empty())
+            diagnostics.report(rules::unknown_part, measure.state.span,
+                               {"state of the first machine named", measure.state.text});
+    }
+}
+
+MeasureNow measures_now(const Scenario& scenario, const Frame& frame) {
     std::vector<double> known(scenario.measures.size(), std::numeric_limits<double>::quiet_NaN());
-    return [&scenario, &poses, known = std::move(known)](std::size_t measure) mutable {
+    return [&scenario, &frame, known = std::move(known)](std::size_t measure) mutable {
         double& value = known[measure];
-        if (std::isnan(value)) value = measured(scenario, scenario.measures[measure], poses);
+        if (std::isnan(value)) value = measured(scenario, scenario.measures[measure], frame);
         return value;
     };
 }

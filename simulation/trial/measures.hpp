@@ -7,9 +7,24 @@
 #include <vector>
 
 #include "simulation/scenario/scenario.hpp"
+#include "simulation/trial/controller.hpp"
 #include "simulation/trial/formulas.hpp"
 
 namespace robochart::simulation {
+
+/// Where the robots were at one time.
+struct Frame {
+    double time = 0;
+    std::vector<Pose> poses;
+    std::vector<std::uint16_t>
+        states;                 ///< robot by robot, of each machine: index into its states; their number in between
+    std::vector<bool> working;  ///< robot by robot: nothing has failed; empty: in none
+
+    /// Of a robot's machine.
+    [[nodiscard]] std::uint16_t state(std::size_t robot, std::size_t machine = 0) const {
+        return states[robot * (states.size() / poses.size()) + machine];
+    }
+};
 
 /// Groups of robots linked, directly or by others, by at most `link` between centres; whoever has no link is a group.
 struct Clusters {
@@ -28,9 +43,13 @@ struct Clusters {
 [[nodiscard]] Vector centroid(const std::vector<Pose>&);
 /// The share of robots whose centre is at most `distance` from a point.
 [[nodiscard]] double share_within(const std::vector<Pose>&, Vector, double distance);
-[[nodiscard]] double measured(const Scenario&, const Measure&, const std::vector<Pose>&);
+/// The share of robots that are in the states of the measure.
+[[nodiscard]] double share_in(const Measure&, const Frame&);
+[[nodiscard]] double measured(const Scenario&, const Measure&, const Frame&);
+/// The states that measures are about, by their names; reports those that are not there.
+void find_states(Scenario&, const Machines&, diagnostics::Diagnostics&);
 /// The measures of one instant, each calculated once. Keeps references.
-[[nodiscard]] MeasureNow measures_now(const Scenario&, const std::vector<Pose>&);
+[[nodiscard]] MeasureNow measures_now(const Scenario&, const Frame&);
 
 /// The statistics that the bands of a scenario are about, gathered step by step.
 class Statistics {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "simulation/scenario/scenario.hpp"
 
@@ -27,6 +28,13 @@ public:
                                                                     double distance) = 0;
     [[nodiscard]] virtual std::uint32_t lit_sensors(std::size_t robot, const Sensor&) = 0;
     [[nodiscard]] virtual bool close_within(std::size_t robot, const Sensor&, double distance) = 0;
+
+    /// The numbers of the robots heard within a distance, ascending; for counts and messages.
+    [[nodiscard]] virtual std::vector<std::uint32_t> robots_within(std::size_t, const Sensor&, double /*distance*/) {
+        return {};
+    }
+    /// The radio of a robot fails.
+    virtual void silence(std::size_t) {}
 
     virtual void set_wheels(std::size_t robot, Wheels) = 0;
     /// One control step passes.

@@ -15,19 +15,6 @@
 
 namespace robochart::simulation {
 
-/// Where the robots were at one time.
-struct Frame {
-    double time = 0;
-    std::vector<Pose> poses;
-    std::vector<std::uint16_t>
-        states;  ///< robot by robot, of each machine: index into its states; their number in between
-
-    /// Of a robot's machine.
-    [[nodiscard]] std::uint16_t state(std::size_t robot, std::size_t machine = 0) const {
-        return states[robot * (states.size() / poses.size()) + machine];
-    }
-};
-
 /// Why a trial must stop.
 struct Objection {
     std::string cause;  ///< "it wrote ..., which the model does not allow"

@@ -46,4 +46,14 @@ double normal_angle(double angle) {
     return angle <= -std::numbers::pi ? angle + turn : angle;
 }
 
+bool is_inside(const std::vector<Vector>& polygon, Vector at) {
+    bool inside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector a = polygon[i];
+        const Vector b = polygon[(i + 1) % polygon.size()];
+        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside;
+}
+
 }  // namespace robochart::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace robochart::simulation {
 
@@ -45,6 +46,9 @@ struct Pose {
 [[nodiscard]] std::optional<double> hit_segment(Vector origin, Vector direction, const Segment&);
 /// The point of a wall that is nearest.
 [[nodiscard]] Vector nearest_point(const Segment&, Vector);
+/// Whether a point lies in a polygon, given by its corners in order: a ray from it crosses the border an odd number of
+/// times.
+[[nodiscard]] bool is_inside(const std::vector<Vector>& polygon, Vector);
 /// The same angle in (-pi, pi].
 [[nodiscard]] double normal_angle(double);
 

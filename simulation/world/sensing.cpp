@@ -15,6 +15,11 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+void Sensing::silence(std::size_t robot) {
+    silent_.resize(world_.size());
+    silent_.at(robot) = true;
+}
+
 void Sensing::update() {
     indexed_ = world_.size() >= world_.options().cells_from;
     if (!indexed_) return;
@@ -124,9 +129,10 @@ bool Sensing::hidden(Vector from, Vector to, std::uint32_t self, std::uint32_t o
 
 void Sensing::neighbours(std::size_t robot, double reach) {
     near_.clear();
+    if (is_silent(robot)) return;
     if (!indexed_) {
         for (std::uint32_t j = 0; j < world_.size(); ++j)
-            if (j != robot) near_.push_back(j);
+            if (j != robot && !is_silent(j)) near_.push_back(j);
         return;
     }
     const Vector at = world_.position(robot);
@@ -135,7 +141,7 @@ void Sensing::neighbours(std::size_t robot, double reach) {
     for (std::int32_t row = first.row; row <= last.row; ++row)
         for (std::int32_t column = first.column; column <= last.column; ++column)
             for (const std::uint32_t j : cells_.disks({column, row}))
-                if (j != robot) near_.push_back(j);
+                if (j != robot && !is_silent(j)) near_.push_back(j);
     std::sort(near_.begin(), near_.end());
 }
 

@@ -49,6 +49,9 @@ class Sensing {
 public:
     explicit Sensing(World& world) : world_(world) {}
 
+    /// The radio of a robot fails: it hears nobody, and nobody hears it.
+    void silence(std::size_t robot);
+
     /// Takes in where the robots are now.
     void update();
 
@@ -78,7 +81,10 @@ private:
                                               double within);
     void neighbours(std::size_t robot, double reach);
 
+    [[nodiscard]] bool is_silent(std::size_t robot) const { return robot < silent_.size() && silent_[robot]; }
+
     World& world_;
+    std::vector<bool> silent_;  ///< empty while no radio has failed
     Cells cells_;
     bool indexed_ = false;
     std::vector<std::uint32_t> near_;

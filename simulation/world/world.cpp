@@ -75,13 +75,17 @@ bool World::place_at_random(std::size_t count, const Region& region) {
         return std::all_of(options_.arena.walls.begin(), options_.arena.walls.end(),
                            [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius; });
     };
+    const auto in_obstacle = [&](Vector at) {
+        return std::any_of(options_.arena.obstacles.begin(), options_.arena.obstacles.end(),
+                           [&](const std::vector<Vector>& obstacle) { return is_inside(obstacle, at); });
+    };
     constexpr int most_tries = 2000;
     int tries = 0;
     for (std::size_t placed = 0; placed < count;) {
         if (++tries > most_tries) return false;
         const double x = random_.uniform(low.x, high.x);
         const double y = random_.uniform(low.y, high.y);
-        if (!places.is_free({x, y}) || !off_walls({x, y})) continue;
+        if (!places.is_free({x, y}) || !off_walls({x, y}) || in_obstacle({x, y})) continue;
         places.take({x, y});
         place({{x, y}, random_.uniform(-std::numbers::pi, std::numbers::pi)});
         ++placed;

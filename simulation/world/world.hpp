@@ -19,7 +19,8 @@ struct Arena {
     double width = 250;
     double height = 250;
     bool walled = true;
-    std::vector<Segment> walls;
+    std::vector<Segment> walls;                  ///< those of obstacles too
+    std::vector<std::vector<Vector>> obstacles;  ///< polygons, by their corners in order; no robot is placed in one
 };
 
 /// The robot's body: by default an e-puck as in Li et al. 2017, section 3 (radius as in Enki).

@@ -94,6 +94,7 @@ RunResult Experiment::run(unsigned threads, const StageMaker& stage) {
     if (controller == nullptr) controller = Controller::build(emission, "", error);
     EXPECT_NE(controller, nullptr) << error;
     if (controller == nullptr) return {};
+    find_states(scenario, machines_of(controller->drive()), diagnostics);
     RunOptions options;
     options.threads = threads;
     options.stage = stage;

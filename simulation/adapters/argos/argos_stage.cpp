@@ -267,6 +267,7 @@ bool refuse(const Scenario& scenario, diagnostics::Diagnostics& diagnostics) {
     if (std::abs(rate - std::round(rate)) > 1e-9)
         diagnostics.report(rules::not_there, scenario.name.span,
                            {"ARGoS", "control steps of which a second has no whole number"});
+    refuse_beyond(scenario, "ARGoS", diagnostics);
     return !diagnostics.ok();
 }
 

@@ -167,6 +167,7 @@ bool refuse(const Scenario& scenario, diagnostics::Diagnostics& diagnostics) {
     const Arena& arena = scenario.world.arena;
     if (!arena.walls.empty() || !arena.walled)
         diagnostics.report(rules::not_there, scenario.name.span, {"Enki", "arenas other than a rectangle with walls"});
+    refuse_beyond(scenario, "Enki", diagnostics);
     return !diagnostics.ok();
 }
 

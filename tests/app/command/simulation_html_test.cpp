@@ -189,7 +189,7 @@ TEST(TrialData, NumbersAreTwoLetters) {
 
 TEST(TrialData, AFrameHasPlaceHeadingAndStates) {
     const simulation::View view{-100, -50, 4095, 4095};
-    const simulation::Frame frame{0, {{{-35, -15}, M_PI / 2}, {{9999, 50}, -M_PI / 2}}, {1, 65, 2, 0}};
+    const simulation::Frame frame{0, {{{-35, -15}, M_PI / 2}, {{9999, 50}, -M_PI / 2}}, {1, 65, 2, 0}, {}};
     // 65 from the left; 15 below the middle, 65 below the top; a quarter of 4096 is 16 times 64.
     EXPECT_EQ(frame_letters(view, frame, 2, 2),
               "BBBBQAABBB"

@@ -27,7 +27,7 @@ Scenario small() {
 }
 
 std::vector<Frame> two_frames() {
-    return {{0, {{{0, 0}, 0}}, {0}}, {2, {{{30, 40}, 1.5}}, {1}}};
+    return {{0, {{{0, 0}, 0}}, {0}, {}}, {2, {{{30, 40}, 1.5}}, {1}, {}}};
 }
 
 Machines machines() {
@@ -75,7 +75,7 @@ TEST(Pictures, RasterShowsTheRobotWhereItIs) {
 }
 
 TEST(Pictures, CsvHasAColumnForEachOfSeveralMachines) {
-    const std::vector<Frame> frames{{0, {{{0, 0}, 0}, {{1, 0}, 0}}, {0, 1, 1, 0}}};
+    const std::vector<Frame> frames{{0, {{{0, 0}, 0}, {{1, 0}, 0}}, {0, 1, 1, 0}, {}}};
     EXPECT_EQ(positions_csv(frames, {{"a", {"Going", "Held"}}, {"b", {"Open"}}}),
               "t,id,x,y,theta,state:a,state:b\n0.000,0,0.0000,0.0000,0.00000,Going,\n"
               "0.000,1,1.0000,0.0000,0.00000,Held,Open\n")
@@ -85,7 +85,7 @@ TEST(Pictures, CsvHasAColumnForEachOfSeveralMachines) {
 TEST(Pictures, NamesAreText) {
     Scenario scenario = small();
     scenario.name.text = "<script>alert(1)</script>";
-    scenario.lights.push_back({{"\"><img src=x>", {}}, {1, 2}, {}});
+    scenario.lights.push_back({{"\"><img src=x>", {}}, {1, 2}, {1, 2}, 0, {}});
     const Machines machines{{"", {"</svg><script>", std::string(10000, 'x')}}};
     const auto frames = two_frames();
     for (const std::string& svg : {snapshots_svg(scenario, frames, machines), trajectories_svg(scenario, frames),
@@ -132,14 +132,14 @@ TrialResult rows(const std::vector<double>& gaps) {
     TrialResult trial;
     for (const double gap : gaps)
         trial.frames.push_back(
-            {static_cast<double>(trial.frames.size()), {{{0, 0}, 0}, {{gap, 0}, 0}, {{2 * gap, 0}, 0}}, {0, 0, 0}});
+            {static_cast<double>(trial.frames.size()), {{{0, 0}, 0}, {{gap, 0}, 0}, {{2 * gap, 0}, 0}}, {0, 0, 0}, {}});
     return trial;
 }
 
 TEST(Series, OverTheTrialsThatHadNotEnded) {
     Scenario scenario = small();
     scenario.robots = 3;
-    scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 10, 0});
+    scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 10, 0, {}, {}});
     scenario.bands.push_back({{StatisticKind::at_time, 0, 1, {}}, true, 0.5, 1, "each", {}});
     // Of three in a row, two pairs are a gap apart and one two gaps: 4/3 of a gap in the mean.
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30})}, machines());
@@ -168,7 +168,7 @@ TEST(Series, LinksAreTwoDiametersWithoutAMeasure) {
     Scenario scenario = small();
     scenario.world.body.radius = 5;
     EXPECT_DOUBLE_EQ(link_of(scenario), 20);
-    scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 11, 0});
+    scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 11, 0, {}, {}});
     EXPECT_DOUBLE_EQ(link_of(scenario), 11);
 }
 

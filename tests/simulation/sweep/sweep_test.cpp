@@ -64,7 +64,7 @@ TEST(Vary, ReadsValues) {
 
 TEST(Vary, Findings) {
     EXPECT_THAT(ReadScenario(with("vary wind in 1 to 4")).findings,
-                HasSubstr("RC-M01 expected 'robots', 'noise' or 'const'"));
+                HasSubstr("RC-M01 expected 'robots', 'noise', 'const' or a sensor"));
     EXPECT_THAT(ReadScenario(with("vary robots in 4 to 1")).findings,
                 HasSubstr("RC-M03 a variation has from 1 to 1000 values"));
     EXPECT_THAT(ReadScenario(with("vary robots in 1 to 100000")).findings, HasSubstr("RC-M03 a variation has"));
@@ -190,6 +190,7 @@ TEST(SweepPlots, BarsAreAtTheirShares) {
     ASSERT_EQ(std::sscanf(svg.c_str() + bar, "sim-target\" d=\"M%lf %lfV%lf", &x, &low, &high), 3);
     EXPECT_NEAR(low - high, 260, 0.2);
     EXPECT_THAT(svg, HasSubstr(">100 %</text>"));
+    EXPECT_THAT(svg, HasSubstr(">0 %</text>"));
 }
 
 }  // namespace

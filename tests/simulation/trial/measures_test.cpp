@@ -71,7 +71,9 @@ Scenario with_bands() {
     Scenario scenario;
     scenario.name.text = "Test";
     scenario.duration = 2;
-    scenario.measures.push_back({{"spread", {}}, MeasureKind::spread, 0, 0});
+    Measure& spread_of = scenario.measures.emplace_back();
+    spread_of.name.text = "spread";
+    spread_of.kind = MeasureKind::spread;
     const Formula at_least_five{Formula::Kind::compare, 0, 5, INFINITY, 0, {}};
     scenario.bands.push_back({{StatisticKind::first_time, 0, 0, at_least_five}, true, -INFINITY, 1, "each", {}});
     scenario.bands.push_back({{StatisticKind::average, 0, 0, {}}, false, 2, 4, "mean", {}});
@@ -85,8 +87,8 @@ TEST(Statistics, TimesAveragesAndMoments) {
     for (std::uint64_t step = 0; step <= 20; ++step) {
         // Two robots that part by 2 cm a step: the spread is the number of steps.
         const double half = static_cast<double>(step);
-        const auto poses = at({{-half, 0}, {half, 0}});
-        statistics.look(step, measures_now(scenario, poses));
+        const Frame frame{0, at({{-half, 0}, {half, 0}}), {}, {}};
+        statistics.look(step, measures_now(scenario, frame));
     }
     const auto values = statistics.values();
     EXPECT_NEAR(values[0], 0.5, 1e-12) << "5 is reached after five steps of 0.1 s";

@@ -1,0 +1,54 @@
+// Reading scenarios: what goes wrong or stands in the way, failures of robots and obstacles.
+#include <fmt/format.h>
+
+#include "simulation/scenario/rules.hpp"
+#include "simulation/scenario/scenario_reader.hpp"
+
+namespace robochart::simulation {
+
+void ScenarioReader::failure() {
+    Failure failure;
+    const diagnostics::Span begin = in_.token().span;
+    in_.expect("of");
+    if (in_.take("motors"))
+        failure.kind = FailureKind::motors;
+    else if (in_.take("radio"))
+        failure.kind = FailureKind::radio;
+    else if (in_.take("sensors"))
+        failure.kind = FailureKind::sensors;
+    else if (!in_.take("all"))
+        return in_.fail("'all', 'motors', 'radio' or 'sensors'");
+    if (in_.take("with")) {
+        in_.expect("mean");
+        in_.expect("time");
+        failure.mean_time = in_.positive(Dimension::time, "the mean time to a failure");
+    } else {
+        in_.expect("at");
+        failure.at = in_.not_negative(Dimension::time, "the time of a failure");
+        times_.push_back({failure.at, in_.last_span()});
+        in_.expect("in");
+        failure.robots = static_cast<std::uint32_t>(in_.count(1, most_robots_, "the number of robots that fail"));
+        in_.expect("robots");
+    }
+    failure.span = diagnostics::join(begin, in_.last_span());
+    scenario_.failures.push_back(failure);
+}
+
+void ScenarioReader::obstacle() {
+    constexpr std::size_t most_corners = 1000;
+    const diagnostics::Span begin = in_.token().span;
+    std::vector<Vector> corners;
+    do corners.push_back(in_.point("a corner"));
+    while (in_.take(",") && corners.size() < most_corners);
+    const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
+    if (in_.failed()) return;
+    if (corners.size() < 3) in_.report(rules::out_of_range, span, {"an obstacle has at least three corners"});
+    Arena& arena = scenario_.world.arena;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        arena.walls.push_back({corners[i], corners[(i + 1) % corners.size()]});
+        inside_.push_back({corners[i], "the obstacle", span});
+    }
+    arena.obstacles.push_back(std::move(corners));
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,201 @@
+// See comparison.hpp.
+#include "simulation/sweep/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "simulation/report/percent.hpp"
+
+namespace robochart::simulation {
+
+namespace {
+
+using Fields = std::vector<std::string>;
+
+/// The fields of a line (RFC 4180, without line breaks in fields).
+Fields fields_of(std::string_view line) {
+    Fields fields{""};
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+            fields.back() += line[++i];
+        else if (line[i] == '"')
+            quoted = !quoted;
+        else if (line[i] == ',' && !quoted)
+            fields.emplace_back();
+        else if (line[i] != '\r')
+            fields.back() += line[i];
+    }
+    return fields;
+}
+
+template <class Number>
+std::optional<Number> number(const std::string& text) {
+    Number value{};
+    const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (wrong != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+/// Reads the rows below a heading.
+class TableReader {
+public:
+    explicit TableReader(const Scenario& scenario) : scenario_(scenario) {}
+
+    std::optional<std::vector<TableRow>> read(std::string_view text, std::string& error) {
+        std::vector<TableRow> rows;
+        for (std::size_t line = 1; !text.empty(); ++line) {
+            const std::size_t end = std::min(text.find('\n'), text.size());
+            const Fields fields = fields_of(text.substr(0, end));
+            text.remove_prefix(std::min(end + 1, text.size()));
+            if (line == 1) {
+                error = heading(fields);
+            } else if (fields.size() > 1 || !fields[0].empty()) {
+                const auto row = row_of(fields);
+                if (row)
+                    rows.push_back(*row);
+                else
+                    error = fmt::format("line {} is not a row of this table", line);
+            }
+            if (!error.empty()) return std::nullopt;
+        }
+        if (rows.empty()) error = "it has no rows";
+        return rows.empty() ? std::nullopt : std::optional(rows);
+    }
+
+private:
+    /// Where the columns are; what is missing.
+    std::string heading(const Fields& names) {
+        const auto find = [&](const std::string& name) {
+            return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+        };
+        for (const Variation& each : scenario_.variations) point_.push_back(find(name_of(each)));
+        trials_ = find("trials");
+        successes_ = find("successes");
+        claim_ = find("claim");
+        const std::size_t none = names.size();
+        for (std::size_t v = 0; v < point_.size(); ++v)
+            if (point_[v] == none) return fmt::format("it has no column '{}'", name_of(scenario_.variations[v]));
+        if (trials_ == none || successes_ == none) return "it has no columns 'trials' and 'successes'";
+        return claim_ == none && scenario_.claims.size() > 1 ? "it has no column 'claim'" : "";
+    }
+
+    [[nodiscard]] std::optional<TableRow> row_of(const Fields& fields) const {
+        const auto field = [&](std::size_t column) { return column < fields.size() ? fields[column] : ""; };
+        TableRow row;
+        for (const std::size_t column : point_) {
+            const auto value = number<double>(field(column));
+            if (!value) return std::nullopt;
+            row.point.push_back(*value);
+        }
+        const auto trials = number<std::uint32_t>(field(trials_));
+        const auto successes = number<std::uint32_t>(field(successes_));
+        if (!trials || !successes || *successes > *trials) return std::nullopt;
+        row.sample = {*successes, *trials};
+        row.claim = claim_of(field(claim_));
+        return row;
+    }
+
+    /// Of text that names none: behind all of them.
+    [[nodiscard]] std::size_t claim_of(const std::string& text) const {
+        const auto count = number<std::size_t>(text);
+        if (count && *count > 0) return *count - 1;
+        if (text.empty() && scenario_.claims.size() == 1) return 0;
+        const auto same = [&](const Claim& each) { return each.text == text; };
+        return static_cast<std::size_t>(std::find_if(scenario_.claims.begin(), scenario_.claims.end(), same) -
+                                        scenario_.claims.begin());
+    }
+
+    const Scenario& scenario_;
+    std::vector<std::size_t> point_;  ///< columns
+    std::size_t trials_ = 0, successes_ = 0, claim_ = 0;
+};
+
+bool same_point(const Point& one, const Point& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](double a, double b) {
+        return std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)});
+    });
+}
+
+std::string sample_text(statistics::Sample sample) {
+    return fmt::format("{} of {}", sample.successes, sample.trials);
+}
+
+}  // namespace
+
+std::optional<std::vector<TableRow>> read_table(std::string_view text, const Scenario& scenario, std::string& error) {
+    return TableReader(scenario).read(text, error);
+}
+
+std::vector<Compared> compare(const Scenario& scenario, const SweepResult& result, const std::vector<TableRow>& table) {
+    std::vector<Compared> all;
+    for (std::size_t c = 0; c < scenario.claims.size(); ++c) {
+        std::vector<Compared> some;
+        std::vector<double> chances;
+        for (const PointResult& point : result.points) {
+            if (point.claims.empty() || point.claims[c].verdict != ClaimVerdict::estimated) continue;
+            const statistics::Sample here{point.claims[c].successes, point.claims[c].trials()};
+            for (const TableRow& row : table) {
+                if (row.claim != c || !same_point(row.point, point.point)) continue;
+                chances.push_back(statistics::fisher_exact(here, row.sample));
+                some.push_back({point.point, c, here, row.sample, chances.back(), 1});
+            }
+        }
+        const std::vector<double> adjusted = statistics::holm(chances);
+        for (std::size_t i = 0; i < some.size(); ++i) some[i].adjusted = adjusted[i];
+        all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+}
+
+bool rejected(const Scenario& scenario, const Compared& compared) {
+    return compared.adjusted <= 1 - scenario.claims[compared.claim].confidence;
+}
+
+std::string comparison_text(const Scenario& scenario, const std::vector<Compared>& all) {
+    std::string out;
+    for (std::size_t c = 0; c < scenario.claims.size(); ++c) {
+        out += fmt::format("{}{}, by Fisher's exact test\n  ",
+                           scenario.claims.size() > 1 ? fmt::format("{}: ", c + 1) : "", scenario.claims[c].text);
+        for (const Variation& variation : scenario.variations) out += fmt::format("{:<9} ", name_of(variation));
+        out += fmt::format("{:<13} {:<13} {:<9} {}\n", "here", "in the table", "chance", "jointly");
+        for (const Compared& each : all) {
+            if (each.claim != c) continue;
+            out += "  ";
+            for (std::size_t v = 0; v < each.point.size(); ++v)
+                out += fmt::format("{:<9} ", value_text(scenario.variations[v], each.point[v]));
+            out += fmt::format("{:<13} {:<13} {:<9.3g} {:.3g}{}\n", sample_text(each.here), sample_text(each.there),
+                               each.chance, each.adjusted, rejected(scenario, each) ? "  DIFFERS" : "");
+        }
+    }
+    return out;
+}
+
+diagnostics::Json comparison_json(const Scenario& scenario, const std::vector<Compared>& all) {
+    diagnostics::Json list = diagnostics::Json::array();
+    for (const Compared& each : all) {
+        diagnostics::Json values = diagnostics::Json::object();
+        for (std::size_t v = 0; v < each.point.size(); ++v) values[name_of(scenario.variations[v])] = each.point[v];
+        list.push_back({{"values", std::move(values)},
+                        {"claim", each.claim + 1},
+                        {"here", {each.here.successes, each.here.trials}},
+                        {"there", {each.there.successes, each.there.trials}},
+                        {"chance", each.chance},
+                        {"adjusted", each.adjusted},
+                        {"differs", rejected(scenario, each)}});
+    }
+    return list;
+}
+
+std::string comparison_summary(const Scenario& scenario, const std::vector<Compared>& all) {
+    const auto count =
+        std::count_if(all.begin(), all.end(), [&](const Compared& each) { return rejected(scenario, each); });
+    return count == 0 ? fmt::format("none of {} estimates differs from the table", all.size())
+                      : fmt::format("{} of {} estimates differ from the table", count, all.size());
+}
+
+}  // namespace robochart::simulation
