@@ -48,7 +48,7 @@ TEST(Estimates, AreIntervalsAfterAllTrials) {
     const ClaimResult found = estimated(read.scenario.claims[0], 4);
     EXPECT_EQ(found.verdict, ClaimVerdict::estimated);
     EXPECT_EQ(found.trials(), 10U);
-    EXPECT_EQ(found.interval, statistics::clopper_pearson(4, 10, 1 - 0.95));
+    EXPECT_EQ(found.interval, statistics::clopper_pearson(4, 10, 1 - read.scenario.claims[0].confidence));
     read.scenario.set_trials(25);
     EXPECT_EQ(estimated(read.scenario.claims[0], 25).trials(), 25U);
     EXPECT_EQ(read.scenario.claims[0].text, "probability spread <= 5 cm within 10 s with confidence 95 %");

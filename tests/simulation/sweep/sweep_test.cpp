@@ -64,7 +64,7 @@ TEST(Vary, ReadsValues) {
 
 TEST(Vary, Findings) {
     EXPECT_THAT(ReadScenario(with("vary wind in 1 to 4")).findings,
-                HasSubstr("RC-M01 expected 'robots', 'noise' or 'const'"));
+                HasSubstr("RC-M01 expected 'robots', 'noise', 'const' or a sensor"));
     EXPECT_THAT(ReadScenario(with("vary robots in 4 to 1")).findings,
                 HasSubstr("RC-M03 a variation has from 1 to 1000 values"));
     EXPECT_THAT(ReadScenario(with("vary robots in 1 to 100000")).findings, HasSubstr("RC-M03 a variation has"));

@@ -18,7 +18,7 @@ using testing::replaced;
 
 /// Stands until it sees a robot; a count and a message are kept in states.
 constexpr const char* looking = R"(
-interface Ops { forward() stop() }
+interface Ops { forward() }
 interface Said { var saying : nat = 0 }
 interface Events { event robot event clear event count : nat event heard : nat }
 stm Look {
@@ -56,7 +56,6 @@ scenario World for Look {
 	feed robot with eye.robot
 	actuator motors is differential_drive
 	drive motors by forward(10 cm/s) on forward
-	drive motors by stop on stop
 	measure seen is in_state(Seeing)
 	measure fine is working
 	estimate probability seen >= 100 % at 0.1 s with confidence 99.9 %
