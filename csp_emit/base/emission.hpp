@@ -37,8 +37,8 @@ enum class MeaningKind {
 };
 /// What a transition that leaves a probabilistic junction is weighed by.
 struct Draw {
-    std::string junction;                  ///< which of the machine's, with the operation that it is in: "Turn_p0"
-    const ir::Machine* machine = nullptr;  ///< that has the transition
+    std::string junction;   ///< which of the machine's, with the operation that it is in: "Turn_p0"
+    ir::MachineId machine;  ///< that has the transition
     ir::TransitionId transition;
     std::vector<std::string> variables;  ///< of that machine, by VariableId: what holds them among the parameters of
                                          ///< definitions

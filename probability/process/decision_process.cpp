@@ -106,6 +106,12 @@ public:
 private:
     static constexpr markov::State none = ~markov::State{0};
 
+    /// What a state says of the observers.
+    struct Parities {
+        EventSet known = 0, odd = 0;
+        bool read = false;
+    };
+
     /// The event of a step, or the one that is hidden.
     const Kind& kind(const Step& step) {
         const bool hidden = step.event == lts::tau;
@@ -129,21 +135,27 @@ private:
         }
     }
 
-    /// The observers whose parity is another behind the step than before it.
+    /// The observers whose parity is another behind the step than before it. Before its first event an observer is the
+    /// term that it begins as, which is no known definition, and its parity is 0; one that has ended has none.
     [[nodiscard]] EventSet happening(lts::StateIndex from, lts::StateIndex to) {
-        return sources_.observed.empty() ? 0 : parities(from) ^ parities(to);
+        if (sources_.observed.empty()) return 0;
+        const Parities before = parities(from);
+        const Parities behind = parities(to);
+        return behind.known & (before.odd ^ behind.odd);
     }
 
-    [[nodiscard]] EventSet parities(lts::StateIndex state) {
-        if (parities_.empty()) parities_.resize(explored_.size(), unknown);
-        EventSet& result = parities_[state];
-        if (result != unknown) return result;
-        result = 0;
+    [[nodiscard]] Parities parities(lts::StateIndex state) {
+        if (parities_.empty()) parities_.resize(explored_.size());
+        Parities& result = parities_[state];
+        if (result.read) return result;
+        result.read = true;
         const std::vector<std::size_t>& parts = reader_.parts(explored_.state(state));
         for (std::size_t i = 0; i < sources_.observed.size(); ++i)
             for (const std::size_t part : parts) {
                 const auto held = reader_.part(part).variable(sources_.observed[i].name(), observed_parity);
-                if (held && held->text != "0") result |= EventSet{1} << i;
+                if (!held) continue;
+                result.known |= EventSet{1} << i;
+                if (held->text != "0") result.odd |= EventSet{1} << i;
             }
         return result;
     }
@@ -201,7 +213,7 @@ private:
         for (const Step* way : ways) {
             const csp_emit::Draw& draw = *kind(*way).meaning->draw;
             if (counted.contains(draw.transition.index)) continue;
-            for (const std::uint32_t each : alike(draw)) counted.insert(each);
+            for (const std::uint32_t each : alike(sources_.system, draw)) counted.insert(each);
             const Rational weight = weights_.of(draw, *seat, value_of);
             sum += weight;
             if (weight == 0) continue;
@@ -281,8 +293,7 @@ private:
     std::vector<markov::State> number_;  ///< of each state of the exploration
     std::map<std::pair<lts::Event, lts::Event>, Kind> kinds_;
     std::map<Rational, std::uint32_t> numbers_;
-    static constexpr EventSet unknown = ~EventSet{0};
-    std::vector<EventSet> parities_;  ///< of each state of the exploration; empty: none was asked for
+    std::vector<Parities> parities_;  ///< of each state of the exploration; empty: none was asked for
     std::map<EventSet, std::uint32_t> actions_;
     std::map<markov::State, Choice> single_;  ///< states with one choice, which has been made
 };

@@ -91,13 +91,24 @@ private:
         return b::dot({b::name(channel_.substr(0, dot)), b::name(channel_.substr(dot + 1))});
     }
 
-    /// Of a component that ends, the observer does not keep it from ending.
+    /// The component with its observer.
     void observed(DeclPtr& decl) {
         cspm::Decl made = *decl;
-        made.body = b::parallel(decl->body, b::productions({channel()}), b::call(first_, {b::number(0)}));
-        made.body = b::exception(made.body, b::productions({b::name("terminate")}), b::skip());
+        const cspm::ExprPtr observer = b::call(first_, {b::number(0)});
+        const cspm::ExprPtr end = b::productions({b::name("terminate")});
+        if (event_.module) {
+            const cspm::ExprPtr ending = b::sequential({decl->body, end_of_module()});
+            made.body = b::hide(b::parallel(ending, b::productions({channel(), b::name("terminate")}), observer), end);
+        } else {
+            made.body = b::exception(b::parallel(decl->body, b::productions({channel()}), observer), end, b::skip());
+        }
         decl = std::make_shared<const cspm::Decl>(std::move(made));
         done_ = true;
+    }
+
+    static cspm::ExprPtr end_of_module() { return b::prefix(b::name("terminate"), b::skip()); }
+    [[nodiscard]] cspm::ExprPtr or_end(const cspm::ExprPtr& step) const {
+        return event_.module ? b::choice({step, end_of_module()}) : step;
     }
 
     void declare(std::vector<DeclPtr>& decls) {
@@ -105,8 +116,8 @@ private:
         const cspm::ExprPtr other = b::binary(cspm::ExprKind::minus, b::number(1), b::name(parity_parameter));
         if (event_.type.valid()) {
             const auto step = [&] {
-                return b::prefix(channel(), {b::input(next_value_parameter)},
-                                 b::call(known_, {other, b::name(next_value_parameter)}));
+                return or_end(b::prefix(channel(), {b::input(next_value_parameter)},
+                                        b::call(known_, {other, b::name(next_value_parameter)})));
             };
             decls.push_back(b::function_decl(first_, b::variables({parity_parameter}), step()));
             decls.push_back(b::function_decl(known_, b::variables({parity_parameter, value_parameter}), step()));
@@ -115,7 +126,7 @@ private:
         std::vector<cspm::Field> any;
         if (event_.valued) any.push_back(b::input(b::wildcard()));
         decls.push_back(b::function_decl(first_, b::variables({parity_parameter}),
-                                         b::prefix(channel(), any, b::call(first_, {other}))));
+                                         or_end(b::prefix(channel(), any, b::call(first_, {other})))));
     }
 
     const ObservedEvent& event_;

@@ -2,6 +2,8 @@
 // event a process takes part in it, which never refuses it.
 //     Observer(n)    = e -> Observer(1 - n)
 //     Observer(n, x) = e?y -> Observer(1 - n, y)
+// When the component ends, so does the observer: at its event `terminate`; behind a module that has none,
+//     (P ; terminate -> SKIP) [| {e, terminate} |] (Observer(n) with [] terminate -> SKIP) \ {terminate}
 // So a step is the event exactly if n is another behind it; the process behaves as before but for what its states hold.
 #pragma once
 
@@ -19,6 +21,7 @@ struct ObservedEvent {
     ir::Origin origin;      ///< of the event
     ir::TypeId type;        ///< of its values; invalid: they are not asked for, or it has none
     bool valued = false;    ///< it carries values
+    bool module = false;    ///< the component is one: it has no event when it ends
 
     /// What the definition of the observer is called in the provenance: a component of its own.
     [[nodiscard]] std::string name() const { return component + " " + event; }

@@ -163,7 +163,12 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
     }
     if (event == nullptr || !(inwards ? event->input : event->output)) absent("event", path + "." + direction);
     if (valued && !event->type) throw NotExpressed(fmt::format("the value of `{}`, which has none", path));
-    ObservedEvent wanted{component, name + (inwards ? ".in" : ".out"), event->origin, {}, event->type.has_value()};
+    ObservedEvent wanted;
+    wanted.component = component;
+    wanted.event = name + (inwards ? ".in" : ".out");
+    wanted.origin = event->origin;
+    wanted.valued = event->type.has_value();
+    wanted.module = seat(owner_of(path)) == nullptr;
     for (std::size_t i = 0; i < observed_.size(); ++i) {
         if (observed_[i].name() != wanted.name()) continue;
         if (valued) observed_[i].type = *event->type;

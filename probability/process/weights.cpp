@@ -35,8 +35,8 @@ Rational truth(bool value) {
 
 }  // namespace
 
-std::vector<std::uint32_t> alike(const csp_emit::Draw& draw) {
-    const auto& transitions = draw.machine->transitions;
+std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw) {
+    const auto& transitions = system.machine(draw.machine).transitions;
     const ir::Transition& way = transitions[draw.transition.index];
     std::vector<std::uint32_t> result;
     for (std::uint32_t i = 0; i < transitions.size(); ++i) {
@@ -49,13 +49,14 @@ std::vector<std::uint32_t> alike(const csp_emit::Draw& draw) {
 }
 
 Rational Weights::of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const {
+    const ir::Machine& machine = system_.machine(draw.machine);
     Rational result;
-    for (const std::uint32_t each : alike(draw)) {
-        const ir::Transition& way = draw.machine->transitions[each];
+    for (const std::uint32_t each : alike(system_, draw)) {
+        const ir::Transition& way = machine.transitions[each];
         const Rational weight =
-            way.probability ? value({*draw.machine, seat, &draw, &value_of}, *way.probability) : Rational(1);
+            way.probability ? value({machine, seat, &draw, &value_of}, *way.probability) : Rational(1);
         if (weight < 0 || weight > 1)
-            throw Wrong(fmt::format("the probability of {} is {}", ir::text_of(*draw.machine, way), weight.str()));
+            throw Wrong(fmt::format("the probability of {} is {}", ir::text_of(machine, way), weight.str()));
         result += weight;
     }
     return result;

@@ -47,6 +47,6 @@ private:
 };
 
 /// The ways that no step tells apart: from one junction to one place, without actions and resets. Itself among them.
-[[nodiscard]] std::vector<std::uint32_t> alike(const csp_emit::Draw& draw);
+[[nodiscard]] std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw);
 
 }  // namespace robochart::probability

@@ -280,6 +280,50 @@ TEST(Process, EventsInsideAModuleAreRewarded) {
     EXPECT_EQ(earned("[Game::hands::one::heads.out] true : 1; [Game::hands::ear::heads.in] true : 3;"), "4");
 }
 
+/// Of a module that ends, the observer ends too; events whose names are words of CSPM have others there.
+TEST(Process, EventsOfAMachineThatEndsAreRewarded) {
+    const char* const ending = R"(
+		robotic platform Table { event channel : nat event STOP }
+		stm Thrower {
+			event channel : nat
+			event STOP
+			var v : nat = 0
+			initial i
+			state Ready { }
+			final f
+			probabilistic p
+			transition t0 { from i to Ready }
+			transition t1 { from Ready to p trigger channel?v }
+			transition t2 { from p to f probability 0.25 action STOP }
+			transition t3 { from p to Ready probability 0.75 }
+		}
+		controller Hand {
+			event channel : nat
+			event STOP
+			sref one = Thrower
+			connection Hand on channel to one on channel
+			connection one on STOP to Hand on STOP
+		}
+		module Game {
+			rref table = Table
+			cref hand = Hand
+			connection table on channel to hand on channel ( _async )
+			connection hand on STOP to table on STOP ( _async )
+		}
+	)";
+    const auto earned = [&](const std::string& items) {
+        return decided(ending, "rewards r = " + items + " endrewards " + property("Reward {r} =? of [Total]"),
+                       Scheduler::uniform);
+    };
+    EXPECT_EQ(earned("[Game::table::channel.out] true : 1;"), "4") << "1 / 0.25 throws";
+    EXPECT_EQ(earned("[Game::hand::one::channel.in] true : 1; [Game::table::STOP.in] true : 10;"), "14");
+    EXPECT_EQ(decided(ending, property("Prob max=? of [Finally Game::table::channel.out.val == 2]")), "1");
+    EXPECT_EQ(decided(ending, property("Prob max=? of [Finally Game::table::channel.out.val == 2 /\\ "
+                                       "Game::hand::one::channel.in.val == 1]")),
+              "0")
+        << "it is one event";
+}
+
 TEST(Process, WhatHasNoCounterpartIsRefusedByName) {
     const std::string coin = thrower("", coin_ways);
     EXPECT_EQ(decided(thrower("trigger go", coin_ways), property("Prob=? of [Finally S::go.in.val == 0]")),

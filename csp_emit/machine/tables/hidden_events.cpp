@@ -36,7 +36,9 @@ std::shared_ptr<const Draw> HiddenEvents::draw(std::uint32_t frame, ir::Transiti
     const ir::Machine& owner = *frames_[frame].machine;
     auto result = std::make_shared<Draw>();
     result->junction = frames_[frame].prefix + owner.nodes[owner.transitions[id.index].source.index].path;
-    result->machine = &owner;
+    // Elements are numbered alike in the system whose names CSPM can keep, which lives no longer than the emission.
+    const auto number = static_cast<std::size_t>(&owner - context_.project->system.machines.data());
+    result->machine = ir::MachineId{static_cast<std::uint32_t>(number)};
     result->transition = id;
     for (const CellId cell : frames_[frame].variables) result->variables.push_back(cells_[cell].meaning);
     return result;
