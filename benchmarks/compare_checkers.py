@@ -46,6 +46,7 @@ class Ours:
         self.program, self.folder = program, folder
         help_text = subprocess.run([program, "cspm", "--help"], capture_output=True, text=True, check=True).stdout
         self.has_threads = "--threads" in help_text
+        self.all_states = ["--no-reduction"] if "--no-reduction" in help_text else []
         empty = Path(folder, "empty.csp")
         empty.write_text("assert SKIP [T= STOP\n")
         self.base = run([program, "cspm", str(empty)], folder).rss
@@ -55,7 +56,7 @@ class Ours:
         text = "\n".join(line for line in model.read_text().splitlines() if not line.startswith("assert"))
         script = Path(self.folder, model.stem + ".csp")
         script.write_text(text + f"\nassert {PROCESS.get(model.stem, 'SYSTEM')} :[deadlock free [F]]\n")
-        command = [self.program, "cspm", str(script), "--format", "json", "--progress", "never"]
+        command = [self.program, "cspm", str(script), "--format", "json", "--progress", "never", *self.all_states]
         if self.has_threads:
             command += ["--threads", str(threads)]
         child = run(command, self.folder)

@@ -2,8 +2,9 @@
 """Decides deadlock, divergence and determinism of every component (module, controller, machine, operation) of
 RoboTool's own scripts: of each `X::O__(id, constants...)`, timed scripts as they stand, with tock visible.
 
-Prints a line for each script and totals, and why where there is no verdict; exits with 1 if a script does not load or
-an assertion is not decided, with 77 without the scripts."""
+Each is decided twice: by all states, and without those that confluent taus lead on from (docs/search.md), `kept`; times
+are those of all states. Prints a line for each script and totals, and why where there is no verdict; exits with 1 if a
+script does not load, an assertion is not decided or the two answers differ, with 77 without the scripts."""
 
 import argparse
 import json
@@ -16,7 +17,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from measured import run
+from measured import Child, run
 
 PROPERTIES = ["deadlock free [FD]", "divergence free", "deterministic [FD]"]
 # A module's begin and end, and the definition of its optimised process, which is what RoboTool's assertions are about.
@@ -36,6 +37,7 @@ class Outcome:
     answers: Counter = field(default_factory=Counter)  # by property and verdict
     undecided: list[str] = field(default_factory=list)
     states: int = 0
+    kept: int = 0  # with what confluent taus lead on from left out
     wall: float = 0
     cpu: float = 0
 
@@ -47,6 +49,7 @@ class Outcome:
         self.answers += other.answers
         self.undecided += other.undecided
         self.states += other.states
+        self.kept += other.kept
         self.wall += other.wall
         self.cpu += other.cpu
 
@@ -108,23 +111,32 @@ def questions(script: Path) -> tuple[int, list[str]]:
     return len(asked) // len(PROPERTIES), asked
 
 
-def decide(program: str, script: Path, folder: str) -> Outcome:
-    count, asked = questions(script)
-    mine = Path(folder, "components.csp")
-    mine.write_text(f'include "{script}"\n' + "".join(f"assert {each}\n" for each in asked))
-    command = [program, "cspm", str(mine), "--format", "json", "--brief", "--progress", "never",
-               "--timeout", str(LIMIT)]
-    child = run(command)
+def answers(program: str, script: Path, asked: int, *more: str) -> tuple[list[dict], Child]:
+    """What is reported on so many assertions of a script, and what that took."""
+    child = run([program, "cspm", str(script), "--format", "json", "--brief", "--progress", "never",
+                 "--timeout", str(LIMIT), "--no-cache", *more])
     try:
         answer = json.loads(child.output)
         results = answer["results"]
     except (ValueError, LookupError):
         raise Unusable(f"exit {child.exit}: {child.errors.strip() or child.output.strip()}") from None
-    if answer["errors"] or len(results) != len(asked):
-        raise Unusable(f"{len(results)} of {len(asked)} assertions answered: {'; '.join(answer['errors'])}")
+    if answer["errors"] or len(results) != asked:
+        raise Unusable(f"{len(results)} of {asked} assertions answered: {'; '.join(answer['errors'])}")
+    return results, child
+
+
+def decide(program: str, script: Path, folder: str) -> Outcome:
+    count, asked = questions(script)
+    mine = Path(folder, f"{script.parent.name}_{script.stem}.csp")
+    mine.write_text(f'include "{script}"\n' + "".join(f"assert {each}\n" for each in asked))
+    results, child = answers(program, mine, len(asked), "--no-reduction")
+    reduced, _ = answers(program, mine, len(asked))
     outcome = Outcome(count, wall=child.wall, cpu=child.cpu)
-    for index, (each, result) in enumerate(zip(asked, results)):
+    for index, (each, result, less) in enumerate(zip(asked, results, reduced)):
         outcome.states += result.get("visited_states") or 0
+        outcome.kept += less.get("visited_states") or 0
+        if result["result"] != less["result"]:
+            raise Unusable(f"{each}: {result['answer']}, but {less['answer']} with fewer states")
         if result["result"] in (0, 1):
             outcome.answers[PROPERTIES[index % len(PROPERTIES)], result["result"]] += 1
         else:
@@ -145,7 +157,7 @@ def type_check(program: str, script: Path) -> bool:
 
 def row(name: str, outcome: Outcome) -> str:
     return (f"{name:52} {outcome.components:>10} {outcome.decided():>8} {len(outcome.undecided):>12} "
-            f"{outcome.states:>10,} {outcome.wall:>8.2f} {outcome.cpu:>8.2f}")
+            f"{outcome.states:>10,} {outcome.kept:>10,} {outcome.wall:>8.2f} {outcome.cpu:>8.2f}")
 
 
 def main() -> int:
@@ -154,6 +166,7 @@ def main() -> int:
     parser.add_argument("--scripts", type=Path, required=True, help="folder with untimed/, timed/ and models/")
     parser.add_argument("--typecheck", type=Path, action="append", default=[], metavar="SCRIPT",
                         help="another script, to load and type check only")
+    parser.add_argument("--keep", type=Path, metavar="FOLDER", help="keep the scripts that were decided there")
     parser.add_argument("names", nargs="*", help="only scripts with one of these in their names (default: all)")
     options = parser.parse_args()
     found = [path.resolve() for kind in ("untimed", "timed") for path in sorted((options.scripts / kind).glob("*.csp"))]
@@ -166,9 +179,11 @@ def main() -> int:
     if not chosen:
         sys.exit(f"no script is named so: {' '.join(options.names)}")
     total, unusable = Outcome(), 0
-    print(f"{'script':52} {'components':>10} {'decided':>8} {'inconclusive':>12} {'states':>10} {'wall s':>8} "
+    print(f"{'script':52} {'components':>10} {'decided':>8} {'inconclusive':>12} {'states':>10} {'kept':>10} {'wall s':>8} "
           f"{'CPU s':>8}")
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as made:
+        folder = str(options.keep or made)
+        Path(folder).mkdir(parents=True, exist_ok=True)
         for name in chosen:
             try:
                 outcome = decide(program, scripts[name], folder)

@@ -3,9 +3,9 @@
 or, with --own, from the script that we write for its model.
 
 Prints verdict, states, seconds and memory of each beside what was recorded of FDR; exits with 1 if a verdict differs
-from the recorded one or an assertion is not decided, with 77 without the script. With --reduction each is decided once
-more without the states that confluent taus lead on from (docs/search.md): states kept beside what is aimed at, and the
-share of processor time."""
+from the recorded one or an assertion is not decided, with 77 without the script. All states are searched; with
+--reduction each is decided once more without the states that confluent taus lead on from (docs/search.md): states kept
+beside what is aimed at, and the share of processor time."""
 
 import argparse
 import csv
@@ -50,7 +50,7 @@ def emitted(program: str, folder: Path, out: Path) -> Path:
 
 def reduced_agrees(options: argparse.Namespace, script: Path, number: int, whole: dict, took: Child) -> bool:
     """Prints a row of the table; whether the answer is the same."""
-    result, child = decide(options.program, script, number, options.threads, "--reduction")
+    result, child = decide(options.program, script, number, options.threads)
     aimed = (AIMED_OWN if options.own else AIMED).get(number)
     beside = f"{result['chased_states']:,} chased" + (f", aim {aimed:,}" if aimed else "")
     print(f"| {number} | reduced: {beside}; CPU {child.cpu / max(took.cpu, 0.01):.2f} of the row above | "
@@ -87,7 +87,7 @@ def decide_all(options: argparse.Namespace, script: Path) -> int:
     print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     wrong = 0
     for number in options.numbers or range(1, 18):
-        result, child = decide(options.program, script, number, options.threads)
+        result, child = decide(options.program, script, number, options.threads, "--no-reduction")
         row = recorded.get(number, {})
         text = " ".join(result["assertion_string"].split())
         text = text if len(text) <= 60 else text[:57] + "..."

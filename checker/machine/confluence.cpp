@@ -10,8 +10,14 @@ using process::tau;
 namespace {
 
 constexpr std::size_t most_answers = 4'000'000;  // kept
-/// States of a rule's parts that one proof may take together.
+/// States of the tracked components that one proof may take together.
 constexpr std::size_t most_together = 500;
+/// Components beside the rule's parts that a proof may track.
+constexpr std::size_t most_beside = 4;
+
+/// Answers that are no number of what to ask.
+constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t yes = no - 1;
 
 bool shared(const std::vector<std::uint32_t>& some, const std::vector<Passage>& others) {
     return std::any_of(others.begin(), others.end(), [&](const Passage& passage) {
@@ -22,7 +28,7 @@ bool shared(const std::vector<std::uint32_t>& some, const std::vector<Passage>& 
 }  // namespace
 
 Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules)
-    : combined_(std::move(combined)), rules_(std::move(rules)), proved_(rules_->rules.size()) {
+    : combined_(std::move(combined)), rules_(std::move(rules)), first_(rules_->rules.size(), no) {
     leading_.resize(combined_->components.size());
     known_.resize(combined_->components.size());
     for (std::uint32_t slot = 0; slot < known_.size(); ++slot) {
@@ -47,16 +53,14 @@ void Confluence::list_tau_rules() {
         const WholeRule& rule = rules_->rules[number];
         if (rule.event != tau || !rule.prevented.empty()) continue;
         const Part* lead = nullptr;
-        std::uint64_t states = 1;
-        bool fits = true;
+        std::vector<std::uint32_t> slots;
         for (const Part& part : rule.parts) {
             if (part.event && (lead == nullptr || share(part) < share(*lead))) lead = &part;
-            proved_[number].weights.push_back(states);
-            const std::uint64_t more = component(part.slot).size() + 1;
-            fits = fits && states <= std::numeric_limits<std::uint64_t>::max() / more;
-            states *= more;
+            slots.push_back(part.slot);
         }
-        if (lead != nullptr && fits) leading_[lead->slot][*lead->event].push_back(number);
+        if (lead == nullptr) continue;
+        first_[number] = tracking(number, std::move(slots));
+        if (first_[number] != no) leading_[lead->slot][*lead->event].push_back(number);
     }
 }
 
@@ -103,94 +107,161 @@ bool Confluence::hopeless(RuleNumber number, std::uint32_t slot, Local local) co
         for (const RuleNumber by : rules_->asking[slot][edge.event]) {
             const WholeRule& other = rules_->rules[by];
             if (by == number || shared(rule.preventing, other.prevented)) continue;
-            const auto common = std::count_if(other.parts.begin(), other.parts.end(),
-                                              [&](const Part& part) { return rule.part(part.slot) != nullptr; });
-            if (common == 1 && !commutes(*rule.part(slot), *other.part(slot), local)) return true;
+            const bool alone = other.parts.size() == 1 && !other.parts.front().assigned;
+            if (alone && !commutes(*rule.part(slot), *other.part(slot), local)) return true;
         }
     return false;
 }
 
-std::uint64_t Confluence::key(RuleNumber rule, std::span<const Local> state) const {
-    const std::vector<Part>& parts = rules_->rules[rule].parts;
+std::uint64_t Confluence::key(const Tracked& tracked, std::span<const Local> state) {
     std::uint64_t result = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) result += proved_[rule].weights[i] * state[parts[i].slot];
+    for (std::size_t i = 0; i < tracked.slots.size(); ++i) result += tracked.weights[i] * state[tracked.slots[i]];
     return result;
 }
 
-void Confluence::keep(RuleNumber rule, std::uint64_t key, bool answer) {
-    if (++answers_ > most_answers) {
-        for (Proved& each : proved_) each.answers.clear();
-        answers_ = 1;
+/// The number of what tracks these components for the rule; `no` where their states are too many for keys.
+std::uint32_t Confluence::tracking(RuleNumber rule, std::vector<std::uint32_t> slots) {
+    const auto known = numbers_.find({rule, slots});
+    if (known != numbers_.end()) return known->second;
+    std::vector<std::uint64_t> weights;
+    std::uint64_t states = 1;
+    auto number = static_cast<std::uint32_t>(tracked_.size());
+    for (const std::uint32_t slot : slots) {
+        weights.push_back(states);
+        const std::uint64_t more = component(slot).size() + 1;
+        if (states > std::numeric_limits<std::uint64_t>::max() / more) number = no;
+        states *= more;
     }
-    proved_[rule].answers.insert_or_assign(key, answer);
+    numbers_.emplace(std::pair(rule, slots), number);
+    if (number == no) return no;
+    std::vector<char> has(combined_->components.size());
+    for (const std::uint32_t slot : slots) has[slot] = 1;
+    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), {}});
+    return number;
 }
 
-/// The states of a rule's parts that other rules lead to while it can fire: for all of them, or for none, the answer is
-/// that it is confluent (the greatest set that condition 3 allows).
+/// What tracks the parts of the first of the other rules that has some which are not tracked, and not too many.
+std::uint32_t Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
+    const RuleNumber rule = tracked_[number].rule;
+    const std::vector<std::uint32_t> before = tracked_[number].slots;
+    const std::size_t most = rules_->rules[rule].parts.size() + most_beside;
+    for (const RuleNumber other : others) {
+        std::vector<std::uint32_t> slots = before;
+        for (const Part& part : rules_->rules[other].parts)
+            if (part.event && !std::binary_search(before.begin(), before.end(), part.slot)) slots.push_back(part.slot);
+        if (slots.size() == before.size() || slots.size() > most) continue;
+        std::sort(slots.begin(), slots.end());
+        if (const std::uint32_t more = tracking(rule, std::move(slots)); more != no) return more;
+    }
+    return no;
+}
+
+void Confluence::keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer) {
+    if (++answers_ > most_answers) {
+        for (Tracked& each : tracked_) each.answers.clear();
+        answers_ = 1;
+    }
+    tracked_[number].answers.insert_or_assign(key, answer);
+}
+
+/// The states of the tracked components that other rules lead to while the rule can fire: for all of them, or for none,
+/// the answer is that it is confluent (the greatest set that condition 3 allows).
 class Confluence::Closure {
 public:
-    Closure(const Confluence& all, RuleNumber rule) : all_(all), rule_(rule) {}
+    Closure(const Confluence& all, const Tracked& tracked) : all_(all), tracked_(tracked) {}
 
     [[nodiscard]] bool prove(const Locals& from) {
-        add(from);
-        std::vector<Locals> next;
+        add(from, 0, 0);
+        Outcomes next;
+        std::optional<RuleNumber> disturbing;
         for (std::size_t i = 0; i < found_.size(); ++i) {
-            next.clear();
-            if (!all_.holds_now(rule_, Locals(found_[i]), next) || found_.size() > most_together) return false;
-            for (const Locals& each : next) add(each);
+            next.states.clear();
+            next.by.clear();
+            if (!all_.holds_now(tracked_, Locals(found_[i]), next, disturbing)) return blame(disturbing, i), false;
+            for (std::size_t j = 0; j < next.states.size(); ++j) add(next.states[j], i, next.by[j]);
+            if (found_.size() > most_together) return false;
         }
         return true;
     }
-    [[nodiscard]] const std::unordered_map<std::uint64_t, bool>& keys() const { return known_; }
+    [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
+    /// Where there is no proof: the rule in whose way the rule is, and those that led to where that is so, last first.
+    [[nodiscard]] const std::vector<RuleNumber>& blamed() const { return blamed_; }
 
 private:
-    void add(const Locals& state) {
-        if (known_.emplace(all_.key(rule_, state), true).second) found_.push_back(state);
+    void add(const Locals& state, std::size_t from, RuleNumber by) {
+        const std::uint64_t here = key(tracked_, state);
+        if (!known_.insert(here).second) return;
+        found_.push_back(state);
+        keys_.push_back(here);
+        led_.emplace_back(from, by);
     }
+    void blame(const std::optional<RuleNumber>& disturbing, std::size_t at) {
+        if (!disturbing) return;
+        blamed_.push_back(*disturbing);
+        for (; at != 0; at = led_[at].first) blamed_.push_back(led_[at].second);
+    }
+
     const Confluence& all_;
-    RuleNumber rule_;
+    const Tracked& tracked_;
     std::vector<Locals> found_;
-    std::unordered_map<std::uint64_t, bool> known_;
+    std::vector<std::uint64_t> keys_;
+    std::vector<std::pair<std::size_t, RuleNumber>> led_;  // to each: from where, and by which rule
+    std::unordered_set<std::uint64_t> known_;
+    std::vector<RuleNumber> blamed_;
 };
 
 bool Confluence::confluent(RuleNumber rule, std::span<const Local> state) {
-    const std::uint64_t here = key(rule, state);
-    const auto known = proved_[rule].answers.find(here);
-    if (known != proved_[rule].answers.end()) return known->second;
-    Closure closure(*this, rule);
-    const bool answer = closure.prove(Locals(state.begin(), state.end()));
-    if (!answer) return keep(rule, here, false), false;
-    for (const auto& [each, proved] : closure.keys()) keep(rule, each, proved);
-    return true;
+    std::uint32_t answer = first_[rule];
+    while (answer < yes) {
+        const std::uint32_t number = answer;
+        const std::uint64_t here = key(tracked_[number], state);
+        const auto known = tracked_[number].answers.find(here);
+        answer = known != tracked_[number].answers.end() ? known->second : decide(number, here, state);
+    }
+    return answer == yes;
 }
 
-/// Conditions 2 to 4 in these states of the parts; nothing else of the state is looked at. `next`: the states of the
-/// parts in which they have to hold too.
-bool Confluence::holds_now(RuleNumber number, const Locals& state, std::vector<Locals>& next) const {
-    const WholeRule& rule = rules_->rules[number];
+/// The answer depends on the states of the tracked components alone: so does what is asked next.
+std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, std::span<const Local> state) {
+    Closure closure(*this, tracked_[number]);
+    if (closure.prove(Locals(state.begin(), state.end()))) {
+        for (const std::uint64_t each : closure.keys()) keep(number, each, yes);
+        return yes;
+    }
+    const std::uint32_t answer = tracking_more(number, closure.blamed());
+    keep(number, here, answer);
+    return answer;
+}
+
+/// Conditions 2 to 4 in these states of the tracked components; nothing else of the state is looked at. `next`: the
+/// states of these components in which they have to hold too. `disturbing`: the rule for which they do not hold.
+bool Confluence::holds_now(const Tracked& tracked, const Locals& state, Outcomes& next,
+                           std::optional<RuleNumber>& disturbing) const {
+    const WholeRule& rule = rules_->rules[tracked.rule];
     if (!determined(rule, state)) return false;
     Locals outcome = state;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
         return std::all_of(others.begin(), others.end(), [&](RuleNumber by) {
             const WholeRule& other = rules_->rules[by];
-            if (by == number || cannot_fire_beside(other, rule, state)) return true;
-            if (!commutes(rule, other, state)) return false;
-            add_outcomes(rule, other, 0, outcome, next);
+            if (by == tracked.rule || cannot_fire(other, tracked, state)) return true;
+            if (!commutes(rule, other, state)) return disturbing = by, false;
+            add_outcomes(tracked, by, 0, outcome, next);
             return true;
         });
     };
-    for (const Part& part : rule.parts) {
-        const Local local = state[part.slot];
+    for (const std::uint32_t slot : tracked.slots) {
+        const Local local = state[slot];
         std::optional<std::uint32_t> before;
-        for (const Component::Edge& edge : component(part.slot).edges(local)) {
+        for (const Component::Edge& edge : component(slot).edges(local)) {
             if (before == edge.event) continue;
             before = edge.event;
-            if (!leave_it_possible(rules_->asking[part.slot][edge.event])) return false;
+            if (!leave_it_possible(rules_->asking[slot][edge.event])) return false;
         }
-        if (!leave_it_possible(rules_->assigning[part.slot])) return false;
-        if (unchanged(part, local)) continue;
-        for (const RuleNumber by : rules_->preventable[part.slot])
-            if (!cannot_fire_beside(rules_->rules[by], rule, state)) return false;
+        if (!leave_it_possible(rules_->assigning[slot])) return false;
+        const Part* const part = rule.part(slot);
+        if (part == nullptr || unchanged(*part, local)) continue;
+        for (const RuleNumber by : rules_->preventable[slot])
+            if (!cannot_fire(rules_->rules[by], tracked, state)) return disturbing = by, false;
     }
     return true;
 }
@@ -205,13 +276,12 @@ bool Confluence::determined(const WholeRule& rule, const Locals& state) const {
     });
 }
 
-/// Whether some part of the rule cannot do what the other one asks of it, or the rule prevents the other.
-bool Confluence::cannot_fire_beside(const WholeRule& other, const WholeRule& rule, const Locals& state) const {
-    return shared(rule.preventing, other.prevented) ||
-           std::any_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
-               const Part* const asked = other.part(part.slot);
-               return asked != nullptr && asked->event &&
-                      component(part.slot).edges(state[part.slot], *asked->event).empty();
+/// Whether some tracked component cannot do what the rule asks of it, or the tracked rule prevents it.
+bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, const Locals& state) const {
+    return shared(rules_->rules[tracked.rule].preventing, other.prevented) ||
+           std::any_of(other.parts.begin(), other.parts.end(), [&](const Part& part) {
+               return part.event && tracked.has[part.slot] != 0 &&
+                      component(part.slot).edges(state[part.slot], *part.event).empty();
            });
 }
 
@@ -240,22 +310,28 @@ bool Confluence::commutes(const Part& part, const Part& other, Local local) cons
     });
 }
 
-/// The states of the rule's parts, from that number on, that the other rule can lead to.
-void Confluence::add_outcomes(const WholeRule& rule, const WholeRule& other, std::size_t part, Locals& state,
-                              std::vector<Locals>& next) const {
-    for (; part < rule.parts.size(); ++part) {
-        const std::uint32_t slot = rule.parts[part].slot;
-        const Part* const theirs = other.part(slot);
-        if (theirs == nullptr) continue;
-        const Local before = state[slot];
-        for (const Component::Edge& edge : component(slot).edges(before, *theirs->event)) {
-            state[slot] = edge.target;
-            add_outcomes(rule, other, part + 1, state, next);
+/// The states of the tracked components, from that place on, that the other rule can lead to.
+void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, Locals& state,
+                              Outcomes& next) const {
+    const std::vector<Part>& parts = rules_->rules[other].parts;
+    for (; place < parts.size(); ++place) {
+        const Part& part = parts[place];
+        if (tracked.has[part.slot] == 0) continue;
+        const Local before = state[part.slot];
+        if (part.assigned) {
+            state[part.slot] = *part.assigned;
+            add_outcomes(tracked, other, place + 1, state, next);
+        } else {
+            for (const Component::Edge& edge : component(part.slot).edges(before, *part.event)) {
+                state[part.slot] = edge.target;
+                add_outcomes(tracked, other, place + 1, state, next);
+            }
         }
-        state[slot] = before;
+        state[part.slot] = before;
         return;
     }
-    next.push_back(state);
+    next.states.push_back(state);
+    next.by.push_back(other);
 }
 
 /// Whether the component stays in this state, whichever way it does its part.

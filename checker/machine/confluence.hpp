@@ -4,11 +4,15 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "checker/machine/whole_rules.hpp"
@@ -27,12 +31,21 @@ public:
 
 private:
     using RuleNumber = std::uint32_t;
-    /// States of all components; only those of the parts of the rule at hand matter.
+    /// States of all components; only those of the tracked ones matter.
     using Locals = std::vector<Local>;
-    /// What is known of one rule, by the states of its parts.
-    struct Proved {
-        std::vector<std::uint64_t> weights;  ///< of each part's state in keys; empty if these are too large
-        std::unordered_map<std::uint64_t, bool> answers;
+    /// A rule with the components whose present states its proofs look at, and what these proofs gave.
+    struct Tracked {
+        RuleNumber rule = 0;
+        std::vector<std::uint32_t> slots;    ///< ascending: the rule's parts, and components beside them
+        std::vector<std::uint64_t> weights;  ///< of each one's state in keys
+        std::vector<char> has;               ///< by slot, whether it is one of them
+        std::unordered_map<std::uint64_t, std::uint32_t>
+            answers;  ///< by key: `no`, `yes`, or the number of what to ask
+    };
+    /// What rules other than the tracked one lead to, and the rule that leads to each.
+    struct Outcomes {
+        std::vector<Locals> states;
+        std::vector<RuleNumber> by;
     };
     class Closure;
 
@@ -41,16 +54,19 @@ private:
     [[nodiscard]] std::vector<RuleNumber> made(std::uint32_t slot, Local local) const;
     [[nodiscard]] bool hopeless(RuleNumber rule, std::uint32_t slot, Local local) const;
     bool confluent(RuleNumber rule, std::span<const Local> state);
-    void keep(RuleNumber rule, std::uint64_t key, bool answer);
-    [[nodiscard]] std::uint64_t key(RuleNumber rule, std::span<const Local> state) const;
+    std::uint32_t decide(std::uint32_t number, std::uint64_t here, std::span<const Local> state);
+    void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
+    std::uint32_t tracking(RuleNumber rule, std::vector<std::uint32_t> slots);
+    std::uint32_t tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others);
+    [[nodiscard]] static std::uint64_t key(const Tracked& tracked, std::span<const Local> state);
 
-    [[nodiscard]] bool holds_now(RuleNumber rule, const Locals& state, std::vector<Locals>& next) const;
+    [[nodiscard]] bool holds_now(const Tracked& tracked, const Locals& state, Outcomes& next,
+                                 std::optional<RuleNumber>& disturbing) const;
     [[nodiscard]] bool determined(const WholeRule& rule, const Locals& state) const;
-    [[nodiscard]] bool cannot_fire_beside(const WholeRule& other, const WholeRule& rule, const Locals& state) const;
+    [[nodiscard]] bool cannot_fire(const WholeRule& other, const Tracked& tracked, const Locals& state) const;
     [[nodiscard]] bool commutes(const WholeRule& rule, const WholeRule& other, const Locals& state) const;
     [[nodiscard]] bool commutes(const Part& part, const Part& other, Local local) const;
-    void add_outcomes(const WholeRule& rule, const WholeRule& other, std::size_t part, Locals& state,
-                      std::vector<Locals>& next) const;
+    void add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, Locals& state, Outcomes& next) const;
     [[nodiscard]] bool unchanged(const Part& part, Local local) const;
     [[nodiscard]] const Component& component(std::uint32_t slot) const { return *combined_->components[slot]; }
 
@@ -59,7 +75,9 @@ private:
     std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event, the tau rules that begin there
     std::vector<std::vector<std::uint32_t>> known_;              // by slot and state, one more than a place in lists_
     std::vector<std::vector<RuleNumber>> lists_;
-    std::vector<Proved> proved_;  // by rule
+    std::deque<Tracked> tracked_;
+    std::vector<std::uint32_t> first_;  // by rule, what tracks its parts alone
+    std::map<std::pair<RuleNumber, std::vector<std::uint32_t>>, std::uint32_t> numbers_;  // of what tracks these
     std::size_t answers_ = 0;
 };
 

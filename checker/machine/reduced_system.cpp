@@ -13,7 +13,11 @@ constexpr std::size_t most_steps = 1000;
 
 std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::function<void()>& poll) const {
     std::optional<WholeRules> rules = whole_rules(*combined_, poll);
-    if (!rules) return nullptr;
+    // A rule that is not of the first level of its regions, or no tau, is never followed.
+    const auto may_be_followed = [](const WholeRule& rule) {
+        return rule.event == process::tau && rule.prevented.empty();
+    };
+    if (!rules || std::none_of(rules->rules.begin(), rules->rules.end(), may_be_followed)) return nullptr;
     return std::make_unique<ReducedSystem>(another(), combined_, std::make_shared<const WholeRules>(std::move(*rules)));
 }
 

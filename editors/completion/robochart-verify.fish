@@ -127,7 +127,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "chec
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm" "rules"' -l threads -x -d 'threads of a check at most, used where its state space is wide; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l threads -x -d 'parallel trials at most; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "prism"' -l threads -x -d 'sets of constants, answers or random paths at once at most; 0 for one for each core'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "cspm"' -l reduction -d 'leave out states that confluent hidden steps lead on from'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm" "rules"' -l no-reduction -d 'search all states, also those that confluent hidden steps lead on from'
 complete -c robochart-verify -n '__robochart_verify_is "prism"' -l max-states -x -d 'bound on states of the model'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm" "rules"' -l max-states -x -d 'bound on states of a check'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "cspm" "rules" "simulate"' -l no-cache -d 'work out everything anew, and keep nothing for later runs'

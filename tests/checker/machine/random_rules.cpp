@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
+
+#include "tests/checker/machine/rules_by_hand.hpp"
 
 namespace robochart::machine {
 
@@ -35,22 +36,16 @@ std::vector<std::uint32_t> RandomRules::levels() {
 }
 
 Region RandomRules::region(const std::vector<Participant>& participants, const std::vector<std::uint32_t>& slots) {
-    Region made;
-    made.participants = participants;
+    std::vector<EventSet> alphabets;
     for (const Participant& each : participants)
-        made.alphabets.push_back(each.is_region ? made_.regions[each.index].alphabet
-                                                : made_.components[each.index]->alphabet());
-    struct Draft {
-        Event event;
-        std::vector<Requirement> parts;
-        std::vector<Assignment> assignments;
-    };
-    std::vector<Draft> drafts;
+        alphabets.push_back(each.is_region ? made_.regions[each.index].alphabet
+                                           : made_.components[each.index]->alphabet());
+    std::vector<DraftRule> drafts;
     for (std::uint32_t count = 4 + below(14); count > 0; --count) {
-        Draft draft{event(50), {}, {}};
+        DraftRule draft{event(50), {}, {}};
         for (std::uint32_t who = 0; who < participants.size(); ++who)
-            if (!made.alphabets[who].empty() && chance(35))
-                draft.parts.push_back({who, below(static_cast<std::uint32_t>(made.alphabets[who].size()))});
+            if (!alphabets[who].empty() && chance(35))
+                draft.parts.push_back({who, below(static_cast<std::uint32_t>(alphabets[who].size()))});
         if (draft.parts.empty()) continue;
         if (chance(10)) {
             const std::uint32_t slot = slots[below(static_cast<std::uint32_t>(slots.size()))];
@@ -59,38 +54,8 @@ Region RandomRules::region(const std::vector<Participant>& participants, const s
         std::swap(draft.parts.front(), draft.parts[below(static_cast<std::uint32_t>(draft.parts.size()))]);
         drafts.push_back(std::move(draft));
     }
-    const auto lead = [](const Draft& draft) {
-        return std::pair(draft.parts.front().participant, draft.parts.front().event);
-    };
-    std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) { return lead(a) < lead(b); });
-    std::set<Event> events;
-    for (const Draft& draft : drafts) events.insert(draft.event);
-    made.alphabet.assign(events.begin(), events.end());
-    made.by_event.resize(events.size());
     const std::vector<std::uint32_t> level = levels();
-    made.first_rule.resize(participants.size());
-    auto next = drafts.begin();
-    for (std::uint32_t who = 0; who < participants.size(); ++who)
-        for (std::uint32_t by = 0; by <= made.alphabets[who].size(); ++by) {
-            made.first_rule[who].push_back(static_cast<std::uint32_t>(made.rules.size()));
-            for (; next != drafts.end() && lead(*next) == std::pair(who, by); ++next) {
-                Rule rule{};
-                rule.event = rule.revealed = next->event;
-                rule.place = static_cast<std::uint32_t>(
-                    std::lower_bound(made.alphabet.begin(), made.alphabet.end(), next->event) - made.alphabet.begin());
-                rule.level = next->event < level.size() ? level[next->event] : no_level;
-                rule.lead = next->parts.front();
-                rule.first_requirement = static_cast<std::uint32_t>(made.requirements.size());
-                made.requirements.insert(made.requirements.end(), next->parts.begin() + 1, next->parts.end());
-                rule.end_requirement = static_cast<std::uint32_t>(made.requirements.size());
-                rule.first_assignment = static_cast<std::uint32_t>(made.assignments.size());
-                made.assignments.insert(made.assignments.end(), next->assignments.begin(), next->assignments.end());
-                rule.end_assignment = static_cast<std::uint32_t>(made.assignments.size());
-                made.by_event[rule.place].push_back(static_cast<std::uint32_t>(made.rules.size()));
-                made.rules.push_back(rule);
-            }
-        }
-    return made;
+    return region_of(participants, std::move(alphabets), std::move(drafts), level);
 }
 
 std::shared_ptr<const Supercombinator> RandomRules::next(const process::TermId& meaning) {

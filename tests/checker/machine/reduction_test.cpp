@@ -36,10 +36,10 @@ bool loops_by_tau(const Graph& quotient) {
     return false;
 }
 
-/// Whether the reduced system is equal to the whole.
+/// Whether the reduced system is equal to the whole. Where no rule is one to follow there is none.
 bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
     const auto reduced = whole.reduced({});
-    if (!reduced) return false;
+    if (!reduced) return true;
     const Graph all = lts::graph_of(whole, most_states);
     const Graph kept = lts::graph_of(*reduced, most_states);
     const Graph quotient = lts::minimise(all, Equivalence::branching_with_divergence).graph;

@@ -1,0 +1,274 @@
+// The conditions under which a tau is followed (docs/search.md, "Confluent taus"), one by one: of each a process whose
+// answer would be another one without it. Expected answers are by reasoning about the few states that each has.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "checker/machine/supercombinator_system.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/lts/bisimilar.hpp"
+#include "tests/checker/machine/rules_by_hand.hpp"
+#include "tests/checker/process/scripted.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::first_visible;
+using process::tau;
+
+// Events of components, and of rules of the same names. `a` and `h` are hidden; `x` is what nothing may do.
+enum Name : Event { a = first_visible, b, c, d, h, o, x };
+using Rows = std::vector<std::vector<std::pair<Event, Local>>>;
+
+/// The components of these slots do this event together, and those are put into states.
+struct Joint {
+    Event event;
+    std::vector<std::uint32_t> slots;
+    std::vector<Assignment> assignments;
+};
+
+std::uint32_t place_of(const EventSet& alphabet, Event event) {
+    return static_cast<std::uint32_t>(std::lower_bound(alphabet.begin(), alphabet.end(), event) - alphabet.begin());
+}
+
+class Conditions : public testing::Test {
+protected:
+    Conditions() {
+        for (const char* const name : {"a", "b", "c", "d", "h", "o", "x"}) s.event(name);
+    }
+
+    /// `levels`: of an inner region with the first components, `inside` in number; none: there is no such region. A
+    /// joint event of components inside and outside is one of the region with the others.
+    void make(const std::vector<Rows>& components, const std::vector<Joint>& joints,
+              const std::vector<std::uint32_t>& levels = {}, std::size_t inside = 9) {
+        inside = levels.empty() ? 0 : std::min(inside, components.size());
+        Supercombinator made;
+        std::vector<Participant> inner, outer;
+        std::vector<EventSet> inner_alphabets, outer_alphabets;
+        for (std::uint32_t slot = 0; slot < components.size(); ++slot) {
+            made.components.push_back(component_of(components[slot], s.stop()));
+            made.initial.push_back(0);
+            made.fields.push_back({slot, 0, 0xffU});
+            (slot < inside ? inner : outer).push_back({false, slot});
+            (slot < inside ? inner_alphabets : outer_alphabets).push_back(made.components.back()->alphabet());
+        }
+        made.words = static_cast<std::uint32_t>(components.size());
+        const auto begins_inside = [inside](const Joint& joint) { return joint.slots.front() < inside; };
+        if (inside > 0) {
+            std::vector<DraftRule> drafts;
+            for (const Joint& joint : joints)
+                if (begins_inside(joint)) drafts.push_back({joint.event, parts(joint, inner, inner_alphabets), {}});
+            made.regions.push_back(region_of(inner, inner_alphabets, std::move(drafts), levels));
+            outer.push_back({true, 0});
+            outer_alphabets.push_back(made.regions.front().alphabet);
+        }
+        std::vector<DraftRule> drafts;
+        for (const Joint& joint : joints) {
+            drafts.push_back({outside(joint.event), parts(joint, outer, outer_alphabets), joint.assignments});
+            if (begins_inside(joint))
+                drafts.back().parts.push_back(
+                    {static_cast<std::uint32_t>(outer.size() - 1), place_of(outer_alphabets.back(), joint.event)});
+        }
+        made.regions.push_back(region_of(outer, outer_alphabets, std::move(drafts), {}));
+        list_leading(made, {});
+        whole =
+            std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(made)), s.store);
+    }
+    /// What these participants do in the joint event, those that are components.
+    static std::vector<Requirement> parts(const Joint& joint, const std::vector<Participant>& participants,
+                                          const std::vector<EventSet>& alphabets) {
+        std::vector<Requirement> result;
+        for (std::uint32_t who = 0; who < participants.size(); ++who) {
+            const bool asked =
+                std::find(joint.slots.begin(), joint.slots.end(), participants[who].index) != joint.slots.end();
+            if (!participants[who].is_region && asked) result.push_back({who, place_of(alphabets[who], joint.event)});
+        }
+        return result;
+    }
+    static Event outside(Event event) { return event == a || event == h ? tau : event; }
+
+    /// Whether x can happen, with and without the reduction; the reduced system is equal to the whole in both.
+    testing::AssertionResult can_do_x() {
+        Supercombinator allowed;
+        Rows row(1);
+        std::vector<DraftRule> drafts;
+        for (const Event event : {b, c, d, o}) {
+            row.front().emplace_back(event, 0);
+            drafts.push_back({event, {{0, static_cast<std::uint32_t>(drafts.size())}}, {}});
+        }
+        allowed.components.push_back(component_of(row, s.stop()));
+        allowed.initial.push_back(0);
+        allowed.fields.push_back({0, 0, 0xffU});
+        allowed.regions.push_back(region_of({{false, 0}}, {allowed.components[0]->alphabet()}, std::move(drafts), {}));
+        list_leading(allowed, {});
+        SupercombinatorSystem specification(std::make_shared<const Supercombinator>(std::move(allowed)), s.store);
+        refine::Limits limits;
+        const auto all = refine::refines(specification, *whole, refine::Model::traces, limits).outcome;
+        limits.reduction = true;
+        const auto kept = refine::refines(specification, *whole, refine::Model::traces, limits).outcome;
+        if (all != kept) return testing::AssertionFailure() << "the reduction changes the answer";
+        if (all == refine::Outcome::fails) return testing::AssertionSuccess() << "x can happen";
+        return testing::AssertionFailure() << "x cannot happen";
+    }
+
+    std::pair<std::size_t, std::size_t> states_and_kept() {
+        const auto reduced = whole->reduced({});
+        if (!reduced) return {0, 0};
+        const lts::Graph all = lts::graph_of(*whole, 1'000);
+        const lts::Graph kept = lts::graph_of(*reduced, 1'000);
+        EXPECT_TRUE(lts::bisimilar(all, kept, lts::Equivalence::branching_with_divergence));
+        return {all.size(), kept.size()};
+    }
+    using Sizes = std::pair<std::size_t, std::size_t>;
+
+    process::Scripted s;
+    std::unique_ptr<SupercombinatorSystem> whole;
+};
+
+// 1. Something of a higher level keeps the tau from happening: b comes first, and x is not possible any more then. The
+// tau changes nothing in the region. (The third component does h at any time, which is followed.)
+TEST_F(Conditions, ATauThatIsPreventedIsNotFollowed) {
+    make({{{{a, 0}, {b, 1}, {x, 0}}, {{a, 1}, {o, 1}}}, {{{a, 1}}, {{x, 1}}}, {{{h, 1}}, {}}},
+         {{a, {0, 1}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0, 1}, {}}, {h, {2}, {}}}, {no_level, no_level, 1, 0}, 1);
+    EXPECT_FALSE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(6, 3));
+}
+
+// 2. The tau leads to two states.
+TEST_F(Conditions, ATauWithTwoResultsIsNotFollowed) {
+    make({{{{a, 1}, {a, 2}}, {{o, 1}}, {{x, 2}}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(3, 3));
+}
+
+// 3. The component can do something else instead.
+TEST_F(Conditions, ATauIsNotFollowedWhereItsComponentHasAChoice) {
+    make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(3, 3));
+}
+
+// 3. The other event has a priority below others, but the tau has none: it prevents nothing.
+TEST_F(Conditions, ATauWithoutLevelPreventsNothing) {
+    make({{{{a, 1}, {x, 2}}, {{o, 1}, {d, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}, {d, {0}, {}}},
+         {no_level, no_level, no_level, no_level, no_level, 0, no_level, no_level, 1});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(3, 3));
+}
+
+// ... and where it has the first level, the other event is prevented.
+TEST_F(Conditions, ATauOfTheFirstLevelPrevents) {
+    make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}},
+         {no_level, no_level, 0, no_level, no_level, no_level, no_level, no_level, 1});
+    EXPECT_FALSE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(2, 1));
+}
+
+// 3. Both orders are possible, with different results.
+TEST_F(Conditions, BothOrdersMustLeadToOneState) {
+    make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 4}}, {{o, 3}}, {{x, 4}}}},
+         {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(5, 4));  // after b the tau is followed
+}
+
+// 3. After the other event the tau leads to a second state.
+TEST_F(Conditions, BothOrdersMustLeadToOneStateAlone) {
+    make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {a, 4}}, {{o, 3}}, {{x, 4}}}},
+         {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(5, 5));
+}
+
+// ... but orders that do not matter do not count: a and b in any order, four states.
+TEST_F(Conditions, EventsOfOneComponentMayCommute) {
+    make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}}, {{o, 3}}}}, {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}});
+    EXPECT_FALSE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(4, 2));
+}
+
+// 3. The tau puts a component into another state, which could do x before.
+TEST_F(Conditions, ATauThatTurnsOffWhatCouldActIsNotFollowed) {
+    make({{{{a, 1}}, {}}, {{{x, 1}}, {{o, 1}}, {{o, 2}}}}, {{a, {0}, {{1, 2}}}, {x, {1}, {}}, {o, {1}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept().first, states_and_kept().second);
+}
+
+// 3. Another rule turns off a component of the tau, and the other one can do x then.
+TEST_F(Conditions, ATauThatCanBeTurnedOffIsNotFollowed) {
+    make({{{{a, 1}}, {{o, 1}}, {{x, 2}}}, {{{b, 1}}, {}}, {{{a, 1}, {x, 0}}, {}}},
+         {{a, {0, 2}, {}}, {b, {1}, {{0, 2}}}, {o, {0}, {}}, {x, {0, 2}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept().first, states_and_kept().second);
+}
+
+// 4. After the tau, d is possible and prevents b: with d first, x is not possible after b.
+TEST_F(Conditions, ATauThatLetsAnEventPreventOthersIsNotFollowed) {
+    make({{{{a, 1}, {x, 0}}, {{d, 2}, {x, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
+         {{a, {0}, {}}, {b, {1}, {}}, {d, {0}, {}}, {x, {0, 1}, {}}}, {no_level, no_level, no_level, 1, no_level, 0});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(6, 5));  // where b has been, the tau is followed
+}
+
+// What b leads to has to satisfy the conditions too: there, x is possible beside the tau.
+TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
+    make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {x, 4}}, {{o, 3}}, {}}},
+         {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept().first, states_and_kept().second);
+}
+
+// x needs a second component, which gets ready for it on its own.
+TEST_F(Conditions, WhatIsTrackedMovesOn) {
+    make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
+         {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {1}, {}}, {o, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept().first, states_and_kept().second);
+}
+
+// ... or by a hidden step with a third one, which is ready.
+TEST_F(Conditions, WhatIsTrackedMovesOnWithOthers) {
+    make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{h, 1}}, {{x, 1}}}, {{{b, 1}}, {{h, 1}}}},
+         {{a, {0}, {}}, {x, {0, 1}, {}}, {h, {1, 2}, {}}, {b, {2}, {}}, {o, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+}
+
+// ... or because another rule puts it into that state.
+TEST_F(Conditions, WhatIsTrackedIsPutIntoStates) {
+    make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{}, {{x, 1}}}, {{{b, 1}}, {}}},
+         {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {2}, {{1, 1}}}, {o, {0}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept().first, states_and_kept().second);
+}
+
+// The second component gets ready for x only with the first one, after the tau: it is followed. The states of the two
+// are (0, 0), (1, 0), (3, 1).
+TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForIt) {
+    make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{c, 1}}, {{x, 1}}}},
+         {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 1}, {}}});
+    EXPECT_FALSE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(3, 2));
+}
+
+// The second one gets ready by a third, and that with the first one: (0, 0, 0), (1, 0, 0), (3, 0, 1), (3, 1, 1).
+TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForOthersThatWait) {
+    make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{d, 1}}, {{x, 1}}}, {{{c, 1}}, {{d, 1}}}},
+         {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 2}, {}}, {d, {1, 2}, {}}});
+    EXPECT_FALSE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(4, 3));
+}
+
+// A cycle of followed taus beside x: x is possible, and the process diverges.
+TEST_F(Conditions, ACycleOfFollowedTausLosesNothing) {
+    make({{{{a, 1}}, {{a, 0}}}, {{{x, 1}}, {}}}, {{a, {0}, {}}, {x, {1}, {}}});
+    EXPECT_TRUE(can_do_x());
+    EXPECT_EQ(states_and_kept(), Sizes(4, 2));
+    refine::Limits limits;
+    limits.reduction = true;
+    EXPECT_EQ(refine::divergence_free(*whole, limits).outcome, refine::Outcome::fails);
+    EXPECT_EQ(refine::deadlock_free(*whole, refine::Model::failures, limits).outcome, refine::Outcome::holds);
+}
+
+}  // namespace
+}  // namespace robochart::machine
