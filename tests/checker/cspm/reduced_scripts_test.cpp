@@ -48,14 +48,15 @@ void compare(Session& session, Compared& compared) {
 }
 
 TEST(ReducedScripts, KeepTimedPrioritiesAndInterrupts) {
-    const Reading reading(R"(channel tock, a, b, c
+    const Reading reading(R"(external prioritise
+channel tock, a, b, c
 channel h, k : {0..1}
 P(i) = h!i -> k!i -> P(i)
 Steps = h?i -> k?j -> STOP
-Timed = a -> tock -> Timed [] tock -> Timed
+Clock = a -> tock -> Clock [] tock -> Clock
 assert (P(0) ||| P(1)) \ {|h, k|} :[deadlock free]
 assert ((P(0) ||| P(1)) [|{|h|}|] Steps) \ {|h|} :[deadlock free]
-assert prioritise(((P(0) ||| P(1)) \ {|h|}) ||| Timed, <{}, {tock}>) :[deadlock free]
+assert prioritise(((P(0) ||| P(1)) \ {|h|}) ||| Clock, <{}, {tock}>) :[deadlock free]
 assert (((P(0) ||| P(1)) \ {|h|}) /\ b -> STOP) ||| c -> STOP :[deadlock free]
 assert (((P(0) \ {|h|}) [> b -> STOP) ||| P(1)) \ {|h|} :[deadlock free]
 )");
