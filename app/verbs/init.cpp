@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
+#include "checker/cspm/syntax/lexer.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/text.hpp"
 #include "frontend/syntax/lexer.hpp"
@@ -30,14 +34,46 @@ struct NewFile {
     bool keep = false;
 };
 
+/// An ASCII letter or digit.
+bool is_plain(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Claims in CSP begin with the name of the package.
+bool is_word_of_cspm(const std::string& name) {
+    diagnostics::Diagnostics ignored;
+    return cspm::lex(name, diagnostics::SourceId::none, ignored).front().kind != cspm::Tok::identifier;
+}
+
 /// Why it cannot be the name of a package; "" if it can.
 std::string unfit(const std::string& name) {
-    const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    const auto fits = [](char c) { return is_plain(c) || c == '_'; };
     if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
-    if (name.empty() || !std::all_of(name.begin(), name.end(), letter) ||
+    if (name.empty() || !std::all_of(name.begin(), name.end(), fits) ||
         std::isalpha(static_cast<unsigned char>(name.front())) == 0)
         return "a name is made of letters, digits and _, and begins with a letter";
-    return frontend::is_reserved(name) ? "it is a reserved word of RoboChart" : "";
+    if (frontend::is_reserved(name)) return "it is a reserved word of RoboChart";
+    if (is_word_of_cspm(name)) return "it is a reserved word of CSPM";
+    const std::string block = fmt::format(" csp {} csp-begin", name);
+    const bool is_block = template_text("model.assertions").find(block) != std::string_view::npos;
+    return is_block ? "the csp block of a new project is called so" : "";
+}
+
+/// A name that is fit, made of what is written; "" if nothing of that is left.
+std::string made_fit(const std::string& name) {
+    const fs::path file(name);
+    std::string fit;
+    for (const char c : file.extension() == ".rct" ? file.stem().string() : name) {
+        if (is_plain(c))
+            fit += c;
+        else if (!fit.empty() && fit.back() != '_')
+            fit += '_';
+    }
+    constexpr std::string_view added = "robot_";
+    fit.resize(std::min(fit.size(), longest_name - added.size()));
+    while (!fit.empty() && fit.back() == '_') fit.pop_back();
+    if (fit.empty()) return "";
+    return unfit(fit).empty() ? fit : std::string(added) + fit;
 }
 
 std::vector<NewFile> files_of(const std::string& name, const Options& options) {
@@ -97,6 +133,18 @@ bool write(const fs::path& folder, const std::vector<NewFile>& files, const Opti
     return true;
 }
 
+/// The project's name, by the last part of its folder's path. Where no name was given it is made of the folder's.
+std::string name_of(const std::string& last, const fs::path& folder, const Options& options) {
+    const std::string why = unfit(last);
+    if (why.empty()) return last;
+    const std::string meant = made_fit(last);
+    if (options.inputs.empty() && !meant.empty()) return meant;
+    const fs::path above = (folder.filename().empty() ? folder.parent_path() : folder).parent_path();
+    const std::string instead =
+        meant.empty() ? std::string() : fmt::format("; did you mean '{}'?", (above / meant).string());
+    throw UsageError(fmt::format("'{}' cannot be the name of a project: {}{}", last, why, instead));
+}
+
 }  // namespace
 
 Exit run_init(const Options& options) {
@@ -104,10 +152,9 @@ Exit run_init(const Options& options) {
     const std::string given = options.inputs.empty() ? "." : options.inputs.front();
     std::error_code code;
     const fs::path whole = fs::absolute(given, code).lexically_normal();
-    const std::string name = (whole.filename().empty() ? whole.parent_path() : whole).filename().string();
-    if (const std::string why = unfit(name); !why.empty())
-        throw UsageError(fmt::format("'{}' cannot be the name of a project: {}", name, why));
+    const std::string last = (whole.filename().empty() ? whole.parent_path() : whole).filename().string();
     const fs::path folder = fs::path(given).lexically_normal();
+    const std::string name = name_of(last, folder, options);
     const std::vector<NewFile> files = files_of(name, options);
     if (const std::string why = in_the_way(folder, files); !why.empty()) return refused(why);
     if (!write(folder, files, options)) return Exit::bad_input;

@@ -83,6 +83,7 @@ Way walk_components(Way from, const QualifiedName& name, std::size_t at) {
     while (from.used < name.parts.size()) {
         const Declaration* part = part_of(from.end(), name.parts[from.used]);
         if (part == nullptr) break;
+        if (part->name != name.parts[from.used]) ++from.by_definition;
         from.path.steps.push_back(part);
         ++from.used;
     }
@@ -93,8 +94,10 @@ Way component_way(const Model& model, const Names& names, const File& file, cons
     Way best;
     const auto try_top = [&](const Declaration* top, std::size_t parts) {
         if (top == nullptr) return;
-        Way found = walk_components({{{top}, nullptr}, 0}, name, parts);
-        if (found.used > best.used) best = std::move(found);
+        Way found = walk_components({{{top}, nullptr}, 0, 0}, name, parts);
+        const bool better =
+            found.used > best.used || (found.used == best.used && found.by_definition < best.by_definition);
+        if (better) best = std::move(found);
     };
     const std::size_t most = std::min(name.parts.size(), names.most_parts());
     for (std::size_t parts = 1; parts <= most; ++parts)

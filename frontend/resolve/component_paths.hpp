@@ -16,6 +16,7 @@ extern const Kinds component_kinds;
 struct Way {
     ComponentPath path;
     std::size_t used = 0;
+    std::size_t by_definition = 0;  ///< of these, how many name what is behind a reference, and not the reference
 
     [[nodiscard]] const Declaration* end() const { return path.steps.empty() ? nullptr : path.steps.back(); }
 };
@@ -31,7 +32,9 @@ struct Way {
 /// Goes on from a component along the parts of a name from `at` on, as far as they name components.
 [[nodiscard]] Way walk_components(Way from, const QualifiedName& name, std::size_t at);
 /// The declarations that the longest beginning of a name leads to, from the file's package, its imports, unnamed
-/// packages or a package that is written in front; else from any package, if there is one component of the name.
+/// packages or a package that is written in front; else from any package, if there is one component of the name. Of
+/// equally long beginnings that with the fewest names of definitions in the place of references is meant: `P::S` is the
+/// machine S of package P even where P has a controller P with a reference to S.
 [[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
 /// The paths of the states inside that are called so, for a suggestion.
 void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,

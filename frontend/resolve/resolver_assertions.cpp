@@ -179,7 +179,7 @@ bool AssertionResolver::find_state(Assertion& assertion) {
         return assertion.state != nullptr;
     };
     const ComponentPath& subject = assertion.subject_path;
-    const Way relative = walk_components({subject, 0}, name, 0);
+    const Way relative = walk_components({subject, 0, 0}, name, 0);
     if (take(relative.path, relative.used)) return true;
     const Way absolute = way(name);
     if (absolute.end() == nullptr) return false;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "tests/app/command.hpp"
 
@@ -54,7 +55,8 @@ TEST(Init, LeavesNoMarkOfATemplate) {
 
 // Names of the model's own parts, and words of CSPM and C++.
 TEST(Init, TakesNamesThatOtherLanguagesReserve) {
-    for (const std::string name : {"Robot", "Wander", "Motors", "class", "tock", "STOP", "Seq"}) {
+    for (const std::string name :
+         {"Robot", "Wander", "Brain", "Motors", "class", "int", "std", "tock", "STOP", "Seq"}) {
         const Ran ran = run_shell("\"$verify\" init " + name + " && \"$verify\" --no-cache " + name);
         EXPECT_EQ(ran.exit, 0) << name << "\n" << ran.out << ran.err;
     }
@@ -69,6 +71,35 @@ TEST(Init, RefusesWhatIsNoName) {
         EXPECT_EQ(ran.out, "4\n") << name;
     }
     EXPECT_EQ(run({"init", "a", "b"}).exit, 4);
+}
+
+TEST(Init, SuggestsANameThatIsFit) {
+    const std::pair<std::string, std::string> rows[] = {
+        {"my-robot",
+         "made of letters, digits and _, and begins with a "
+         "letter; did you mean 'my_robot'?"},
+        {"../here/my-robot/", "did you mean '../here/my_robot'?"},
+        {"2wheels", "did you mean 'robot_2wheels'?"},
+        {"__a..b--", "did you mean 'a_b'?"},
+        {"model.rct", "did you mean 'model'?"},
+        {"state", "a reserved word of RoboChart; did you mean 'robot_state'?"},
+        {"channel", "a reserved word of CSPM; did you mean 'robot_channel'?"},
+        {"Polite", "called so; did you mean 'robot_Polite'?"}};
+    for (const auto& [name, said] : rows) {
+        const Ran ran = run({"init", name});
+        EXPECT_EQ(ran.exit, 4) << name;
+        EXPECT_THAT(ran.err, HasSubstr(said)) << name;
+    }
+    EXPECT_THAT(run({"init", "--", "!!"}).err, Not(HasSubstr("did you mean")));
+    const std::string longest(100, 'a');
+    EXPECT_THAT(run({"init", longest}).err, HasSubstr("did you mean 'aaa"));
+}
+
+TEST(Init, HereMakesAFitNameOfTheFolders) {
+    const Ran ran =
+        run_shell("mkdir my-robot && cd my-robot && \"$verify\" init && \"$verify\" . --no-cache -q; echo $?; ls");
+    EXPECT_THAT(ran.out, HasSubstr("controllers conform\n0\nREADME.md\nmy_robot.assertions\nmy_robot.rct\n"))
+        << ran.err;
 }
 
 TEST(Init, HereTakesTheNameOfTheFolder) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "frontend/names/names.hpp"
 #include "frontend/syntax/parse.hpp"
@@ -291,6 +292,51 @@ TEST(Names, TheFilesOwnDeclarationsComeFirst) {
     }
     resolve(reading.model, reading.findings);
     EXPECT_EQ(reading.codes(), "RC-N03@1") << reading.report();
+}
+
+/// A package, and a controller of its name with a reference to the machine: the path as it is written goes before that
+/// through what is behind the reference (language reference 1.3 has no such paths).
+TEST(Names, APathAsWrittenGoesBeforeTheNameOfADefinition) {
+    testing::Reading reading;
+    const auto add = [&](const char* name, const char* text, bool assertions) {
+        const auto id = reading.sources.add(name, text);
+        reading.model.files.push_back(parse(reading.sources, id, assertions, reading.findings));
+    };
+    add("a.rct",
+        "package Brain stm Wander { initial i state s { } transition t { from i to s } } "
+        "controller Brain { sref wander = Wander }",
+        false);
+    add("a.assertions",
+        "package claims import Brain::* assertion A : Brain::Wander is deadlock-free "
+        "assertion B : Brain::wander is deadlock-free assertion C : Brain::Brain::Wander is deadlock-free",
+        true);
+    resolve(reading.model, reading.findings);
+    ASSERT_TRUE(reading.findings.ok()) << reading.report();
+    const auto& assertions = reading.model.files.back()->assertions;
+    EXPECT_EQ(assertions[0].subject_path.steps.size(), 1U) << "the machine of the package";
+    EXPECT_EQ(assertions[1].subject_path.steps.size(), 2U) << "the controller's reference";
+    EXPECT_EQ(assertions[2].subject_path.steps.size(), 2U) << "by the name of what is behind it";
+}
+
+TEST(Names, AssertionsOfAPackageInAFolderHaveNamesOfTheirOwn) {
+    const auto codes = [](const char* second_folder, const char* second) {
+        testing::Reading reading;
+        for (const auto& [folder, text] :
+             {std::pair("/p/", "package c assertion A : S is deadlock-free"), std::pair(second_folder, second)}) {
+            const auto id = reading.sources.add("t.assertions", text);
+            reading.model.files.push_back(parse(reading.sources, id, true, reading.findings));
+            reading.model.files.back()->folder = folder;
+        }
+        const auto id = reading.sources.add("m.rct", "stm S { initial i state s { } transition t { from i to s } }");
+        reading.model.files.push_back(parse(reading.sources, id, false, reading.findings));
+        resolve(reading.model, reading.findings);
+        return reading.codes();
+    };
+    EXPECT_EQ(codes("/p/", "package c assertion A : S is divergence-free"), "RC-N03@1");
+    EXPECT_EQ(codes("/p/", "package c prob property A : Prob=? of [Finally true]"), "RC-N03@1");
+    EXPECT_EQ(codes("/p/", "package d assertion A : S is divergence-free"), "");
+    EXPECT_EQ(codes("/q/", "package c assertion A : S is divergence-free"), "");
+    EXPECT_EQ(codes("/p/", "package c assertion B : S is divergence-free"), "");
 }
 
 TEST(Names, AMachineDoesNotSeeItsController) {
