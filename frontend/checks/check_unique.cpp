@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "frontend/checks/checks.hpp"
 #include "frontend/rules/rules.hpp"
@@ -80,12 +83,22 @@ bool clash(const Declaration& a, const Declaration& b) {
 
 }  // namespace
 
-void check_unique(const File& file, Diagnostics& out) {
-    Seen assertions(out);
-    for (const Assertion& assertion : file.assertions) assertions.add(assertion.name, assertion.name_span);
-}
-
 namespace {
+
+/// Assertions are named on the command line and in reports, so those of one package have names of their own. Files of
+/// one package that lie in other folders may be copies of a project; each folder is one for itself.
+void check_assertions(const Model& model, Diagnostics& out) {
+    std::map<std::pair<std::string_view, std::string>, std::vector<const File*>> together;
+    for (const auto& file : model.files) together[{file->folder, file->package.text()}].push_back(file.get());
+    for (const auto& [where, files] : together) {
+        Seen assertions(out);
+        for (const File* file : files) {
+            for (const Assertion& assertion : file->assertions) assertions.add(assertion.name, assertion.name_span);
+            for (const ProbabilisticAssertion& assertion : file->probabilistic_assertions)
+                assertions.add(assertion.name, assertion.name_span);
+        }
+    }
+}
 
 /// Declarations under one full name: each kind of them is reported separately.
 void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
@@ -130,6 +143,7 @@ void check_blocks(const File& file, Diagnostics& out) {
 }  // namespace
 
 void check_unique(const Model& model, const Names& names, Diagnostics& out) {
+    check_assertions(model, out);
     for (const auto& file : model.files) check_blocks(*file, out);
     for (const auto& [full, declarations] : names.entries()) {
         check_entry(names, full, declarations, out);

@@ -26,12 +26,10 @@ void check_connections(const Component& component, Diagnostics& out);
 void check_directions(const Component& component, Diagnostics& out);
 /// Clocks and deadlines: TT1, TE1, TE4, TE5, CE2 and the untimed reading.
 void check_time(const Machine& machine, Diagnostics& out);
-/// Declarations and csp blocks of one name: RC-N03.
+/// Declarations, assertions and csp blocks of one name: RC-N03.
 void check_unique(const Model& model, const Names& names, Diagnostics& out);
 /// Imports of what nobody declares: RC-N04.
 void check_imports(const Model& model, const Names& names, Diagnostics& out);
-/// Assertions of one name in a file: RC-N03.
-void check_unique(const File& file, Diagnostics& out);
 /// Probabilistic assertions, and parts of assertion files that nothing reads: RC-Q09 to RC-Q12. (RC-P33 is the
 /// reader's.)
 void check_probabilistic(const File& file, Diagnostics& out);

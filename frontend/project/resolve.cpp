@@ -60,7 +60,6 @@ void check(const Model& model, const Names& names, Diagnostics& out) {
     const bool whole =
         std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {
-        check_unique(*file, out);
         check_probabilistic(*file, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
