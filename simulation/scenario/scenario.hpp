@@ -81,6 +81,7 @@ struct Stimulus {
     double every = 0;  ///< 0: once
     std::optional<Quantity> value;
     std::optional<bool> truth;
+    std::optional<Name> named;  ///< a literal or constant of the model
 };
 
 struct Light {
