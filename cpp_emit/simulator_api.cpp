@@ -45,6 +45,18 @@ Carried carried(ir::TypeKind kind) {
     return Carried::enumeration;
 }
 
+/// "nat", "Zone", "pack::Zone".
+std::string full_name(const std::string& package, const std::string& name) {
+    return package.empty() ? name : package + "::" + name;
+}
+
+/// What a port carries for a value of a type without parts: a number in the model's units, a truth value as 0 or 1, a
+/// literal by its place.
+double carried_value(const ir::Instantiation& inst, Carried kind, const ir::Value& value) {
+    const auto number = static_cast<double>(value.number);
+    return kind == Carried::real ? number / static_cast<double>(inst.scale) : number;
+}
+
 /// A port with what the emitted text needs.
 struct Channel {
     Port port;
@@ -93,6 +105,7 @@ private:
             result.port.arguments.push_back(carried(type.kind));
             const bool named = type.kind == ir::TypeKind::enumeration;
             result.port.literals.push_back(named ? type.labels : std::vector<std::string>{});
+            result.port.types.push_back(full_name(type.package, type.name));
         }
         return result;
     }
@@ -141,10 +154,8 @@ private:
 
     [[nodiscard]] double initial(const StoredVariable& variable) const {
         const Carried kind = carried(generation_.system.type(variable.variable->type).kind);
-        const auto number = static_cast<double>(variable.initial.number);
-        if (kind == Carried::real) return number / static_cast<double>(generation_.inst.scale);
-        if (kind == Carried::whole) return number;
-        return 0;
+        const bool number = kind == Carried::real || kind == Carried::whole;
+        return number ? carried_value(generation_.inst, kind, variable.initial) : 0;
     }
 
     void head() {
@@ -406,6 +417,22 @@ private:
     CodeWriter out_;
 };
 
+std::vector<DriveConstant> constants_of(const Component& component, const ir::System& system,
+                                        const ir::Instantiation& inst) {
+    std::vector<DriveConstant> result;
+    for (const Unit& unit : component.units)
+        for (std::size_t i = 0; i < unit.machine->constants.size(); ++i) {
+            const ir::Constant& constant = unit.machine->constants[i];
+            const ir::Type& type = system.type(constant.type);
+            const Carried kind = carried(type.kind);
+            const bool literal = type.kind == ir::TypeKind::enumeration && !composed(type);
+            if (kind == Carried::enumeration && !literal) continue;
+            result.push_back({constant.name, full_name(unit.machine->package, unit.machine->name),
+                              full_name(type.package, type.name), kind, carried_value(inst, kind, unit.constants[i])});
+        }
+    return result;
+}
+
 /// rc_value holds numbers only.
 bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.errors();
@@ -445,6 +472,7 @@ DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst
     emission.inputs = writer.inputs();
     emission.outputs = writer.outputs();
     emission.machines = writer.machines();
+    emission.constants = constants_of(*component, system, inst);
     emission.fault_sites = mutation.sites();
     return emission;
 }

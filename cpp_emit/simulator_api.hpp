@@ -24,6 +24,16 @@ struct Port {
     double initial = 0;              ///< variables: the value before the first write (truth values, literals: 0)
     std::string exported = {};       ///< in the interface: "seeRobot.in", "MoveForwardCall", "set_EXT_reached"
     std::vector<std::vector<std::string>> literals = {};  ///< of each argument: names of its enumeration's values
+    std::vector<std::string> types = {};                  ///< of each argument: "nat", "Zone", "pack::Zone"
+};
+
+/// A constant of the model with its value in a machine of the controller.
+struct DriveConstant {
+    std::string name;   ///< "limit"
+    std::string owner;  ///< the machine, "pack::Keep"
+    std::string type;   ///< as Port::types
+    Carried carried = Carried::whole;
+    double value = 0;  ///< truth values: 0, 1; literals: the place in their enumeration
 };
 
 /// A state machine of the controller, as in the table of the interface.
@@ -39,7 +49,8 @@ struct DriveEmission {
     std::vector<Port> inputs;          ///< events received, shared variables written from outside
     std::vector<Port> outputs;         ///< operations of the platform, events sent, shared variables written
     std::vector<DriveMachine> machines;
-    std::uint32_t fault_sites = 0;  ///< how many places the requested fault applies to
+    std::vector<DriveConstant> constants;  ///< those whose values a port can carry, machine by machine
+    std::uint32_t fault_sites = 0;         ///< how many places the requested fault applies to
 };
 
 /// Emits the controller of one component. What cannot be generated is refused by name, as by emit().

@@ -1,5 +1,7 @@
 #include "prism_emit/emit.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "checker/prism/syntax/printer.hpp"
@@ -11,6 +13,9 @@
 
 namespace robochart::prism_emit {
 namespace {
+
+/// Above the names.
+constexpr std::string_view names_heading = "// Renames of RoboChart elements";
 
 /// R10: the stages of an exit.
 void add_exit_constants(Context& context) {
@@ -70,10 +75,14 @@ std::optional<Emission> emit(const ir::System& system, const ir::Module& module,
     return std::move(context.emission);
 }
 
+bool is_of_robochart(std::string_view text) {
+    return text.find(names_heading) != std::string_view::npos;
+}
+
 /// R1: "A comment block `renames of the ... [a::b] to [a_b]` at the end is read by the property generator."
 std::string text(const Emission& emission) {
     std::string result = prism::print(emission.model);
-    result += "\n// Renames of RoboChart elements\n";
+    result += fmt::format("\n{}\n", names_heading);
     for (const NameOf& each : emission.names)
         result += "// renames of the " + each.kind + " [" + each.element + "] to [" + each.name + "]\n";
     return result;

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "diagnostics/diagnostic.hpp"
 #include "prism_emit/emission.hpp"
@@ -23,5 +24,7 @@ namespace robochart::prism_emit {
 
 /// The text of the file: the model, then the names as comments (R1).
 [[nodiscard]] std::string text(const Emission&);
+/// Whether it is the text of such a file, or of one of RoboTool's.
+[[nodiscard]] bool is_of_robochart(std::string_view text);
 
 }  // namespace robochart::prism_emit

@@ -558,11 +558,18 @@ std::string wrong_fraction(const std::string& word) {
 
 /// The code of a rule that warns.
 std::string wrong_warning(std::string& code) {
-    for (const diagnostics::Rule* rule : find_rules(code))
-        if (rule->severity == diagnostics::Severity::warning) {
-            code = std::string(rule->code);
-            return "";
-        }
+    const auto warns = [](const std::string& each) {
+        const auto rules = find_rules(each);
+        return std::any_of(rules.begin(), rules.end(), [](const diagnostics::Rule* rule) {
+            return rule->severity == diagnostics::Severity::warning;
+        });
+    };
+    std::vector<std::string> meant_codes = codes_meant(code);
+    std::erase_if(meant_codes, [&](const std::string& each) { return !warns(each); });
+    if (meant_codes.size() == 1) {
+        code = meant_codes.front();
+        return "";
+    }
     std::vector<std::string> known;
     for (const diagnostics::Rule* rule : all_rules())
         if (rule->severity == diagnostics::Severity::warning) known.emplace_back(rule->code);

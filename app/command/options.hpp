@@ -54,6 +54,11 @@ enum class Verb {
 [[nodiscard]] constexpr bool decides_assertions(Verb verb) {
     return verb == Verb::verify || verb == Verb::check;
 }
+/// Whether the result has nothing of assertions: files of them with errors are left out then.
+[[nodiscard]] constexpr bool leaves_assertions(Verb verb) {
+    return verb == Verb::emit_cpp || verb == Verb::emit_monitor || verb == Verb::emit_tests || verb == Verb::conform ||
+           verb == Verb::draw || verb == Verb::rules || verb == Verb::simulate || verb == Verb::step;
+}
 /// How results are printed.
 enum class Format { text, json, sarif, plain, framed_json, junit, csv };
 /// Whether progress goes to stderr, and how.

@@ -65,15 +65,6 @@ bool make_finite(Project& project, const Options& options, const ir::Instantiati
     return project.diagnostics.ok();
 }
 
-std::unique_ptr<Project> read(const Options& options) {
-    auto project = std::make_unique<Project>();
-    project->name = project_name(options.inputs.front());
-    prepare(*project, options);
-    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
-    project->model = frontend::load_project(project->sources, options.inputs, project->diagnostics);
-    return project;
-}
-
 ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package,
                            const std::string& name) {
     ir::ComponentRef ref;
@@ -197,6 +188,47 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong))
         part->diagnostics = whole.diagnostics.about(own);
     return part;
+}
+
+/// The first error of each text; nothing where one is in no text of assertions.
+std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(const Project& project) {
+    std::set<diagnostics::SourceId> assertions;
+    for (const auto& file : project.model->files)
+        if (file->is_assertions) assertions.insert(file->source);
+    std::map<diagnostics::SourceId, diagnostics::Diagnostic> first;
+    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted()) {
+        if (finding.rule->severity != diagnostics::Severity::error) continue;
+        if (!finding.span.known() || !assertions.contains(finding.span.source)) return {};
+        first.try_emplace(finding.span.source, finding);
+    }
+    return first;
+}
+
+/// The project without assertion files that have errors, which is said; the same if other files have errors too, or if
+/// nothing were left.
+std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> project, const Options& options) {
+    const auto broken = errors_of_assertions(*project);
+    frontend::Unit rest;
+    for (std::size_t i = 0; i < project->model->files.size(); ++i) {
+        const frontend::File& file = *project->model->files[i];
+        if (!file.is_library && !broken.contains(file.source)) rest.files.push_back(i);
+    }
+    if (broken.empty() || rest.files.empty()) return project;
+    std::unique_ptr<Project> left = part_of(*project, rest, project->name, options);
+    for (const auto& [source, first] : broken)
+        left->diagnostics.report(rules::left_out, first.span, {})
+            .notes.push_back({{}, fmt::format("{}: {}", first.rule->code, first.message())});
+    return left;
+}
+
+std::unique_ptr<Project> read(const Options& options) {
+    auto project = std::make_unique<Project>();
+    project->name = project_name(options.inputs.front());
+    prepare(*project, options);
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
+    project->model = frontend::load_project(project->sources, options.inputs, project->diagnostics);
+    return leaves_assertions(options.verb) ? without_broken_assertions(std::move(project), options)
+                                           : std::move(project);
 }
 
 /// Where two parts have components of one name, all that is said and written of them names the part.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string>
 
 #include "checker/cspm/syntax/rules.hpp"
@@ -45,6 +46,10 @@ const diagnostics::Rule no_monitor{
     "RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
     "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
     "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
+const diagnostics::Rule left_out{
+    "RC-A05", Severity::warning, "the assertions of this file are left out, for its errors",
+    "Generated code, diagrams and simulations follow from the model alone, so errors in assertion files do not keep "
+    "them back. `validate` and `check` report these errors; with --deny-warnings they count."};
 
 }  // namespace rules
 
@@ -79,8 +84,27 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(sleec::rules::checks());
     add(simulation::rules::all());
     add(conformance::rules::all());
-    all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor});
+    all.insert(all.end(),
+               {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor, &rules::left_out});
     return all;
+}
+
+std::vector<std::string> codes_meant(std::string_view word) {
+    const auto plain = [](std::string_view text) {
+        std::string letters = upper(text);
+        std::erase_if(letters, [](unsigned char c) { return std::isalnum(c) == 0; });
+        return letters;
+    };
+    std::set<std::string> same, ending;
+    for (const diagnostics::Rule* rule : all_rules()) {
+        const std::string_view code = rule->code;
+        if (upper(code) == upper(word)) return {std::string(code)};
+        if (plain(code) == plain(word)) same.emplace(code);
+        const std::size_t hyphen = code.rfind('-');
+        if (hyphen != std::string_view::npos && plain(code.substr(hyphen)) == plain(word)) ending.emplace(code);
+    }
+    const std::set<std::string>& meant = same.empty() ? ending : same;
+    return {meant.begin(), meant.end()};
 }
 
 std::vector<const diagnostics::Rule*> find_rules(std::string_view code) {

@@ -38,7 +38,7 @@ void BoundWatch::note(const cspm::ObservedCall& call) {
     const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
     if (!known_.emplace(std::make_pair(call.function, at), true).second) return;
     const std::string element = element_at(project_.system, call.span);
-    BoundReport bound{element.empty() ? "model" : element, project_.sources.place(call.span),
+    BoundReport bound{project_.label + (element.empty() ? "model" : element), project_.sources.place(call.span),
                       fmt::format("in {}, {}", written(project_.sources, call.span), *text), time_};
     const auto same = std::find_if(report_.begin(), report_.end(), [&](const BoundReport& other) {
         return other.place == bound.place && other.element == bound.element && other.text == bound.text;

@@ -12,10 +12,10 @@ bool inside(diagnostics::Span inner, diagnostics::Span outer) {
 class Smallest {
 public:
     explicit Smallest(diagnostics::Span place) : place_(place) {}
-    void offer(const ir::Origin& origin) {
+    void offer(const std::string& package, const ir::Origin& origin) {
         const bool smaller = best_.empty() || origin.span.end - origin.span.begin < size_;
         if (!inside(place_, origin.span) || !smaller) return;
-        best_ = origin.element;
+        best_ = package.empty() ? origin.element : package + "::" + origin.element;
         size_ = origin.span.end - origin.span.begin;
     }
     [[nodiscard]] const std::string& best() const { return best_; }
@@ -30,12 +30,26 @@ private:
 
 std::string element_at(const ir::System& system, diagnostics::Span span) {
     Smallest smallest(span);
+    const auto offer_all = [&](const std::string& package, const auto& elements) {
+        for (const auto& element : elements) smallest.offer(package, element.origin);
+    };
+    for (const ir::Function& function : system.functions) smallest.offer(function.package, function.origin);
+    for (const ir::Module& module : system.modules) {
+        smallest.offer(module.package, module.origin);
+        offer_all(module.package, module.platform.variables);
+        offer_all(module.package, module.platform.constants);
+    }
+    for (const ir::Controller& controller : system.controllers) {
+        smallest.offer(controller.package, controller.origin);
+        offer_all(controller.package, controller.variables);
+        offer_all(controller.package, controller.constants);
+    }
     for (const ir::Machine& machine : system.machines) {
-        smallest.offer(machine.origin);
-        for (const ir::Node& node : machine.nodes) smallest.offer(node.origin);
-        for (const ir::Transition& transition : machine.transitions) smallest.offer(transition.origin);
-        for (const ir::Variable& variable : machine.variables) smallest.offer(variable.origin);
-        for (const ir::Constant& constant : machine.constants) smallest.offer(constant.origin);
+        smallest.offer(machine.package, machine.origin);
+        offer_all(machine.package, machine.nodes);
+        offer_all(machine.package, machine.transitions);
+        offer_all(machine.package, machine.variables);
+        offer_all(machine.package, machine.constants);
     }
     return smallest.best();
 }

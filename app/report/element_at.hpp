@@ -8,7 +8,8 @@
 
 namespace robochart::app {
 
-/// The smallest element of a machine around a place, in the words of reports; "" where there is none.
+/// The smallest element of a component, or the function, around a place, with its package: "P::S::t1"; "" where there
+/// is none.
 [[nodiscard]] std::string element_at(const ir::System&, diagnostics::Span);
 
 }  // namespace robochart::app

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
@@ -67,9 +68,26 @@ std::string symmetry_text(const refine::Statistics& size) {
                              : "";
 }
 
+/// Another place where the run of an assertion stands, and who else has the run that is printed.
+struct SharedRun {
+    std::string shown_at;             ///< "module P::M"; "": here
+    std::vector<std::string> others;  ///< components with the same run
+};
+
+/// What the model does, with its raw events.
+std::string run_lines(const AssertionReport& a, const Options& options) {
+    if (!a.run) return a.counterexample;
+    std::string out = runs::text(*a.run, indent_of_runs);
+    const std::vector<std::string> raw(a.run->raw.begin(),
+                                       a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
+    if (options.show_internal && !raw.empty())
+        out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
+    return out;
+}
+
 /// Behind the verdict. Under the heading of its component a core property needs no title.
 std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
-                           const Options& options) {
+                           const Options& options, const SharedRun& shared) {
     const std::size_t padded = has_statistics(a) ? width : 0;
     std::string out = fmt::format("{:<{}}", a.core && width > 0 ? a.core->property : a.title, padded);
     if (has_statistics(a))
@@ -80,22 +98,19 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
+    if (!shared.shown_at.empty()) return out + fmt::format("               by the run of {} above\n", shared.shown_at);
     const std::string claimed =
         a.place.empty() ? "" : fmt::format("{} at {}; ", a.core ? "declared" : "claimed", diagnostics::shown(a.place));
-    out += fmt::format("               {}the {} does:\n{}", claimed, subject,
-                       a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
-    if (!a.run) return out;
-    const std::vector<std::string> raw(a.run->raw.begin(),
-                                       a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
-    if (options.show_internal && !raw.empty())
-        out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
+    out += fmt::format("               {}the {} does:\n{}", claimed, subject, run_lines(a, options));
+    if (!shared.others.empty())
+        out += fmt::format("               the same run is one of {}\n", fmt::join(shared.others, " and of "));
     return out;
 }
 
 std::string assertion_block(const AssertionReport& a, const std::string& subject, std::size_t width,
-                            const Options& options, bool color) {
+                            const Options& options, bool color, const SharedRun& shared = {}) {
     return verdict(answer_word(a.answer), paint_of(a.answer), color) +
-           diagnostics::shown_lines(assertion_rest(a, subject, width, options));
+           diagnostics::shown_lines(assertion_rest(a, subject, width, options, shared));
 }
 
 /// What the verdicts are about where it is less than the model.
@@ -330,15 +345,37 @@ std::string heading_text(const Report& report) {
 
 using Listed = std::vector<const AssertionReport*>;
 
+/// Runs of core properties that are the same for several components, by assertion.
+using SharedRuns = std::map<const AssertionReport*, SharedRun>;
+
+/// A module, its controller and its machine often fail a property by one run: it is printed for the first of them.
+SharedRuns shared_runs(const Report& report, const Options& options) {
+    std::map<std::pair<std::string, std::string>, const AssertionReport*> first;  // by property and run
+    SharedRuns result;
+    for (const AssertionReport& a : report.assertions) {
+        if (!a.core || a.core->information || (!a.run && a.counterexample.empty())) continue;
+        const auto [known, added] = first.try_emplace({a.core->property, run_lines(a, options)}, &a);
+        if (added) continue;
+        result[&a].shown_at = known->second->core->component;
+        result[known->second].others.push_back(a.core->component);
+    }
+    return result;
+}
+
 /// Each as wide as the widest title, within reason.
-std::string blocks(const Listed& listed, const std::string& subject, const Options& options, bool color) {
+std::string blocks(const Listed& listed, const std::string& subject, const Options& options, bool color,
+                   const SharedRuns& shared) {
     std::size_t width = 0;
     for (const AssertionReport* a : listed)
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
     for (const AssertionReport* a : listed)
         // A value is an answer: it is printed whatever is left out.
-        if (!options.quiet || a->answer != Answer::holds) out += assertion_block(*a, subject, width, options, color);
+        if (!options.quiet || a->answer != Answer::holds) {
+            const auto elsewhere = shared.find(a);
+            out += assertion_block(*a, subject, width, options, color,
+                                   elsewhere == shared.end() ? SharedRun{} : elsewhere->second);
+        }
     return out;
 }
 
@@ -347,7 +384,7 @@ std::string assertions_text(const Report& report, const Options& options, bool c
     for (const AssertionReport& a : report.assertions)
         if (!a.core) listed.push_back(&a);
     const std::string heading = listed.empty() || options.quiet ? "" : "\nassertions\n";
-    return heading + blocks(listed, report.subject, options, color);
+    return heading + blocks(listed, report.subject, options, color, {});
 }
 
 /// What is so of a component and what is not, in one sentence: states that cannot be reached with their places.
@@ -385,9 +422,10 @@ std::string core_text(const Report& report, const Options& options, bool color) 
         if (added) components.push_back(a.core->component);
         (a.core->information ? part->second.second : part->second.first).push_back(&a);
     }
+    const SharedRuns shared = shared_runs(report, options);
     std::string out;
     for (const std::string& component : components) {
-        const std::string required = blocks(parts[component].first, report.subject, options, color);
+        const std::string required = blocks(parts[component].first, report.subject, options, color, shared);
         if (!required.empty() || !options.quiet)
             out += fmt::format("  {}\n{}", diagnostics::shown(component), required);
         if (!options.quiet) out += diagnostics::shown_lines(information_text(parts[component].second));

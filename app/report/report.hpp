@@ -68,7 +68,7 @@ struct AssertionReport {
 
 /// Where the finite instantiation limited a value while assertions were checked.
 struct BoundReport {
-    std::string element;  ///< "S::t1"
+    std::string element;  ///< "P::S::t1", with the part of the run in front as elsewhere
     std::string place;    ///< "model.rct:12"
     std::string text;     ///< the expression, and what was made of it
     std::string time;     ///< "untimed", "timed", or both

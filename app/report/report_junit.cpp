@@ -71,7 +71,8 @@ std::string render_junit(const Report& report) {
     for (const ConformanceReport& each : report.conformance) cases.push_back(case_of(each));
     for (const RefusedReport& each : report.refused)
         cases.push_back(about_run(each.model, "refused, with errors", each.text));
-    if (report.nothing_checked) cases.push_back(about_run("assertions", report.unclaimed, report.unclaimed));
+    const bool nothing = report.assertions.empty() && report.conformance.empty() && !report.unclaimed.empty();
+    if (report.nothing_checked || nothing) cases.push_back(about_run("assertions", report.unclaimed, report.unclaimed));
     if (!report.limit.empty()) cases.push_back(about_run("limit", report.limit, report.limit));
     return junit_document(report.model, cases);
 }

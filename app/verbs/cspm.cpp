@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
@@ -189,6 +190,30 @@ void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     }
 }
 
+/// The script with the assertions about this one, as `emit csp` names it; "" if there is none.
+std::string assertions_beside(const std::string& path) {
+    const std::filesystem::path file(path);
+    const std::filesystem::path beside = file.parent_path() / (file.stem().string() + "_assertions.csp");
+    std::error_code code;
+    return std::filesystem::is_regular_file(beside, code) ? beside.string() : "";
+}
+
+/// Definitions alone claim nothing. That their names and types are right is known by now, so they are no mistake; a
+/// script that has nothing at all is.
+void note_no_assertions(const LoadedScript& loaded, const Options& options, ScriptReport& script) {
+    const std::string path = diagnostics::shown(script.path);
+    if (loaded.script.decls.empty()) {
+        script.errors.push_back(fmt::format("{}: nothing to check: it is empty", path));
+        return;
+    }
+    const std::string beside = assertions_beside(script.path);
+    script.warnings.push_back(
+        fmt::format("{}: there are no assertions; its names and types are right{}", path,
+                    beside.empty() ? "" : fmt::format(", and assertions are in {}", diagnostics::shown(beside))));
+    const bool text = options.format == Format::text || options.format == Format::plain;
+    if (text || options.format == Format::junit) print_error("{}\n", script.warnings.back());
+}
+
 /// Prints what has been decided at once, in the formats that allow it.
 void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script,
                 Report& report) {
@@ -197,9 +222,7 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         if (std::stoull(number) > assertions.size())
             throw UsageError(
                 fmt::format("there is no assertion {}: {} has {}", number, script.path, assertions.size()));
-    if (assertions.empty() && script.prints.empty())
-        script.errors.push_back(
-            fmt::format("{}: nothing to check: there are no assertions", diagnostics::shown(script.path)));
+    if (assertions.empty() && script.prints.empty()) note_no_assertions(loaded, options, script);
     std::size_t at = report.assertions.size();
     {
         const auto edit = options.run->edit();
@@ -261,6 +284,7 @@ struct Known {
     Report report;
     std::string open;   ///< script whose object is not printed yet; "": none
     bool last = false;  ///< it is the last one
+    bool asks = false;  ///< some script has assertions or prints
 };
 
 /// The rest of what is printed of a script. It is printed whole, and the last word prints nothing more of it.
@@ -301,6 +325,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
+        known.asks = known.asks || !session.assertions().empty() || !script.prints.empty();
         // Frames are of assertions; a script that only prints has one of its own.
         const bool frame = options.format == Format::framed_json && session.assertions().empty();
         if (frame || options.format == Format::json)
@@ -401,6 +426,10 @@ Exit run_cspm(const Options& options) {
         if (!report.limit.empty()) break;
     }
     options.run->finish();
+    if (!known->asks && exit == Exit::success) {
+        report.unclaimed = "nothing is claimed";
+        exit = Exit::inconclusive;
+    }
     const bool some = exit != Exit::bad_input || !report.assertions.empty();
     if (options.format == Format::junit || (options.format == Format::text && some)) print_report(report, options);
     return worse(exit, report.exit());

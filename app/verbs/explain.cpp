@@ -51,11 +51,15 @@ std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
     return text;
 }
 
-bool explain(const std::string& code, bool color) {
+bool explain(const std::string& written, bool color) {
+    const std::vector<std::string> meant = codes_meant(written);
+    const std::string code = meant.size() == 1 ? meant.front() : written;
     const std::string_view page = page_text(code);
     const auto rules = find_rules(code);
     if (page.empty() && rules.empty()) {
-        print_error("robochart-verify: no rule has the code {}{}\n", code, relatives(code));
+        const std::string instead =
+            meant.empty() ? relatives(written) : fmt::format("; there are {}", fmt::join(meant, ", "));
+        print_error("robochart-verify: no rule has the code {}{}\n", written, instead);
         return false;
     }
     print_styled(page.empty() ? from_table(rules) : render_page(page, color));

@@ -14,6 +14,7 @@
 #include "app/prism/prism_plot.hpp"
 #include "app/report/prism_report.hpp"
 #include "app/verbs/verbs.hpp"
+#include "checker/prism/explore/rules.hpp"
 #include "checker/prism/export.hpp"
 #include "checker/prism/sampling/parallel.hpp"
 #include "checker/prism/session.hpp"
@@ -21,6 +22,7 @@
 #include "checker/prism/syntax/printer.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
+#include "prism_emit/emit.hpp"
 
 namespace robochart::app {
 namespace {
@@ -173,7 +175,7 @@ private:
                 [&](std::size_t property, const prism::Values& values) { return session.check(property, values); },
                 [&](std::size_t property, const prism::Values& values) { return evidence(session, property, values); });
         } catch (const prism::EvaluationError& error) {
-            error.report(findings);
+            report(error, findings);
             return false;
         }
         return true;
@@ -242,7 +244,19 @@ private:
             (reported.size() > at ? reported[at] : *answers[at]).counterexample = std::move(found);
         });
         for (const std::optional<prism::EvaluationError>& each : failures)
-            if (each) each->report(findings);
+            if (each) report(*each, findings);
+    }
+
+    /// A value outside its range, in a model of `emit prism`: with what sets the range.
+    void report(const prism::EvaluationError& error, diagnostics::Diagnostics& findings) const {
+        diagnostics::Diagnostic& finding = error.report(findings);
+        const bool of_robochart = error.is(prism::rules::out_of_range) && finding.span.known() &&
+                                  prism_emit::is_of_robochart(loaded_.sources.text(finding.span.source));
+        if (of_robochart)
+            finding.notes.push_back({{},
+                                     "the model is of a RoboChart model, with the ranges of its finite instantiation: "
+                                     "`emit prism` with --range nat=0..9 (or int, real), or with RoboTool's "
+                                     "preferences, --prefs FILE, writes it with others"});
     }
 
     void note_size(const prism::StateSpace& space, std::size_t number, double seconds) {
@@ -288,7 +302,7 @@ private:
             if (format == "dot") prism::export_graph(space, sink);
             if (of_property) nothing = export_answer(space, wanted.of_properties.front(), sink);
         } catch (const prism::EvaluationError& error) {
-            error.report(loaded_.diagnostics);
+            report(error, loaded_.diagnostics);
         }
         options_.run->finish();
         show_findings(loaded_, options_);

@@ -2,9 +2,11 @@
 #include "cpp_emit/api/console_class.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "cpp_emit/plan/types.hpp"
 
@@ -201,6 +203,62 @@ std::string pick_word(const ClassApi& api) {
 
 void console_reading(const Generation& generation, const Core& core, CodeWriter& out) {
     ReadingWriter(generation, core, out).write();
+}
+
+namespace {
+
+/// What can stand for a value of the type.
+std::string described(const ir::Type& type) {
+    switch (type.kind) {
+        case ir::TypeKind::boolean:
+            return "true or false";
+        case ir::TypeKind::nat:
+            return "a natural number";
+        case ir::TypeKind::integer:
+            return "a whole number";
+        case ir::TypeKind::real:
+            return "a real number";
+        case ir::TypeKind::given:
+            return fmt::format("a value of {}: its number, from 0", type.name);
+        case ir::TypeKind::enumeration:
+            break;
+        case ir::TypeKind::string:
+        case ir::TypeKind::sequence:
+        case ir::TypeKind::set:
+        case ir::TypeKind::product:
+        case ir::TypeKind::record:
+        case ir::TypeKind::function:
+        case ir::TypeKind::relation:
+        case ir::TypeKind::vector:
+        case ir::TypeKind::matrix:
+        case ir::TypeKind::unit:
+            return fmt::format("a value of {}, as in logs", type.name);
+    }
+    constexpr std::size_t most = 16;
+    const bool plain = std::all_of(type.literal_args.begin(), type.literal_args.end(),
+                                   [](const auto& arguments) { return arguments.empty(); });
+    if (!plain || type.labels.size() > most) return fmt::format("a literal of {}, as in logs", type.name);
+    return fmt::format("one of {}", fmt::join(type.labels, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> console_inputs(const Generation& generation, const ClassApi& api) {
+    std::vector<std::pair<std::string, std::string>> rows;
+    std::size_t width = 0;
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiEvent& event : part.events) {
+            if (event.sent) continue;
+            const auto& type = event.port->type;
+            rows.emplace_back(event.port->model_name + (type ? "=VALUE" : ""),
+                              type ? described(generation.system.type(*type)) : "");
+            width = std::max(width, rows.back().first.size());
+        }
+    });
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : rows)
+        lines.push_back(value.empty() ? name : fmt::format("{:<{}}  {}", name, width, value));
+    return lines;
 }
 
 void console_class(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {

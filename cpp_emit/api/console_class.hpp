@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cpp_emit/api/class_api.hpp"
 
@@ -13,6 +14,8 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string pick_word(const ClassApi&);
 /// How values of the model's own types are read (robochart/console_values.hpp), in the core's namespace.
 void console_reading(const Generation&, const Core&, CodeWriter&);
+/// The inputs, a line each, with what their values are: "heading=VALUE  a real".
+[[nodiscard]] std::vector<std::string> console_inputs(const Generation&, const ClassApi&);
 /// The class `Console`.
 void console_class(const Generation&, const Core&, const ClassApi&, CodeWriter&);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cpp_emit/api/console_class.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -50,7 +51,8 @@ private:
             "Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`. With a "
             "number of milliseconds as its argument a cycle comes that often, with what was typed until then. --log "
             "FILE "
-            "writes a log for `robochart-verify conform --traces`, --coverage prints which transitions were taken.");
+            "writes a log for `robochart-verify conform --traces`, --coverage prints which transitions were taken, "
+            "--help what can be raised.");
         if (asks_)
             out_.comment(fmt::format(
                 "Where the model leaves a choice, `{}=2` in the line of the cycle takes the third; on a terminal, or "
@@ -59,7 +61,36 @@ private:
                 pick_word(api_)));
     }
 
+    void help_functions() {
+        out_.doc("How the program is called, and what can be raised.");
+        out_.open("void print_help(std::ostream& out) {");
+        out_.line(fmt::format("out << \"usage: {}_console [MILLISECONDS] [--log FILE] [--coverage]{}\\n\"",
+                              api_.cpp_name, asks_ ? " [--ask] [--record FILE] [--replay FILE]" : ""));
+        const std::vector<std::string> inputs = console_inputs(generation_, api_);
+        out_.line(inputs.empty() ? "       \"There are no inputs: each line is a cycle.\\n\";"
+                                 : "       \"Each line is a cycle with the inputs that come in it:\\n\"");
+        for (std::size_t i = 0; i < inputs.size(); ++i)
+            out_.line("       " + diagnostics::cpp_string("  " + inputs[i] + "\n") +
+                      (i + 1 == inputs.size() ? ";" : ""));
+        out_.close();
+        out_.gap();
+        out_.doc("A word that raises nothing; after the first one stands what would.");
+        out_.open("void refuse([[maybe_unused]] Console& controller, const std::string& word) {");
+        out_.line("static bool helped = false;");
+        if (asks_) {
+            out_.line("controller.console_choices.refuse(\"not an input: \" + word);");
+            out_.line("if (!helped && controller.console_choices.fault().empty()) print_help(std::cerr);");
+        } else {
+            out_.line("std::cerr << \"not an input: \" << word << '\\n';");
+            out_.line("if (!helped) print_help(std::cerr);");
+        }
+        out_.line("helped = true;");
+        out_.close();
+        out_.gap();
+    }
+
     void cycle_functions() {
+        help_functions();
         out_.doc("Raises the events of a line.");
         out_.open("void raise_all(Console& controller, const std::string& line) {");
         out_.line("std::istringstream words(line);");
@@ -70,11 +101,9 @@ private:
         out_.line("const std::string value = equals == std::string::npos ? \"\" : word.substr(equals + 1);");
         if (asks_) {
             out_.line("if (controller.raise(word.substr(0, equals), value)) controller.console_choices.raised(word);");
-            out_.line("else controller.console_choices.refuse(\"not an input: \" + word);");
+            out_.line("else refuse(controller, word);");
         } else {
-            out_.line(
-                "if (!controller.raise(word.substr(0, equals), value)) std::cerr << \"not an input: \" << word << "
-                "'\\n';");
+            out_.line("if (!controller.raise(word.substr(0, equals), value)) refuse(controller, word);");
         }
         out_.close();
         out_.close();
@@ -165,6 +194,7 @@ private:
         if (asks_) out_.line("std::string record, replay;");
         if (asks_) out_.line("bool ask = false;");
         out_.line("bool coverage = false;");
+        out_.line("bool help = false;");
         out_.line("bool wrong = false;");
         out_.close("};");
         out_.gap();
@@ -174,6 +204,8 @@ private:
         out_.line("const std::string_view word = argv[i];");
         out_.open("if (word == \"--coverage\") {");
         out_.line("result.coverage = true;");
+        out_.reopen("} else if (word == \"--help\" || word == \"-h\") {");
+        out_.line("result.help = true;");
         out_.reopen("} else if (word == \"--log\" && i + 1 < argc) {");
         out_.line("result.log = argv[++i];");
         if (asks_) {
@@ -252,9 +284,12 @@ private:
     void main_function() {
         out_.open("int main(int argc, char** argv) {");
         out_.line("const Asked wanted = asked(argc, argv);");
+        out_.open("if (wanted.help) {");
+        out_.line("print_help(std::cout);");
+        out_.line("return EXIT_SUCCESS;");
+        out_.close();
         out_.open("if (wanted.wrong) {");
-        out_.line(fmt::format("std::cerr << \"usage: {}_console [MILLISECONDS] [--log FILE] [--coverage]{}\\n\";",
-                              api_.cpp_name, asks_ ? " [--ask] [--record FILE] [--replay FILE]" : ""));
+        out_.line("print_help(std::cerr);");
         out_.line("return EXIT_FAILURE;");
         out_.close();
         out_.line("Console controller;");

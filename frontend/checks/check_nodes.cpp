@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "frontend/checks/checks.hpp"
@@ -113,21 +115,86 @@ void check_probability(const Transition& transition, Diagnostics& out) {
         out.report(rules::pt2, transition.probability->span, {to_text(*transition.probability)});
 }
 
+/// A product of variables and constants without a known value, in the order of their pointers: looked up only.
+using Product = std::vector<const Declaration*>;
+/// Products with their factors; the empty product is 1.
+using Polynomial = std::map<Product, double>;
+
+Polynomial sum(Polynomial left, const Polynomial& right, double factor) {
+    for (const auto& [product, value] : right) left[product] += factor * value;
+    return left;
+}
+
+std::optional<Polynomial> product(const Polynomial& left, const Polynomial& right) {
+    constexpr std::size_t most = 64;  // those of a junction have a few
+    if (left.size() * right.size() > most) return std::nullopt;
+    Polynomial result;
+    for (const auto& [a, factor_a] : left)
+        for (const auto& [b, factor_b] : right) {
+            Product both = a;
+            both.insert(both.end(), b.begin(), b.end());
+            std::sort(both.begin(), both.end(), std::less<>());
+            result[both] += factor_a * factor_b;
+        }
+    return result;
+}
+
+/// An expression of names, numbers, `+`, `-`, `*` and divisions by numbers as a polynomial over what the model gives no
+/// value. All names stand for the values at one instant. Every constant may name others twice, so few are followed.
+std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
+    const auto arg = [&](std::size_t i) { return polynomial(*expr.args[i], constants); };
+    if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real)
+        return Polynomial{{{}, std::strtod(expr.text.c_str(), nullptr)}};
+    if (expr.kind == ExprKind::parenthesised) return arg(0);
+    if (expr.kind == ExprKind::name) {
+        const auto* named = dynamic_cast<const Variable*>(expr.target);
+        if (named == nullptr) return std::nullopt;
+        const bool given = named->kind == DeclKind::constant && named->initial;
+        if (given) return constants > 0 ? polynomial(*named->initial, constants - 1) : std::nullopt;
+        return Polynomial{{{named}, 1}};
+    }
+    const bool negation = expr.kind == ExprKind::unary && *expr.unary == UnaryOp::negate;
+    if (!negation && expr.kind != ExprKind::binary) return std::nullopt;
+    auto left = arg(0);
+    if (!left) return std::nullopt;
+    if (negation) return sum({}, *left, -1);
+    const auto right = arg(1);
+    if (!right) return std::nullopt;
+    switch (*expr.binary) {
+        case BinaryOp::plus:
+            return sum(std::move(*left), *right, 1);
+        case BinaryOp::minus:
+            return sum(std::move(*left), *right, -1);
+        case BinaryOp::times:
+            return product(*left, *right);
+        case BinaryOp::divide: {
+            const bool number = right->size() == 1 && right->begin()->first.empty() && right->begin()->second != 0;
+            return number ? std::optional(sum({}, *left, 1 / right->begin()->second)) : std::nullopt;
+        }
+        default:
+            return std::nullopt;
+    }
+}
+
+/// A sum that is 1 whatever the values of its names are, such as that of `p` and `1 - p`, is 1; one that is another
+/// number is wrong.
 void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
-    double sum = 0;
-    bool known = true;
+    std::optional<Polynomial> total = Polynomial{};
     for (const Transition* transition : outgoing(ways, node)) {
         if (!transition->probability) return;  // PJ1
-        const auto value = constant_value(*transition->probability);
-        known = known && value;
-        sum += value.value_or(0);
+        const auto number = constant_value(*transition->probability);
+        const auto way = number ? std::optional(Polynomial{{{}, *number}}) : polynomial(*transition->probability);
+        total = total && way ? std::optional(sum(std::move(*total), *way, 1)) : std::nullopt;
     }
-    if (!known) {
+    constexpr double tolerance = 1e-9;
+    const auto open = [](const auto& term) { return !term.first.empty() && std::abs(term.second) > tolerance; };
+    if (!total || std::any_of(total->begin(), total->end(), open)) {
         out.report(rules::pj3_unknown, node.name_span, {node.name});
         return;
     }
-    constexpr double tolerance = 1e-9;
-    if (std::abs(sum - 1) > tolerance) out.report(rules::pj3, node.name_span, {node.name, fmt::format("{:g}", sum)});
+    const double whole = (*total)[{}];
+    if (std::abs(whole - 1) > tolerance)
+        out.report(rules::pj3, node.name_span, {node.name, fmt::format("{:g}", whole)});
 }
 
 // ---------------------------------------------------------------- nodes and transitions

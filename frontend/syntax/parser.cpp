@@ -221,7 +221,37 @@ diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span
         out_.report(syntax::too_many, span);
         throw GiveUp{};
     }
-    return &out_.report(rule, span, std::move(arguments));
+    const std::string what = &rule == &syntax::unexpected ? arguments.front() : std::string();
+    diagnostics::Diagnostic& finding = out_.report(rule, span, std::move(arguments));
+    if (!what.empty()) point_to_open(what, finding);
+    return &finding;
+}
+
+/// The brace before this place that no other closes. Where a closing brace stands further left than the line of the
+/// one that it closes, that one was probably left open, and the brace belongs to a block around it.
+std::optional<std::size_t> Parser::unclosed_brace(bool& by_indentation) const {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < at_; ++i) {
+        if (tokens_.kind(i) != TokenKind::symbol) continue;
+        const Token token = tokens_[i];
+        if (token.text == "{" || token.text == "<{") open.push_back(i);
+        if (token.text != "}" || open.empty()) continue;
+        by_indentation = token.first_on_line && indentation(i) < indentation(open.back());
+        if (by_indentation) return open.back();
+        open.pop_back();
+    }
+    return open.empty() ? std::nullopt : std::optional(open.back());
+}
+
+void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const {
+    if (surplus_ <= 0 || what.find("`}`") == std::string_view::npos || !(peek().first_on_line || at_end())) return;
+    bool by_indentation = false;
+    const auto open = unclosed_brace(by_indentation);
+    if (!open) return;
+    finding.notes.push_back({tokens_.at(*open).span, by_indentation
+                                                         ? "this `{` is probably the one that is not closed: the `}` "
+                                                           "that would close it stands further left"
+                                                         : "this `{` is not closed"});
 }
 
 /// Where characters were left out that belong to no word, the message about them is enough.

@@ -95,6 +95,9 @@ private:
     void forget(std::size_t begin, std::size_t end);
     bool neural_construct();
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
+    /// Where a closing bracket was expected: a note at the opening one, if that is on another line.
+    void point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const;
+    [[nodiscard]] std::optional<std::size_t> unclosed_brace(bool& by_indentation) const;
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
     /// A misspelt one of these words, which are all reserved, is reported and read as what was meant.
@@ -372,8 +375,8 @@ void Parser::braces(Member member, unsigned members) {
         }
         const bool outside = surplus_ > 0 && deeper && peek().first_on_line && indentation(at_) <= own;
         if (outside || closes_missing_brace(members)) {
-            if (surplus_ > 0) --surplus_;
             guarded([&] { missing("`}`"); });
+            if (surplus_ > 0) --surplus_;
             return;
         }
         deeper = deeper || (peek().first_on_line && indentation(at_) > own);

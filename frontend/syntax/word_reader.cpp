@@ -55,7 +55,16 @@ void WordReader::expect(std::string_view word) {
 void WordReader::fail(std::string_view expected) {
     if (failed_) return;
     failed_ = true;
-    diagnostics_.report(syntax_, token().span, {std::string(expected), quoted_token(token())});
+    diagnostics::Diagnostic& finding =
+        diagnostics_.report(syntax_, token().span, {std::string(expected), quoted_token(token())});
+    if (!at_end()) return;
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < next_; ++i) {
+        const Token each = stream_.tokens.at(i);
+        if (each.is("{")) open.push_back(i);
+        if (each.is("}") && !open.empty()) open.pop_back();
+    }
+    if (!open.empty()) finding.notes.push_back({stream_.tokens.at(open.back()).span, "this '{' is not closed"});
 }
 
 void WordReader::report(const diagnostics::Rule& rule, diagnostics::Span span, std::vector<std::string> arguments) {

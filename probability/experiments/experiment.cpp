@@ -8,6 +8,7 @@
 
 #include "checker/prism/checks/check.hpp"
 #include "checker/prism/experiment.hpp"
+#include "checker/prism/explore/rules.hpp"
 #include "checker/prism/sampling/random_path.hpp"
 #include "checker/prism/sampling/unsampled.hpp"
 #include "checker/prism/session.hpp"
@@ -33,6 +34,7 @@ std::string message(const prism::EvaluationError& error) {
     error.report(one);
     std::string text = errors(one);
     if (!error.state.empty()) text += ", in the state " + error.state;
+    if (error.is(prism::rules::out_of_range)) text += "; --range and --prefs set the ranges of nat, int and real";
     return text;
 }
 

@@ -2,9 +2,12 @@
 #include "simulation/scenario/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "diagnostics/spelling.hpp"
 #include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {
@@ -16,10 +19,10 @@ namespace {
 
 constexpr std::uint32_t most_requests = 64;
 
-const char* described(const std::vector<Carried>& arguments) {
-    if (arguments.empty()) return "no value";
-    if (arguments.size() > 1) return "several values";
-    switch (arguments.front()) {
+std::string described(const Port& port) {
+    if (port.arguments.empty()) return "no value";
+    if (port.arguments.size() > 1) return "several values";
+    switch (port.arguments.front()) {
         case Carried::boolean:
             return "a truth value";
         case Carried::whole:
@@ -29,7 +32,15 @@ const char* described(const std::vector<Carried>& arguments) {
         case Carried::enumeration:
             break;
     }
-    return "a literal of an enumeration";
+    const std::vector<std::string>& literals = port.literals.front();
+    constexpr std::size_t most = 8;
+    if (literals.empty() || literals.size() > most) return fmt::format("a value of {}", port.types.front());
+    return fmt::format("a literal of {} ({})", port.types.front(), fmt::join(literals, ", "));
+}
+
+/// Whether a name as it is written means this one: it is its end, `P::Zone::NEAR` by `NEAR` and by `Zone::NEAR`.
+bool means(const std::string& written, const std::string& full) {
+    return full == written || full.ends_with("::" + written);
 }
 
 std::string described(const Feed& feed) {
@@ -78,19 +89,30 @@ private:
     std::optional<std::uint32_t> input(const Name& name) {
         for (std::uint32_t i = 0; i < emission_.inputs.size(); ++i)
             if (emission_.inputs[i].name == name.text) return i;
-        unknown(name, "event or variable to feed named");
+        unknown(name, "event or variable to feed named", names(emission_.inputs, [](const Port&) { return true; }));
         return std::nullopt;
     }
 
     std::optional<std::uint32_t> output(const Name& name, Port::Kind kind, const char* what) {
         for (std::uint32_t i = 0; i < emission_.outputs.size(); ++i)
             if (emission_.outputs[i].kind == kind && emission_.outputs[i].name == name.text) return i;
-        unknown(name, what);
+        unknown(name, what, names(emission_.outputs, [kind](const Port& port) { return port.kind == kind; }));
         return std::nullopt;
     }
 
-    void unknown(const Name& name, const char* what) {
-        diagnostics_.report(rules::unknown_name, name.span, {scenario_.component.text, what, name.text});
+    template <class Wanted>
+    static std::vector<std::string> names(const std::vector<Port>& ports, Wanted wanted) {
+        std::vector<std::string> result;
+        for (const Port& port : ports)
+            if (wanted(port)) result.push_back(port.name);
+        return result;
+    }
+
+    void unknown(const Name& name, const std::string& what, const std::vector<std::string>& known) {
+        auto& finding =
+            diagnostics_.report(rules::unknown_name, name.span, {scenario_.component.text, what, name.text});
+        const std::string meant = diagnostics::nearest(name.text, known);
+        if (!meant.empty()) finding.fixes.push_back({name.span, meant, diagnostics::suggested(false)});
     }
 
     void bind_feed(const Feed& feed) {
@@ -103,7 +125,7 @@ private:
         const Port& port = emission_.inputs[*found];
         if (!fits(feed.carries, port.arguments))
             diagnostics_.report(rules::wrong_type, feed.target.span,
-                                {feed.target.text, described(port.arguments), described(feed), "feed"});
+                                {feed.target.text, described(port), described(feed), "feed"});
         for (std::uint32_t s = 0; s < scenario_.sensors.size(); ++s)
             if (scenario_.sensors[s].name.text == feed.part.text) bound.sensor = s;
         if (feed.argument && !feed.argument->variable.text.empty())
@@ -120,7 +142,7 @@ private:
         if (!fits(carries, port.arguments)) {
             diagnostics_.report(
                 rules::wrong_type, name.span,
-                {name.text, described(port.arguments), carries == Carries::whole ? "a message" : "a quantity",
+                {name.text, described(port), carries == Carries::whole ? "a message" : "a quantity",
                  carries == Carries::whole ? "send" : "follow"});
             return std::nullopt;
         }
@@ -146,13 +168,62 @@ private:
         const auto found = input(stimulus.event);
         if (!found) return;
         fed_[*found] = true;
-        const auto& arguments = emission_.inputs[*found].arguments;
-        const Carries carries = stimulus.truth ? Carries::boolean : stimulus.value ? Carries::real : Carries::signal;
-        const bool whole = stimulus.value && arguments.size() == 1 && arguments.front() == Carried::whole;
-        if (!whole && !fits(carries, arguments))
+        const Port& port = emission_.inputs[*found];
+        BoundStimulus bound{&stimulus, *found, port.arguments == std::vector{Carried::real}, 0};
+        if (stimulus.named ? !take_named(*stimulus.named, port, bound.value) : !take_value(stimulus, port, bound.value))
             diagnostics_.report(rules::wrong_type, stimulus.event.span,
-                                {stimulus.event.text, described(arguments), "this stimulus", "give"});
-        plan_.stimuli.push_back({&stimulus, *found, carries == Carries::real && !whole});
+                                {stimulus.event.text, described(port), "this stimulus", "give"});
+        plan_.stimuli.push_back(bound);
+    }
+
+    /// False if the event carries something else.
+    static bool take_value(const Stimulus& stimulus, const Port& port, double& value) {
+        value = stimulus.value ? stimulus.value->value : stimulus.truth.value_or(false) ? 1 : 0;
+        if (stimulus.value && port.arguments == std::vector{Carried::whole}) return value == std::floor(value);
+        return fits(stimulus.truth   ? Carries::boolean
+                    : stimulus.value ? Carries::real
+                                     : Carries::signal,
+                    port.arguments);
+    }
+
+    /// A literal of the event's enumeration, or a constant of the model. False if it is of another type; what is not
+    /// there is reported.
+    bool take_named(const Name& name, const Port& port, double& value) {
+        if (port.arguments.size() != 1) return false;
+        const std::string& type = port.types.front();
+        const std::vector<std::string>& literals = port.literals.front();
+        for (std::size_t i = 0; i < literals.size(); ++i)
+            if (means(name.text, type + "::" + literals[i])) {
+                value = static_cast<double>(i);
+                return true;
+            }
+        const cpp_emit::DriveConstant* const found = constant(name, port);
+        if (found == nullptr) return true;
+        value = found->value;
+        const Carried wanted = port.arguments.front();
+        if (wanted == Carried::real) return found->carried == Carried::real || found->carried == Carried::whole;
+        return found->carried == wanted && (wanted != Carried::enumeration || found->type == type);
+    }
+
+    /// Null, with a finding, if there is none of the name or machines have different ones.
+    const cpp_emit::DriveConstant* constant(const Name& name, const Port& port) {
+        const cpp_emit::DriveConstant* found = nullptr;
+        std::vector<std::string> known = port.literals.front();
+        for (const cpp_emit::DriveConstant& each : emission_.constants) {
+            known.push_back(each.name);
+            if (!means(name.text, each.owner + "::" + each.name)) continue;
+            if (found != nullptr && (found->value != each.value || found->type != each.type)) {
+                diagnostics_.report(rules::out_of_range, name.span,
+                                    {fmt::format("'{}' has one value in {} and another in {}: write whose is meant",
+                                                 name.text, found->owner, each.owner)});
+                return nullptr;
+            }
+            found = &each;
+        }
+        const bool literal = !port.literals.front().empty();
+        if (found == nullptr)
+            unknown(name, literal ? fmt::format("constant or literal of {}", port.types.front()) : "constant", known);
+        return found;
     }
 
     void bind_drive(const Drive& drive, std::uint32_t index) {
@@ -167,7 +238,7 @@ private:
         const Port& port = emission_.outputs[*found];
         if (drive.motion == Motion::turn && !fits(Carries::real, port.arguments)) {
             diagnostics_.report(rules::wrong_type, drive.on->span,
-                                {drive.on->text, described(port.arguments), "'turn'", "take for an angle"});
+                                {drive.on->text, described(port), "'turn'", "take for an angle"});
             return;
         }
         plan_.effects[*found].push_back({Effect::Kind::drive, false, index});

@@ -34,6 +34,7 @@ struct BoundStimulus {
     const Stimulus* stimulus = nullptr;
     std::uint32_t input = 0;
     bool real = false;
+    double value = 0;  ///< a number; truth values: 0, 1; literals: the place in their enumeration
 };
 
 struct BoundSpeeds {

@@ -40,9 +40,8 @@ const Rule unknown_name{
 const Rule wrong_type{
     "RC-M08", Severity::error, "'{}' carries {}, which {} cannot {}",
     "A reading that is there or not feeds an event without value, a truth value an event of type boolean, a "
-    "measured quantity an event of type real; an actuator is driven by reals. Nothing feeds an event of an "
-    "enumeration: "
-    "declare an event for each literal."};
+    "measured quantity an event of type real; an actuator is driven by reals. A stimulus gives an event a number, a "
+    "truth value, a literal of its enumeration or a constant of the model; no reading is a literal."};
 const Rule no_space{
     "RC-M09", Severity::error, "{} robots of radius {} cm do not fit in the region",
     "Robots are placed without overlap. Where they would cover more than two fifths of the region, or two "

@@ -89,6 +89,7 @@ struct Stimulus {
     double every = 0;  ///< 0: once
     std::optional<Quantity> value;
     std::optional<bool> truth;
+    std::optional<Name> named;  ///< a literal or constant of the model
 };
 
 /// `light NAME at (X, Y) moving to (X, Y) at SPEED`: it stays where it has come to.

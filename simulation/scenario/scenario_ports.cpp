@@ -233,6 +233,9 @@ void ScenarioReader::stimulus() {
             stimulus.truth = true;
         else if (in_.take("false"))
             stimulus.truth = false;
+        else if (!in_.at_number())
+            stimulus.named =
+                in_.qualified_name("a value: a number, true, false, or a literal or constant of the model");
         else
             stimulus.value = in_.quantity(Dimension::number, "the value of a stimulus");
     }

@@ -241,11 +241,10 @@ private:
         if (!now) return;
         rc_signal& signal = signals_[bound.input];
         signal.present = 1;
-        const double value = stimulus.value ? stimulus.value->value : stimulus.truth.value_or(false) ? 1 : 0;
         if (bound.real)
-            signal.value.real = value;
+            signal.value.real = bound.value;
         else
-            signal.value.whole = std::llround(value);
+            signal.value.whole = std::llround(bound.value);
     }
 
     [[nodiscard]] const Sensor& sensor(const BoundFeed& bound) const { return scenario_.sensors[bound.sensor]; }

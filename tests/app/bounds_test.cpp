@@ -87,5 +87,13 @@ TEST_F(Bounds, AreInTheTextAlthoughQuiet) {
                                Not(HasSubstr("x + 9"))));
 }
 
+/// With its package, and of several parts with components of one name with the part in front.
+TEST_F(Bounds, NameTheComponent) {
+    const Folder folder(
+        {{"a.rct", "package a\n" + std::string(machine)}, {"b.rct", "package b\n" + std::string(machine)}});
+    const Ran ran = run({"check", folder.path(), "--untimed", "--quiet", "--range", "nat=0..3"});
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("a::S::t2: in x * 2 == 2"), HasSubstr("b::S::t2: in x * 2 == 2"))) << ran.err;
+}
+
 }  // namespace
 }  // namespace robochart::app::testing

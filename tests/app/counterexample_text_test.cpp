@@ -258,5 +258,35 @@ TEST(CounterexampleText, TickTockNamesWhatWasRefused) {
                 AllOf(HasSubstr("refusal of input a"), HasSubstr("why refusal of input a is not allowed here")));
 }
 
+/// A module, its controller and its machine get stuck in one way: the text shows it once, the data each time.
+TEST(CoreProperties, ARunThatComponentsShareIsPrintedOnce) {
+    const TemporaryFile model("stuck.rct", R"(
+interface I { event go }
+robotic platform P { uses I }
+stm S {
+  uses I
+  initial i
+  state A { }
+  state B { }
+  transition t0 { from i to A }
+  transition t1 { from A to B trigger go }
+}
+controller C { uses I sref s = S connection C on go to s on go }
+module M { rref p = P cref c = C connection p on go to c on go (_async) }
+)");
+    const Ran text = run({"check", model.path(), "--no-cache"});
+    EXPECT_EQ(text.exit, 1) << text.err;
+    EXPECT_EQ(text.out.find("the model does:"), text.out.rfind("the model does:")) << text.out;
+    EXPECT_THAT(text.out, HasSubstr("the same run is one of controller C and of state machine S\n"));
+    const std::size_t first = text.out.find("by the run of module M above\n");
+    ASSERT_NE(first, std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("by the run of module M above\n", first + 1), std::string::npos) << text.out;
+    const Ran data = run({"check", model.path(), "--no-cache", "--format", "json"});
+    std::size_t runs = 0;
+    const nlohmann::json report = nlohmann::json::parse(data.out);
+    for (const auto& each : report.at("assertions")) runs += each.contains("counterexample") ? 1U : 0U;
+    EXPECT_EQ(runs, 3U);
+}
+
 }  // namespace
 }  // namespace robochart::app::testing

@@ -29,6 +29,8 @@ echo 'enumeration Colour { red blue }' > types/m.rct
 printf 'channel a\nP = a -> P\nassert P :[deadlock free [F]]\n' > s.csp
 printf 'channel a\nP = a -> P\n' > none.csp
 printf 'print 1 + 1\n' > prints.csp
+cp none.csp beside.csp; printf 'include "beside.csp"\nassert P :[deadlock free]\n' > beside_assertions.csp
+printf -- '-- nothing\n' > comment.csp
 printf 'robochart-trace 1\ncomponent Sitter\ncycle 1\n' > logs/none.trace
 cp -r claimed checks
 cp -r plain blocks; printf 'csp Instantiations csp-begin\nf(x) = x\ncsp-end\n' > blocks/m.assertions
@@ -83,7 +85,12 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"UnknownRelation", "conform claimed --model traces", 4, "--model"},
         Row{"UnknownExport", "conform claimed --export x.txt", 4, ".aut, .dot or .csp"},
         Row{"UnknownRule", "explain XX9999", 4, "no rule has the code"},
-        Row{"MisspeltRule", "explain RCW07", 4, "did you mean 'RC-W07'?"},
+        Row{"RuleWithoutHyphen", "explain RCW07", 0, "RC-W07: "},
+        Row{"RuleWithoutPrefix", "explain W17", 0, "RC-W17: "},
+        Row{"RuleInSmallLetters", "explain rc-w17", 0, "RC-W17: "},
+        Row{"RulesOfOneNumber", "explain p01", 4, "; there are CSPM-P01, PRISM-P01, RC-P01, SLEEC-P01"},
+        Row{"MisspeltRule", "explain RC-W077", 4, "did you mean 'RC-W07'?"},
+        Row{"WarningWithoutPrefix", "check claimed --allow w19", 0, "hold"},
         Row{"MisspeltChoice", "check claimed --format jsn", 4, "did you mean 'json'?"},
         Row{"MisspeltOption", "check claimed --assertin A", 4, "did you mean '--assertion'?"},
         Row{"OptionOfAnotherVerb", "check claimed --walks 3", 4, "`check` has no option --walks; `conform` has"},
@@ -107,10 +114,15 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"NoComponentToEmit", "emit cpp types", 2, "no component"},
         Row{"NoComponentToMonitor", "emit monitor types", 2, "no component"},
         Row{"NoComponentToTest", "emit tests types", 2, "no component"},
-        Row{"NoAssertionsInScript", "cspm none.csp", 2, "there are no assertions"},
-        Row{"NoAssertionsInScriptJson", "cspm --format json none.csp", 2, "there are no assertions"},
-        Row{"PrintsInScript", "cspm prints.csp", 0, "2"}, Row{"EmptyFolder", "check empty", 2, "empty"},
-        Row{"EmptyFolderToValidate", "validate empty", 2, "empty"},
+        Row{"NoAssertionsInScript", "cspm none.csp", 3, "there are no assertions"},
+        Row{"NoAssertionsInScriptJson", "cspm --format json none.csp", 3, "there are no assertions"},
+        Row{"NoAssertionsInScriptJunit", "cspm --format junit none.csp", 3, "<error message=\"nothing is claimed\""},
+        Row{"AssertionsBesideTheScript", "cspm s.csp", 0, "1 of 1"},
+        Row{"NoAssertionsInOneOfTheScripts", "cspm none.csp s.csp", 0, "1 of 1"},
+        Row{"AssertionsInAnotherScript", "cspm beside.csp", 3, "assertions are in beside_assertions.csp"},
+        Row{"EmptyScript", "cspm /dev/null", 2, "/dev/null"},
+        Row{"CommentsAlone", "cspm comment.csp", 2, "it is empty"}, Row{"PrintsInScript", "cspm prints.csp", 0, "2"},
+        Row{"EmptyFolder", "check empty", 2, "empty"}, Row{"EmptyFolderToValidate", "validate empty", 2, "empty"},
         Row{"EmptyFolderToFormat", "format empty", 2, "empty"}, Row{"NoFileToFormat", "format", 4, "required"},
         Row{"NoSuchFile", "check nowhere.rct", 2, "no such file"},
         Row{"NoRunsInLogs", "conform plain --traces logs", 4, "nothing to compare"},

@@ -131,5 +131,27 @@ TEST(Simulate, MissingFilesAndSeveralAreRefused) {
     EXPECT_EQ(run({"simulate", scenario, scenario}).exit, 4);
 }
 
+/// Errors in assertions keep back nothing that follows from the model alone; what they are is `check`'s answer.
+TEST(Simulate, AssertionsWithErrorsAreLeftOut) {
+    const auto after = [](const std::string& command) {
+        return testing::run_shell(
+            "\"$verify\" init r --simulation > made && echo 'assertion X : r::Wandr is deadlock-fre' "
+            ">> r/r.assertions && \"$verify\" " +
+            command);
+    };
+    for (const char* command : {"simulate r/r.scenario --no-pictures --trials 1", "emit cpp r", "emit monitor r",
+                                "emit tests r", "conform r --no-cache", "draw r", "step r r::Wander"}) {
+        const auto ran = after(command);
+        EXPECT_EQ(ran.exit, 0) << command << "\n" << ran.out << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr("warning[RC-A05]: the assertions of this file are left out")) << command;
+        EXPECT_THAT(ran.err, ::testing::Not(HasSubstr("error["))) << command;
+    }
+    for (const char* command : {"check r --no-cache", "validate r", "emit csp r", "emit cpp r --deny-warnings"})
+        EXPECT_EQ(after(command).exit, 2) << command;
+    const auto model = testing::run_shell(
+        "\"$verify\" init r --simulation > made && echo 'stm X {' >> r/r.rct && \"$verify\" simulate r/r.scenario");
+    EXPECT_EQ(model.exit, 2) << "errors in models count";
+}
+
 }  // namespace
 }  // namespace robochart::app

@@ -119,7 +119,13 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
     EXPECT_NE(lines.find("cycle 1\n  MoveForward()\n  CheckIlluminationStatus()\n  state Forward"), std::string::npos)
         << lines;
     EXPECT_NE(lines.find("cycle 3\n  CalcAvoidanceHeading()"), std::string::npos) << lines;
-    EXPECT_NE(lines.find("not an input: nothing"), std::string::npos) << lines;
+    // The first word that is no input is answered with those that there are.
+    EXPECT_NE(lines.find("not an input: nothing\nusage: SwarmTaxisFSM_console "), std::string::npos) << lines;
+    EXPECT_NE(lines.find("  illumination=VALUE"), std::string::npos) << lines;
+    const std::string help = folder_.run("build/SwarmTaxisFSM_console --help");
+    EXPECT_NE(help.find("usage: "), std::string::npos) << help;
+    EXPECT_NE(help.find("true or false\n"), std::string::npos) << help;
+    EXPECT_NE(help.find("\n  robotDetected\n"), std::string::npos) << help;
     // A cycle every tenth of a second, for one and a half; what is typed meanwhile is raised in the next one.
     const std::string timed = folder_.run(
         "for i in 1 2 3 4 5 6 7 8 9 10; do sleep 0.15; echo robotDetected; done | build/SwarmTaxisFSM_console 100");

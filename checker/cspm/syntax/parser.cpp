@@ -1,6 +1,10 @@
 #include "checker/cspm/syntax/parser.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
@@ -60,7 +64,26 @@ void Parser::fail(std::string_view expected) {
         finding.notes.push_back({found.span, "did you mean '" + meant + "'?"});
     if (const std::string_view advice = advice_on(expected, found.text); !advice.empty())
         finding.notes.push_back({found.span, std::string(advice)});
+    if (found.kind == Tok::newline || found.kind == Tok::end)
+        if (const Token* const open = open_bracket(expected))
+            finding.notes.push_back({open->span, fmt::format("this {} is not closed", described(open->kind))});
     throw SyntaxError{};
+}
+
+const Token* Parser::open_bracket(std::string_view expected) const {
+    constexpr std::array<std::pair<Tok, Tok>, 4> brackets{{{Tok::l_paren, Tok::r_paren},
+                                                           {Tok::l_brace, Tok::r_brace},
+                                                           {Tok::l_pipe_brace, Tok::r_pipe_brace},
+                                                           {Tok::l_map, Tok::r_map}}};
+    for (const auto& [opening, closing] : brackets) {
+        if (expected != described(closing)) continue;
+        std::size_t closed = 0;
+        for (std::size_t i = at_; i-- > 0;) {
+            if (tokens_[i].kind == closing) ++closed;
+            if (tokens_[i].kind == opening && closed-- == 0) return &tokens_[i];
+        }
+    }
+    return nullptr;
 }
 
 void Parser::fail(std::string_view expected, std::string_view advice, Span about) {

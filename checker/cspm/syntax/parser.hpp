@@ -69,6 +69,8 @@ private:
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
+    /// The bracket before this place that one of this kind, which is expected, would close; null if there is none.
+    [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
     /// The same where the caller knows what is probably meant, and which part of the text shows it.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});

@@ -22,9 +22,10 @@ public:
     /// "in the state x=1, y=false".
     std::string state;
     [[nodiscard]] bool is(const diagnostics::Rule& rule) const { return rule_ == &rule; }
-    void report(diagnostics::Diagnostics& diagnostics) const {
+    diagnostics::Diagnostic& report(diagnostics::Diagnostics& diagnostics) const {
         diagnostics::Diagnostic& finding = diagnostics.report(*rule_, span_, arguments_);
         if (!state.empty()) finding.notes.push_back({{}, "in the state " + state});
+        return finding;
     }
 
 private:

@@ -44,6 +44,19 @@ TEST_F(EmitPrism, PreferencesGiveTheRanges) {
     EXPECT_THAT(written(), HasSubstr("M_c_s_n : [0..7];"));
 }
 
+/// Of a model of PRISM that nobody made of a RoboChart model there is no such advice.
+TEST_F(EmitPrism, AValueOutOfItsRangeSaysWhatSetsTheRange) {
+    EXPECT_EQ(emit({"--range", "int=0..2", "--range", "nat=0..2"}).exit, 0);
+    const Ran ran = run({"prism", folder_ / "out/prism/M.prism"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("PRISM-E03"));
+    EXPECT_THAT(ran.err, HasSubstr("`emit prism` with --range nat=0..9"));
+    EXPECT_THAT(ran.err, HasSubstr("--prefs FILE"));
+    const Ran other = run({"prism", "-"}, "dtmc\nmodule M\nx : [0..2];\n[] true -> (x'=x+1);\nendmodule\n");
+    EXPECT_THAT(other.err, HasSubstr("PRISM-E03"));
+    EXPECT_THAT(other.err, Not(HasSubstr("emit prism")));
+}
+
 TEST_F(EmitPrism, BadPreferencesAreErrorsAndWriteNothing) {
     const Ran bad = emit({"--prefs", folder_ / "bad.prefs"});
     EXPECT_EQ(bad.exit, 2);

@@ -320,6 +320,31 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"assertion A: S terminates with constant a of S set to 1, constant b of S set to 2", "RC-P17@1", true},
         Mistake{"assertion A: S is deadlock\nassertion B: S terminates", "RC-P01@1", true}));
 
+/// "LINE: message" of the first finding's first note.
+std::string first_note(const std::string& text) {
+    const auto reading = read(text);
+    if (reading->findings.ok()) return "no finding";
+    const diagnostics::Diagnostic finding = reading->findings.sorted().front();
+    if (finding.notes.empty()) return "no note";
+    const auto& note = finding.notes.front();
+    return std::to_string(reading->sources.position(note.span.source, note.span.begin).line) + ": " + note.message;
+}
+
+TEST(Parser, ABraceThatIsNotClosedIsPointedAt) {
+    EXPECT_EQ(first_note("stm S {\n  initial i\n  state A {\n    entry skip\n  state B { }\n}\nstm T { }"),
+              "3: this `{` is not closed");
+    EXPECT_EQ(first_note("interface I {\n  event a\n\nstm S {\n}\n"), "1: this `{` is not closed");
+    EXPECT_EQ(first_note("stm S {\n  transition t {\n    from i to A\n  transition u { from A to A }\n}\n"),
+              "2: this `{` is not closed");
+    EXPECT_EQ(first_note("stm S {\n  state A {\n    initial i\n    transition t { from i to i }\n"
+                         "  transition u { from A to A }\n}\n"),
+              "2: this `{` is not closed");
+    // Nothing stands deeper than the state, so what follows may be in it, and the brace at the margin closes it.
+    EXPECT_EQ(first_note("stm S {\n  state A { entry skip\n  transition u { from A to A }\n}\n"),
+              "2: this `{` is probably the one that is not closed: the `}` that would close it stands further left");
+    EXPECT_EQ(first_note("stm S { state A { entry x = 1 y } }"), "no note");
+}
+
 TEST(Parser, ReadsOnAfterAMistake) {
     const auto reading = read("stm S {\n var x nat\n state s { entry = 1 }\n initial i\n}\nmodule M { }");
     EXPECT_EQ(reading->findings.errors(), 2U) << reading->report();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "tests/simulation/harness.hpp"
@@ -246,6 +247,85 @@ scenario World for Roam {
     EXPECT_NEAR(frames[21].poses[0].at.x, 1, 1e-9);
     // The wall is 50 - 3.7 = 46.3 cm ahead at the start: less than 20.5 cm from x = 26 on (25.8 is passed between).
     EXPECT_NEAR(frames[100].poses[0].at.x, 26, 1e-9);
+}
+
+/// Literals and constants of the model: the robot goes on at FAR, and at no other literal or number.
+class NamedStimuli : public ::testing::Test {
+protected:
+    static std::string codes(const std::string& stimuli) { return experiment(stimuli)->codes(); }
+    static std::unique_ptr<Experiment> experiment(const std::string& stimuli) {
+        return std::make_unique<Experiment>(R"(
+package p
+enumeration Zone { NEAR FAR OUT }
+enumeration Other { LEFT }
+interface Ops { forward() halt() }
+interface Events { event zone : Zone event limit : real event count : nat event sign : boolean }
+stm Keep {
+	requires Ops
+	uses Events
+	const most : nat = 7
+	const half : real = 0.5
+	const away : Zone = FAR
+	const yes : boolean = true
+	var z : Zone
+	var r : real
+	var n : nat
+	var b : boolean
+	initial i
+	state Waiting { entry halt() }
+	state Going { entry forward() }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Waiting trigger zone?z condition z != Zone::FAR }
+	transition t2 { from Waiting to Going trigger zone?z condition z == Zone::FAR }
+	transition t3 { from Going to Going trigger limit?r condition r != 0.5 }
+	transition t4 { from Going to Waiting trigger limit?r condition r == 0.5 }
+	transition t5 { from Waiting to Waiting trigger count?n }
+	transition t6 { from Waiting to Waiting trigger sign?b }
+}
+)",
+                                            "scenario World for Keep {\n" + stimuli + R"(
+	step 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 1
+	arena 100 cm by 100 cm
+	robots 1 { radius 3.7 cm axle 5.1 cm wheel 12.8 cm/s place at (0 cm, 0 cm) heading 0 deg }
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on forward
+	drive motors by stop on halt
+	record 0.1 s
+}
+)");
+    }
+    static constexpr const char* others = "stimulus count = most at 3 s\nstimulus sign = yes at 3 s\n";
+};
+
+TEST_F(NamedStimuli, AreLiteralsAndConstantsOfTheModel) {
+    const auto run = experiment(std::string("stimulus zone = OUT at 0.5 s\nstimulus zone = Zone::FAR at 1 s\n"
+                                            "stimulus limit = Keep::half at 2 s\n") +
+                                others);
+    ASSERT_EQ(run->codes(), "") << run->messages();
+    const RunResult result = run->run();
+    ASSERT_FALSE(result.stopped()) << run->messages();
+    const auto& frames = result.trials.at(0).frames;
+    EXPECT_NEAR(frames[10].poses[0].at.x, 0, 1e-9) << "OUT is not FAR";
+    EXPECT_NEAR(frames[20].poses[0].at.x, 10, 1e-9) << "ten steps of a centimetre since FAR";
+    EXPECT_NEAR(frames[30].poses[0].at.x, 10, 1e-9) << "until 0.5";
+    EXPECT_EQ(codes(std::string("stimulus zone = p::Zone::NEAR at 1 s stimulus zone = away at 2 s "
+                                "stimulus limit = most at 1 s ") +
+                    others),
+              "");
+}
+
+TEST_F(NamedStimuli, ThatDoNotFitAreErrors) {
+    const std::string rest = std::string("stimulus zone = NEAR at 1 s stimulus limit = 1 at 1 s ") + others;
+    EXPECT_EQ(codes("stimulus zone = LEFT at 1 s " + rest), "RC-M07");
+    EXPECT_EQ(codes("stimulus zone = Other::NEAR at 1 s " + rest), "RC-M07");
+    EXPECT_EQ(codes("stimulus zone = 1 at 1 s " + rest), "RC-M08");
+    EXPECT_EQ(codes("stimulus zone = most at 1 s " + rest), "RC-M08");
+    EXPECT_EQ(codes("stimulus limit = yes at 1 s " + rest), "RC-M08");
+    EXPECT_EQ(codes("stimulus count = half at 1 s " + rest), "RC-M08");
+    EXPECT_EQ(codes("stimulus count = 1.5 at 1 s " + rest), "RC-M08");
+    EXPECT_EQ(codes("stimulus limit = ; at 1 s " + rest), "RC-M01");
+    const auto misspelt = experiment("stimulus zone = NAER at 1 s " + rest);
+    EXPECT_THAT(misspelt->messages(), HasSubstr("NEAR"));
 }
 
 TEST(Controller, CompilerThatFailsIsReported) {

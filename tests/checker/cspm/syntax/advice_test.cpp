@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <utility>
 
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
@@ -101,6 +102,12 @@ TEST(ScriptAdvice, EveryRowIsGivenForSomeMistake) {
         EXPECT_TRUE(given.contains(std::string(row.advice))) << row.expected << " " << row.found;
         EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;
     }
+}
+
+TEST(ScriptAdvice, PointsAtABracketThatIsNotClosed) {
+    for (const auto& [text, bracket] : {std::pair("A = { 1, {2}\n", "'{'"), std::pair("A = (1 + (2)\nB = 1\n", "'('"),
+                                        std::pair("channel a\nA = {| a\n", "'{|'")})
+        EXPECT_THAT(first_finding(text).note, HasSubstr(std::string("this ") + bracket + " is not closed")) << text;
 }
 
 TEST(ScriptAdvice, SaysNothingWhereNothingIsKnown) {
