@@ -17,7 +17,7 @@ _robochart_verify_options() {
     'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --reduction --max-states --no-cache -h --help' ;;
     'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
-    'rules') echo '--without-limit --as-sleec-tk --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
     'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;

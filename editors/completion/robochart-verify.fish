@@ -63,6 +63,7 @@ complete -c robochart-verify -n '__robochart_verify_is "prism"' -l scheduler -x 
 complete -c robochart-verify -n '__robochart_verify_is "prism"' -l seed -x -d 'seed of the random paths of --sim'
 complete -c robochart-verify -n '__robochart_verify_is "rules"' -l without-limit -x -a 'eventually now' -d 'what a response without limit means: that it comes some time, or, as LEGOS has it, at once'
 complete -c robochart-verify -n '__robochart_verify_is "rules"' -l as-sleec-tk -d 'compare pairs in the semantics of SLEEC-TK, its faults included'
+complete -c robochart-verify -n '__robochart_verify_is "rules"' -l suggest -d 'look for an `unless` that removes each conflict, and check that it does'
 complete -c robochart-verify -n '__robochart_verify_is "prism"' -l const -x -d 'value of a constant left open, or values to try: LOW:HIGH, LOW:STEP:HIGH; several with commas'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "rules" "step" "simulate"' -l const -x -d 'value of a constant the model leaves open'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "rules" "step"' -l range -x -d 'carrier of nat, int or real; lengths of Seq, times of clock, elements of given'
