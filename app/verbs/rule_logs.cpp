@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
@@ -20,6 +22,7 @@
 #include "diagnostics/render.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/monitor/rule_monitor.hpp"
+#include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/rules.hpp"
 
 namespace robochart::app {
@@ -37,10 +40,10 @@ struct LoggedRun {
 
 struct RuleLogReport {
     std::uint64_t logs = 0, runs = 0, seconds = 0, accepted = 0, broken = 0, open = 0;
-    std::vector<LoggedRun> told;  ///< the first of those that are not accepted
+    std::vector<LoggedRun> reported;  ///< the first of those that are not accepted
     std::vector<std::string> errors;
 };
-constexpr std::size_t most_told = 100;
+constexpr std::size_t most_reported = 100;
 
 /// Words of a log as events and measures of a file of rules. Equal names are linked, unless `map` says otherwise.
 class RuleWords {
@@ -180,14 +183,22 @@ public:
         conformance::LineReader lines(in);
         conformance::TraceHeader header;
         std::vector<TraceToken> tokens;
+        bool version = false;
         while (lines.next()) {
             options_.run->budget().poll();
             conformance::split_line(lines.text(), tokens);
             if (tokens.empty()) continue;
+            if (!std::exchange(version, true)) {
+                expect_version(tokens);
+                continue;
+            }
             if (tokens.front().text == "run")
                 begin(tokens, lines.number(), header);
+            else if (!run_ && !conformance::read_header_line(tokens, header, lines.number()))
+                throw conformance::TraceFault{nullptr,
+                                              {"a line of the header, or `run`", fmt::format("`{}`", tokens[0].text)}};
             else if (!run_)
-                (void)conformance::read_header_line(tokens, header, lines.number());
+                continue;
             else
                 take(tokens, lines.number());
         }
@@ -195,6 +206,12 @@ public:
     }
 
 private:
+    static void expect_version(const std::vector<TraceToken>& tokens) {
+        if (tokens.size() == 2 && tokens[0].text == "robochart-trace" && tokens[1].text == "1") return;
+        throw conformance::TraceFault{nullptr,
+                                      {"`robochart-trace 1` in the first line", fmt::format("`{}`", tokens[0].text)}};
+    }
+
     void begin(const std::vector<TraceToken>& tokens, std::uint64_t line, const conformance::TraceHeader& header) {
         end();
         hidden_.clear();
@@ -220,16 +237,16 @@ private:
         const bool broken = run_->broken() && hidden_.empty();
         const bool open = !broken && (!run_->open().empty() || !hidden_.empty());
         ++(broken ? report_.broken : open ? report_.open : report_.accepted);
-        if ((broken || open) && report_.told.size() < most_told) {
-            LoggedRun told{path_, name_, broken ? run_->line() : begun_, broken, {}};
-            if (broken) told.lines = run_->text();
+        if ((broken || open) && report_.reported.size() < most_reported) {
+            LoggedRun entry{path_, name_, broken ? run_->line() : begun_, broken, {}};
+            if (broken) entry.lines = run_->text();
             if (!hidden_.empty())
-                told.lines.push_back(fmt::format("the log does not show {}", diagnostics::shown(hidden_)));
+                entry.lines.push_back(fmt::format("the log does not show {}", diagnostics::shown(hidden_)));
             for (const std::size_t rule : run_->open())
                 if (open)
-                    told.lines.push_back(fmt::format(
+                    entry.lines.push_back(fmt::format(
                         "{} begins while a measure that decides what it asks for is not read", of_.rules->name(rule)));
-            report_.told.push_back(std::move(told));
+            report_.reported.push_back(std::move(entry));
         }
         run_.reset();
     }
@@ -272,9 +289,10 @@ void read_log(const LoadedRules& of, const std::string& path, RuleLogReport& rep
     try {
         RuleLog(of, path, report, options).read(in);
     } catch (const conformance::TraceFault& fault) {
+        const std::string found = fault.arguments.size() > 1 ? fault.arguments[1] : "something else";
         report.errors.push_back(fmt::format("{}: expected {}, found {}", diagnostics::shown(path),
                                             fault.arguments.empty() ? "a log" : fault.arguments[0],
-                                            fault.arguments.size() > 1 ? fault.arguments[1] : "something else"));
+                                            diagnostics::shown(found)));
     }
 }
 
@@ -284,7 +302,7 @@ Exit exit_of(const RuleLogReport& report) {
 }
 
 void print_logs(const RuleLogReport& report) {
-    for (const LoggedRun& each : report.told) {
+    for (const LoggedRun& each : report.reported) {
         print("{} {}:{}: run {}\n", each.broken ? "broken      " : "inconclusive", diagnostics::shown(each.log),
               each.line, each.run.empty() ? "without a name" : diagnostics::shown(each.run));
         for (const std::string& line : each.lines) print("  {}\n", line);
@@ -305,13 +323,13 @@ void print_logs_json(const RuleLogReport& report) {
                            {"inconclusive", report.open},
                            {"errors", report.errors},
                            {"exit", static_cast<int>(exit_of(report))}};
-    diagnostics::Json& told = json["told"] = diagnostics::Json::array();
-    for (const LoggedRun& each : report.told)
-        told.push_back({{"log", each.log},
-                        {"line", each.line},
-                        {"run", each.run},
-                        {"verdict", each.broken ? "broken" : "inconclusive"},
-                        {"lines", each.lines}});
+    diagnostics::Json& reported = json["reported"] = diagnostics::Json::array();
+    for (const LoggedRun& each : report.reported)
+        reported.push_back({{"log", each.log},
+                            {"line", each.line},
+                            {"run", each.run},
+                            {"verdict", each.broken ? "broken" : "inconclusive"},
+                            {"lines", each.lines}});
     print_exact(diagnostics::json_text(json) + "\n");
 }
 

@@ -281,8 +281,8 @@ void Printer::assertion(const Assertion& assertion) {
     const std::string model =
         assertion.model ? fmt::format(" in the {} model", model_words(*assertion.model)) : std::string();
     const bool of_rule = assertion.kind == AssertionKind::conforms;
-    line(fmt::format("{}{}assertion {} : {}{}{}", time_word(assertion.time), of_rule ? "sleec " : "", written_name(assertion.name),
-                     claim(assertion), model, parameter_list(assertion.parameters)));
+    line(fmt::format("{}{}assertion {} : {}{}{}", time_word(assertion.time), of_rule ? "sleec " : "",
+                     written_name(assertion.name), claim(assertion), model, parameter_list(assertion.parameters)));
 }
 
 void Printer::csp_block(const CspBlock& block) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command.hpp"
+#include "tests/contents.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::app::testing {
@@ -146,33 +147,38 @@ TEST(RulesOfModels, WithoutLimit) {
     EXPECT_THAT(waits.out, HasSubstr("time can pass for ever without it"));
 }
 
-/// Verdicts that are recorded of SLEEC-TK (shared/suite/sleec, conformance.tsv), by assertions of the published files.
-/// "conforms" is also what is never asked.
+/// Verdicts that are recorded of SLEEC-TK (shared/suite/sleec, conformance.tsv), with the instantiations of the
+/// published assertions. "conforms" is also what is never asked.
 TEST(RulesOfModels, AsRecorded) {
-    const std::string suite = (tests::shared_folder() / "suite/sleec").string();
     if (tests::shared_folder().empty()) GTEST_SKIP() << "no shared/suite/sleec";
-    const auto verdicts = [&](const std::string& rules, const std::string& model) {
-        const json found =
-            json::parse(run({"rules", suite + "/" + rules, suite + "/" + model, "--format", "json"}).out);
+    const auto suite = tests::shared_folder() / "suite/sleec";
+    const auto verdicts = [&](const std::string& project, const std::vector<std::string>& files,
+                              const std::string& rules) {
+        std::vector<std::pair<std::string, std::string>> copied{{rules, tests::contents(suite / project / rules)}};
+        for (const std::string& each : files) copied.emplace_back(each, tests::contents(suite / project / each));
+        const Folder folder(copied);
+        const Ran ran = run({"rules", folder / rules, folder / "main.rct", "--format", "json"});
         std::map<std::string, std::string> result;
+        const json found = json::parse(ran.out, nullptr, false);
+        if (found.is_discarded()) return std::map<std::string, std::string>{{"", ran.err}};
         for (const auto& each : found["verdicts"]) {
             const std::string verdict = each["verdict"];
-            result[each["rule"]] = verdict == "never asked" || verdict == "obeyed" ? "conforms"
-                                   : verdict == "broken"                           ? "fails"
-                                                                                   : verdict;
+            const bool conforms = verdict == "never asked" || verdict == "obeyed";
+            result[each["rule"]] = conforms ? "conforms" : verdict == "broken" ? "fails" : verdict;
         }
         return result;
     };
-    auto jss = verdicts("FireFighter/robochart/jss_running_example.sleec", "FireFighter/robochart/main.rct");
-    EXPECT_EQ(jss["Rule1"], "conforms");
+    const std::vector<std::string> uav{"main.rct", "jss_running_example-conformance.assertions"};
+    auto jss = verdicts("FireFighter/robochart", uav, "jss_running_example.sleec");
+    EXPECT_EQ(jss["Rule1"], "conforms") << jss[""];
     EXPECT_EQ(jss["Rule2"], "conforms");
     EXPECT_EQ(jss["Rule3"], "fails");
     EXPECT_EQ(jss["Rule4"], "conforms");
-    auto valid = verdicts("FireFighter/robochart/firefighter-valid.sleec", "FireFighter/robochart/main.rct");
-    EXPECT_EQ(valid["FRule1"], "conforms");
+    auto valid = verdicts("FireFighter/robochart", uav, "firefighter-valid.sleec");
+    EXPECT_EQ(valid["FRule1"], "conforms") << valid[""];
     EXPECT_EQ(valid["FRule6"], "fails");
-    auto almi = verdicts("ALMI-project/ALMI-demo.sleec", "ALMI-project/main.rct");
-    EXPECT_EQ(almi["Rule1"], "conforms");
+    auto almi = verdicts("ALMI-project", {"main.rct", "system.rct", "verification.assertions"}, "ALMI-demo.sleec");
+    EXPECT_EQ(almi["Rule1"], "conforms") << almi[""];
     EXPECT_EQ(almi["Rule2"], "conforms");
     EXPECT_EQ(almi["Rule3"], "not applicable");
     EXPECT_EQ(almi["Rule4"], "fails");
@@ -215,7 +221,7 @@ TEST(RuleAssertions, ThatCannotBeAskedAreErrors) {
     const Ran missing = claim("sleec assertion A : Bell conforms to Rest");
     EXPECT_EQ(missing.exit, 2);
     EXPECT_THAT(missing.out + missing.err, HasSubstr("Bell has no event and no operation 'Sleep'"));
-    EXPECT_EQ(claim("sleec assertion A : Bel conforms to Quick").exit, 2);
+    EXPECT_EQ(claim("assertion B : Bell is divergence-free\nsleec assertion A : Bel conforms to Quick").exit, 2);
     EXPECT_EQ(claim("untimed sleec assertion A : Bell conforms to Quick").exit, 2);
     EXPECT_EQ(claim("sleec assertion A : Bell conforms Quick").exit, 2);
 }
