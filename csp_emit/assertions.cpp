@@ -61,6 +61,7 @@ std::string opposite(const ir::Property& property) {
         case PropertyKind::refines:
         case PropertyKind::equals:
         case PropertyKind::clock_initialised:
+        case PropertyKind::conforms:
             break;
     }
     return "it refines the other";
@@ -330,6 +331,7 @@ std::string Asserter::unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool component_only =
         property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
+    if (property.kind == PropertyKind::conforms) return "the rule is in SLEEC: `check` decides it";
     if (property.kind == PropertyKind::timelock_free && !timed()) return "time cannot stop in the untimed semantics";
     if (property.kind == PropertyKind::event_missed && !timed()) return "an event is missed while time passes";
     const auto missing = [&](const ir::ComponentRef& ref) {
@@ -376,6 +378,8 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
             break;
         case PropertyKind::event_missed:
             missed_event(property, out);
+            break;
+        case PropertyKind::conforms:
             break;
     }
 }

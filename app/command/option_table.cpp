@@ -216,6 +216,9 @@ const std::vector<OptionRow>& option_table() {
         {"--as-sleec-tk", Group::checking, of(Verb::rules), {},
          "compare pairs in the semantics of SLEEC-TK, its faults included",
          [](Options& o, const std::string&) { o.as_sleec_tk = true; }, "--without-limit"},
+        {"--suggest", Group::checking, of(Verb::rules), {},
+         "look for an `unless` that removes each conflict, and check that it does",
+         [](Options& o, const std::string&) { o.suggest = true; }, "--as-sleec-tk"},
 
         {"--const", Group::model, of(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant left open, or values to try: LOW:HIGH, LOW:STEP:HIGH; several with commas",

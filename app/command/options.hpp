@@ -113,6 +113,7 @@ struct Options {
     std::string encoding = "csp";         ///< check: the Markov models that probabilistic assertions are decided on
     std::string scheduler;                ///< who resolves the choices; "": any scheduler
     bool as_sleec_tk = false;             ///< rules: in SLEEC-TK's semantics
+    bool suggest = false;                 ///< rules: look for `unless` that removes a conflict
     std::string without_limit = "eventually";  ///< rules: what a response without limit means
     std::string exported_space;                ///< prism: what to write out of the state space; "": nothing
     std::optional<prism::Method> sampling;     ///< prism: answer by random paths

@@ -32,6 +32,8 @@ std::string conflict_text(const RulesReport& report, const RuleConflict& conflic
     if (!conflict.decided) return fmt::format("not decided: conflict of {}: {}\n", rules, conflict.reason);
     std::string text = fmt::format("conflict: {}\n", rules);
     for (const std::string& line : conflict.lines) text += fmt::format("  {}\n", line);
+    for (const std::string& each : conflict.suggested)
+        text += fmt::format("  {}: {}\n", &each == conflict.suggested.data() ? "no conflict with" : "and", each);
     return text;
 }
 
@@ -138,6 +140,7 @@ Json conflict_json(const RulesReport& report, const RuleConflict& conflict) {
     for (const std::size_t rule : conflict.rules) json["rules"].push_back(report.rules[rule].name);
     if (!conflict.decided) json["reason"] = conflict.reason;
     if (conflict.decided) json["situation"] = conflict.lines;
+    if (!conflict.suggested.empty()) json["suggested"] = conflict.suggested;
     json["states"] = conflict.states;
     return json;
 }

@@ -20,8 +20,9 @@ struct RuleName {
 struct RuleConflict {
     std::vector<std::size_t> rules;
     bool decided = true;
-    std::string reason;              ///< not decided: why
-    std::vector<std::string> lines;  ///< decided: the situation
+    std::string reason;                  ///< not decided: why
+    std::vector<std::string> lines;      ///< decided: the situation
+    std::vector<std::string> suggested;  ///< "R1 ... unless near": what removes it, all of them together
     std::uint64_t states = 0;
 };
 

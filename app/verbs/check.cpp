@@ -12,6 +12,7 @@
 #include "app/report/bounds.hpp"
 #include "app/report/element_at.hpp"
 #include "app/report/sizes.hpp"
+#include "app/verbs/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "diagnostics/escape.hpp"
@@ -212,7 +213,8 @@ void announce(const Context& context, Report& report) {
                                   obligation.information, elements_of(obligation)};
         }
         if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
-        const bool decidable = obligation.firing || !obligation.assertions.empty();
+        const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
+        const bool decidable = obligation.firing || of_rule || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
         one.reason = decidable ? not_decided : obligation.reason;
         report.assertions.push_back(std::move(one));
@@ -246,6 +248,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     BoundWatch bounds(project, emission, time, bounds_met);
     session->observe(bounds.observer());
     const Context context{project, options, emission, *session};
+    RuleClaims rules(project, emission, options);
     std::size_t at = report.assertions.size();
     announce(context, report);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
@@ -255,6 +258,9 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         if (obligation.firing) {
             one.reason.clear();
             decide_firing(context, *obligation.firing, one);
+        } else if (obligation.kind == ir::PropertyKind::conforms) {
+            one.reason.clear();
+            rules.decide(project.system.properties[obligation.property], one);
         } else if (!obligation.assertions.empty()) {
             one.reason.clear();
             decide(context, obligation, one);

@@ -11,38 +11,17 @@
 #include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
 #include "app/report/rules_report.hpp"
+#include "app/verbs/model_rules.hpp"
+#include "app/verbs/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
-#include "diagnostics/escape.hpp"
 #include "diagnostics/render.hpp"
 #include "sleec/analysis/explain.hpp"
-#include "sleec/checks/check.hpp"
-#include "sleec/conformance/watch.hpp"
-#include "sleec/model/linking.hpp"
+#include "sleec/analysis/suggest.hpp"
 #include "sleec/published/encoding.hpp"
-#include "sleec/syntax/reader.hpp"
-#include "sleec/syntax/rules.hpp"
 
 namespace robochart::app {
 namespace {
-
-/// The file with the findings about it.
-struct LoadedRules {
-    diagnostics::SourceManager sources;
-    diagnostics::Diagnostics diagnostics;
-    std::optional<sleec::CheckedRules> rules;
-};
-
-void load(const std::string& path, LoadedRules& loaded) {
-    std::string error;
-    const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
-    if (!source) {
-        loaded.diagnostics.report(sleec::rules::unreadable, {}, {diagnostics::shown(path), error});
-        return;
-    }
-    const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
-    if (loaded.diagnostics.ok()) loaded.rules = sleec::check(file, loaded.diagnostics);
-}
 
 void print_report(const RulesReport& report, const Options& options) {
     if (options.format == Format::json)
@@ -62,7 +41,7 @@ public:
 
     Exit operator()() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
-        load(options_.inputs.front(), loaded_);
+        load_rules(options_.inputs.front(), loaded_);
         show_findings();
         if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warnings() > 0)) return refused();
         describe();
@@ -110,13 +89,18 @@ private:
             options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually;
         analysis.limits = limits(options_);
         analysis.budget = &options_.run->budget();
-        sleec::for_each_question(rules(), analysis, [&](const sleec::ConflictAnswer& answer) { note(answer); });
+        sleec::for_each_question(rules(), analysis,
+                                 [&](const sleec::ConflictAnswer& answer) { note(answer, analysis); });
         redundancies(analysis);
     }
 
-    void note(const sleec::ConflictAnswer& answer) {
-        RuleConflict conflict{answer.rules, answer.conflict == sleec::Answer::yes, answer.reason, {}, answer.states};
+    void note(const sleec::ConflictAnswer& answer, const sleec::AnalysisOptions& analysis) {
+        RuleConflict conflict{answer.rules, answer.conflict == sleec::Answer::yes, answer.reason, {}, {},
+                              answer.states};
         if (answer.example) conflict.lines = sleec::explain(*answer.example, rules(), loaded_.sources);
+        if (answer.example && options_.suggest)
+            for (const sleec::Suggestion& each : sleec::suggest(rules(), answer.rules, analysis))
+                conflict.suggested.push_back(fmt::format("{} ... {}", rules().name(each.rule), each.text));
         const auto edit = options_.run->edit();
         ++report_->questions;
         if (answer.conflict != sleec::Answer::no) report_->conflicts.push_back(std::move(conflict));
@@ -216,7 +200,6 @@ private:
         of_model.inputs.erase(of_model.inputs.begin());
         of_model.verb = Verb::check;
         of_model.times = Times::timed;
-        of_model.core = true;
         const std::unique_ptr<Project> project = app::load(of_model);
         const csp_emit::Emission* emission = nullptr;
         if (project->diagnostics.ok()) emission = &emit_csp(*project, of_model, csp_emit::Time::timed);
@@ -231,125 +214,17 @@ private:
 
     void judge(const Project& project, const csp_emit::Emission& emission,
                const csp_emit::ComponentProcesses& component) {
-        const sleec::ComponentLinking linking =
-            sleec::link(rules(), emission, component.path, project.system, project.instantiation);
+        const ModelRules asked({rules(), loaded_.sources}, project, emission, component, options_);
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             if (rules().rules[i].assumed) continue;
-            const diagnostics::Budget::Phase phase(
-                options_.run->budget(), fmt::format("asking whether {} obeys {}", component.path, rules().name(i)));
-            RuleVerdict verdict;
-            verdict.component = component.path;
-            verdict.rule = i;
-            verdict.reason = sleec::not_applicable(rules(), i, linking);
-            if (verdict.reason.empty())
-                follow(project, emission, component, linking.linking, verdict);
-            else
-                verdict.kind = RuleVerdict::Kind::not_applicable;
+            RuleVerdict verdict = asked.judge(i).verdict;
             const auto edit = options_.run->edit();
             report_->verdicts.push_back(std::move(verdict));
         }
-        if (stops_time(emission, component.path)) {
+        if (asked.stops_time()) {
             const auto edit = options_.run->edit();
             report_->time_stops.push_back(component.path);
         }
-    }
-
-    void follow(const Project& project, const csp_emit::Emission& emission,
-                const csp_emit::ComponentProcesses& component, const sleec::Linking& linking, RuleVerdict& verdict) {
-        try {
-            const sleec::Watch watch(rules(), verdict.rule, linking, component.process);
-            cspm::Script script = emission.script;
-            for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
-            script.decls.push_back(watch.obeyed());
-            const cspm::DeclPtr obeyed = script.decls.back();
-            std::vector<std::size_t> ways, without_limit;
-            for (std::size_t i = 0; i < watch.ways().size(); ++i) {
-                if (watch.ways()[i].obligation >= watch.obligations().size()) continue;
-                ways.push_back(i);
-                const auto& demands = watch.obligations()[watch.ways()[i].obligation].any;
-                if (std::any_of(demands.begin(), demands.end(),
-                                [](const sleec::Demand& each) { return !each.forbids && each.end == sleec::forever; }))
-                    without_limit.push_back(i);
-            }
-            cspm::Session session(script, &options_.run->budget());
-            if (diagnostics::Cache* const cache = options_.run->cache()) session.remember(*cache);
-            const refine::Verdict found = session.check(*obeyed, limits(options_)).verdict;
-            verdict.states = found.statistics.states;
-            verdict.reason = found.reason;
-            if (found.outcome == refine::Outcome::inconclusive) return;
-            if (found.outcome == refine::Outcome::fails) {
-                verdict.kind = RuleVerdict::Kind::broken;
-                verdict.lines =
-                    how_broken(project, emission, session, watch, linking, verdict.rule, *found.counterexample);
-                return;
-            }
-            verdict.kind = RuleVerdict::Kind::obeyed;
-            const auto never = [&](const std::vector<std::size_t>& asked) {
-                return asked.empty() || session.check(*watch.never_asked(asked), limits(options_)).verdict.outcome ==
-                                            refine::Outcome::holds;
-            };
-            if (never(ways)) {
-                verdict.kind = RuleVerdict::Kind::never_asked;
-            } else if (!never(without_limit)) {
-                verdict.kind = RuleVerdict::Kind::not_decided;
-                verdict.reason = "no finite run shows that what has no limit never comes; nothing else is broken";
-            }
-        } catch (const sleec::NotDecided& error) {
-            verdict.reason = error.what();
-        }
-    }
-
-    /// The counterexample in the words of the rule: where the obligation began that is broken, and what broke it.
-    std::vector<std::string> how_broken(const Project& project, const csp_emit::Emission& emission,
-                                        cspm::Session& session, const sleec::Watch& watch,
-                                        const sleec::Linking& linking, std::size_t rule,
-                                        const refine::Counterexample& run) {
-        std::int64_t now = 0, began = 0;
-        std::size_t way = 0;
-        std::string last;
-        for (const refine::Step& step : run.steps) {
-            const std::string name = session.event_table().name(step.revealed);
-            if (name == "sleec_broken") continue;
-            last = name;
-            if (name == "tock") ++now;
-            if (const auto asked = sleec::Watch::way_of(name)) {
-                began = now;
-                way = *asked;
-            }
-        }
-        const sleec::Asked& asked = watch.ways()[way];
-        std::vector<std::string> lines;
-        for (const sleec::Demand& each : watch.obligations()[asked.obligation].any)
-            lines.push_back(sleec::side_text({rule, began, asked.values, each}, rules(), loaded_.sources));
-        if (last == "tock") {
-            lines.push_back(fmt::format("second {} ends without it", now - 1));
-            return lines;
-        }
-        for (std::size_t i = 0; i < linking.events.size(); ++i)
-            if (linking.events[i] && (last == *linking.events[i] || last.starts_with(*linking.events[i] + ".")))
-                lines.push_back(fmt::format("{} comes at second {}{}", rules().event(i), now,
-                                            place_in_model(project, emission, last)));
-        return lines;
-    }
-
-    /// " (model.rct:12)": where the event, or the operation, is declared.
-    static std::string place_in_model(const Project& project, const csp_emit::Emission& emission,
-                                      const std::string& event) {
-        const auto found = emission.provenance.events.find(event);
-        if (found == emission.provenance.events.end() || !found->second.origin.span.known()) return "";
-        return fmt::format(" ({})", project.sources.place(found->second.origin.span));
-    }
-
-    /// A component that stops time would obey every rule: its core property is asked too.
-    bool stops_time(const csp_emit::Emission& emission, const std::string& component) {
-        for (const csp_emit::Obligation& each : emission.obligations) {
-            if (each.kind != ir::PropertyKind::timelock_free || each.property != ir::no_id) continue;
-            if (each.title.find(" " + component + ":") == std::string::npos) continue;
-            cspm::Session session(emission.script, &options_.run->budget());
-            for (const cspm::DeclPtr& assertion : each.assertions)
-                if (session.check(*assertion, limits(options_)).verdict.outcome == refine::Outcome::fails) return true;
-        }
-        return false;
     }
 
     [[nodiscard]] const sleec::CheckedRules& rules() const { return *loaded_.rules; }

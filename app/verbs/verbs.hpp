@@ -45,5 +45,7 @@ void check_conformance(Project&, const Options&, Report&);
 [[nodiscard]] bool write_tests(Project&, const Options&, Report&);
 /// conform --traces: logs of runs against the models.
 Exit conform_traces(const std::vector<Part>&, const Options&);
+/// conform RULES.sleec --traces: logs of runs against rules.
+Exit conform_rules(const Options&);
 
 }  // namespace robochart::app

@@ -554,6 +554,9 @@ Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) 
 }  // namespace
 
 Exit run_model(const Options& options) {
+    const bool rules = std::all_of(options.inputs.begin(), options.inputs.end(),
+                                   [](const std::string& each) { return each.ends_with(".sleec"); });
+    if (options.verb == Verb::conform && !options.traces.empty() && rules) return conform_rules(options);
     const auto report = std::make_shared<Report>();
     report->model = fmt::format("{}", fmt::join(options.inputs, " "));
     options.run->last_word([report, &options](const std::string& why) {

@@ -204,7 +204,7 @@ public:
         place_.inside = nullptr;
         add({assertion.name_span, NameKind::assertion, nullptr, assertion.name, true});
         path(assertion.subject, nullptr);
-        path(assertion.other, nullptr);
+        if (assertion.kind != AssertionKind::conforms) path(assertion.other, nullptr);
         path(assertion.event, assertion.missed);
     }
     void visit(const AssertionParameter& parameter) {

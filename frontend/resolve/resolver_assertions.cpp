@@ -406,7 +406,7 @@ void AssertionResolver::assertion(Assertion& assertion) {
     } else if (assertion.kind == AssertionKind::event_missed) {
         missed_event(assertion);
     } else {
-        assertion.subject_path = component(assertion.subject, true);
+        assertion.subject_path = component(assertion.subject, assertion.kind != AssertionKind::conforms);
         if (assertion.kind == AssertionKind::reachable) reachable(assertion);
         if (binary) assertion.other_path = component(assertion.other, true);
     }

@@ -453,6 +453,7 @@ enum class AssertionKind {
     reachable,
     clock_initialised,
     event_missed,
+    conforms,  ///< to a rule in SLEEC
 };
 /// In which semantics an assertion is decided.
 enum class AssertionTime { both, timed, untimed };
@@ -486,7 +487,7 @@ struct Assertion final {
     AssertionKind kind = AssertionKind::deadlock_free;
     bool negated = false;
     QualifiedName subject;  ///< X; for reachable: the component; clock_initialised, event_missed: empty
-    QualifiedName other;    ///< Y of refines/equals; state of reachable; clock; machine or state of event_missed
+    QualifiedName other;    ///< Y of refines/equals; state of reachable; clock; machine or state of event_missed; rule
     QualifiedName event;    ///< event_missed
     std::optional<std::int64_t> time_units;  ///< event_missed: in how many in a row, where it is written
     Span time_units_span;

@@ -262,6 +262,8 @@ private:
     // Assertions (parser_assertions.cpp)
     void assertion_member(File& file);
     void assertion(File& file, AssertionTime time);
+    void assertion_name(Assertion& assertion);
+    void rule_assertion(File& file);
     void assertion_body(Assertion& assertion, Span time_word);
     void refuse_time(AssertionTime time, Span word);
     void assertion_event(Assertion& assertion);

@@ -23,11 +23,11 @@ bool Parser::at_kept_part() const {
     return known && peek().first_on_line && peek(1).kind == TokenKind::string;
 }
 
-/// `sleec assertion …`: of another tool, where it begins a line.
+/// `robocert assertion …`: of another tool, where it begins a line.
 bool Parser::at_foreign_assertion() const {
     if (!peek().first_on_line || peek(1).first_on_line) return false;
     return peek().kind == TokenKind::identifier && !at_word("timed") && !at_word("untimed") && !at_word("assertion") &&
-           !at_word("csp") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
+           !at_word("csp") && !at_word("sleec") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
 }
 
 /// Kept as text, up to the next member, and said to be of no kind that is checked here.
@@ -49,7 +49,9 @@ void Parser::foreign_assertion(File& file) {
 bool Parser::at_assertion_member() const {
     if (at_foreign_assertion()) return true;
     if (at("import") || at("package") || at_probabilistic_part() || at_kept_part()) return true;
-    if (at_word("timed") || at_word("untimed")) return at_word("assertion", 1) || at_word("csp", 1);
+    if (at_word("timed") || at_word("untimed"))
+        return at_word("assertion", 1) || at_word("csp", 1) || at_word("sleec", 1);
+    if (at_word("sleec")) return at_word("assertion", 1);
     return (at_word("assertion") || at_word("csp")) && peek(1).kind == TokenKind::identifier;
 }
 
@@ -69,6 +71,7 @@ void Parser::assertion_member(File& file) {
         if (time == AssertionTime::both && at_foreign_assertion()) return foreign_assertion(file);
         if (neural_construct()) return;
         if (at_word("assertion")) return assertion(file, time);
+        if (at_word("sleec") && time != AssertionTime::untimed) return rule_assertion(file);
         if (at_word("csp")) return csp_block(file, time);
         if (at_probabilistic_part() && time == AssertionTime::both) return probabilistic_part(file);
         if (at_kept_part() && time == AssertionTime::both) return keep(file);
@@ -138,16 +141,43 @@ void Parser::csp_block(File& file, AssertionTime time) {
     file.csp_blocks.push_back(std::move(block));
 }
 
-void Parser::assertion(File& file, AssertionTime time) {
-    Assertion assertion;
-    assertion.time = time;
-    const Span time_word = previous().span;
-    assertion.span = peek().span;
+void Parser::assertion_name(Assertion& assertion) {
     expect_word("assertion");
     const QualifiedName name = simple_name("the assertion's name");
     assertion.name = name.text();
     assertion.name_span = name.span;
     expect(":");
+}
+
+/// `sleec assertion N : C conforms to R`, `C does not conform to R`; with `timed` in front or not, it is about time.
+void Parser::rule_assertion(File& file) {
+    Assertion assertion;
+    assertion.time = AssertionTime::timed;
+    assertion.kind = AssertionKind::conforms;
+    assertion.span = peek().span;
+    expect_word("sleec");
+    assertion_name(assertion);
+    assertion.subject = qualified_name("the name of a component");
+    assertion.negated = accept_word("does");
+    if (assertion.negated) {
+        expect("not");
+        expect_word("conform");
+    } else {
+        expect_word("conforms");
+    }
+    expect_word("to");
+    assertion.other = simple_name("the name of a rule");
+    accept(".");
+    assertion.span = since(assertion.span);
+    file.assertions.push_back(std::move(assertion));
+}
+
+void Parser::assertion(File& file, AssertionTime time) {
+    Assertion assertion;
+    assertion.time = time;
+    const Span time_word = previous().span;
+    assertion.span = peek().span;
+    assertion_name(assertion);
     assertion_body(assertion, time_word);
     assertion_model(assertion);
     assertion_parameters(assertion);

@@ -257,6 +257,8 @@ std::string claim(const Assertion& assertion) {
             return fmt::format("event {} is {}missed in {}{}", written_name(assertion.event), negated ? "not " : "",
                                other,
                                assertion.time_units ? fmt::format(" for {} time units", *assertion.time_units) : "");
+        case AssertionKind::conforms:
+            return subject + (negated ? " does not conform to " : " conforms to ") + other;
         case AssertionKind::clock_initialised:
             break;
     }
@@ -278,8 +280,9 @@ std::string parameter_list(const std::vector<AssertionParameter>& list) {
 void Printer::assertion(const Assertion& assertion) {
     const std::string model =
         assertion.model ? fmt::format(" in the {} model", model_words(*assertion.model)) : std::string();
-    line(fmt::format("{}assertion {} : {}{}{}", time_word(assertion.time), written_name(assertion.name),
-                     claim(assertion), model, parameter_list(assertion.parameters)));
+    const bool of_rule = assertion.kind == AssertionKind::conforms;
+    line(fmt::format("{}{}assertion {} : {}{}{}", time_word(assertion.time), of_rule ? "sleec " : "",
+                     written_name(assertion.name), claim(assertion), model, parameter_list(assertion.parameters)));
 }
 
 void Printer::csp_block(const CspBlock& block) {

@@ -95,10 +95,11 @@ const Rule clock_time{"RC-P31", error, "`{}` cannot stand before an assertion ab
 const Rule hyphenated{
     "RC-P32", error, "`{}` is one word, with a hyphen and without blanks",
     "`deadlock-free`, `divergence-free`, `timelock-free` and `tick-tock` are single words of the grammar."};
-const Rule foreign_assertion{"RC-P33", warning, "assertion `{}` is not checked: `{} assertion` is of another tool",
-                             "Assertions here begin with `assertion`, `timed assertion` or `untimed assertion`. A "
-                             "claim of another kind is left to "
-                             "the tool that it is for, and a run that checks says so and does not succeed."};
+const Rule foreign_assertion{
+    "RC-P33", warning, "assertion `{}` is not checked: `{} assertion` is of another tool",
+    "Assertions here begin with `assertion`, `timed assertion`, `untimed assertion` or `sleec assertion`. A "
+    "claim of another kind is left to "
+    "the tool that it is for, and a run that checks says so and does not succeed."};
 const Rule other_notation{"RC-P34", error, "`{}` is not RoboChart here: {}",
                           "Words of UML, SCXML, Stateflow, UPPAAL, PRISM and programming languages are recognised "
                           "where people write them, and the message says what RoboChart has instead."};

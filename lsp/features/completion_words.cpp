@@ -70,7 +70,7 @@ Words member_words(Block block, std::string_view last_clause) {
 
 const Words& assertion_member_words() {
     static const Words words = {"assertion", "timed assertion", "untimed assertion", "csp", "timed csp", "untimed csp",
-                                "import",    "package"};
+                                "import",    "package",         "sleec assertion"};
     return words;
 }
 
@@ -81,6 +81,7 @@ Words infix_words(Block block, bool is_assertions) {
                 "refines",
                 "equals",
                 "terminates",
+                "conforms to",
                 "in the traces model",
                 "with",
                 "and",

@@ -152,6 +152,8 @@ constexpr std::array assertion_meanings = {
     WordMeaning{"assertion",
                 "A claim about a component that `robochart-verify check` decides. Without `timed` or "
                 "`untimed` before it, it is decided in both semantics."},
+    WordMeaning{"conform", "`does not conform to`: some run of the component breaks the rule."},
+    WordMeaning{"conforms", "`C conforms to R`: no run of the component breaks the rule, which a `.sleec` file has."},
     WordMeaning{"constant", "`constant c of X set to v`: the value that the constant has for this assertion."},
     WordMeaning{"csp", "A block of CSPM text. Its processes can take part in assertions."},
     WordMeaning{"deadlock-free",
@@ -170,6 +172,7 @@ constexpr std::array assertion_meanings = {
     WordMeaning{"reachable", "`S is reachable in M`: there is a behaviour of `M` that enters the state `S`."},
     WordMeaning{"refine", "`does not refine`: the first component has a behaviour that the second has not."},
     WordMeaning{"refines", "Every behaviour of the first component is one of the second."},
+    WordMeaning{"sleec", "`sleec assertion`: whether a component obeys a rule in SLEEC, of a file in the same folder."},
     WordMeaning{"terminate", "`does not terminate`: the component never ends."},
     WordMeaning{"terminates", "The component can end, and never stops without having ended."},
     WordMeaning{"timed", "The assertion is decided in the timed semantics, in which time passes by `tock`."},

@@ -52,7 +52,7 @@ std::string kind_text(NodeKind kind) {
 std::string kind_text(PropertyKind kind) {
     constexpr const char* words[] = {"deadlock-free",     "divergence-free", "deterministic", "timelock-free",
                                      "terminates",        "refines",         "equals",        "reachable",
-                                     "clock-initialised", "event-missed"};
+                                     "clock-initialised", "event-missed",    "conforms"};
     return words[static_cast<std::size_t>(kind)];
 }
 
@@ -242,10 +242,11 @@ void Dump::block(const CspBlock& block) {
 
 void Dump::property(const Property& property) {
     const std::string missed = property.event.empty() ? "" : fmt::format(" {} {}", property.event, property.time_units);
-    line("property {}{}{}: {}{} {} [{}]{}{}{}", property.name, property.timed ? " timed" : "",
+    line("property {}{}{}: {}{} {} [{}]{}{}{}{}", property.name, property.timed ? " timed" : "",
          property.untimed ? " untimed" : "", reference(property.subject), property.negated ? " not" : "",
          kind_text(property.kind), model_text(property.model), property.state.empty() ? "" : " " + property.state,
-         missed, property.other.path.empty() ? "" : " " + reference(property.other));
+         missed, property.other.path.empty() ? "" : " " + reference(property.other),
+         property.rule.empty() ? "" : " " + property.rule);
     for (const auto& [name, value] : property.constants)
         line("  with {} = {}", name, expression_text(system_, nullptr, *value));
 }

@@ -449,7 +449,8 @@ enum class PropertyKind {
     equals,
     reachable,
     clock_initialised,
-    event_missed
+    event_missed,
+    conforms,  ///< to a rule in SLEEC, which another file has
 };
 /// The model of CSP in which a property is decided.
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
@@ -468,6 +469,7 @@ struct Property {
     /// event_missed: the state of the subject, "" for the whole machine.
     std::string state;
     std::string event;            ///< event_missed
+    std::string rule;             ///< conforms: its name
     std::int64_t time_units = 1;  ///< event_missed: in how many in a row
     /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's
     /// for a required one). `with parameter p of O`: the same with "param_" for "const_".

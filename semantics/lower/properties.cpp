@@ -34,6 +34,8 @@ PropertyKind kind_of(ast::AssertionKind kind) {
             return PropertyKind::reachable;
         case ast::AssertionKind::event_missed:
             return PropertyKind::event_missed;
+        case ast::AssertionKind::conforms:
+            return PropertyKind::conforms;
         case ast::AssertionKind::clock_initialised:
             break;
     }
@@ -59,7 +61,8 @@ std::string wording_of(const diagnostics::SourceManager& sources, const ast::Ass
     const auto text = sources.text(source.span.source);
     const std::string line =
         diagnostics::on_one_line(text.substr(source.span.begin, source.span.end - source.span.begin));
-    if (line.compare(0, 9, "assertion") != 0 || source.time == ast::AssertionTime::both) return line;
+    const bool begins = line.starts_with("assertion") || line.starts_with("sleec");
+    if (!begins || source.time == ast::AssertionTime::both) return line;
     return (source.time == ast::AssertionTime::timed ? "timed " : "untimed ") + line;
 }
 
@@ -210,6 +213,7 @@ void Properties::assertion(const ast::Assertion& source) {
     } else if (const auto subject = component(source.subject_path, source.subject)) {
         property.subject = subject->ref;
         if (property.kind == PropertyKind::reachable) reachable(source, property);
+        if (property.kind == PropertyKind::conforms) property.rule = source.other.text();
     }
     if (property.kind == PropertyKind::refines || property.kind == PropertyKind::equals)
         if (const auto other = component(source.other_path, source.other)) property.other = other->ref;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "checker/lts/graph.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "sleec/analysis/rule_system.hpp"
 
@@ -23,7 +24,7 @@ Events events_of(const std::vector<Obligation>& obligations) {
     return result;
 }
 
-bool meet(const std::set<std::size_t>& a, const std::set<std::size_t>& b) {
+bool have_common(const std::set<std::size_t>& a, const std::set<std::size_t>& b) {
     return std::any_of(a.begin(), a.end(), [&](std::size_t event) { return b.contains(event); });
 }
 
@@ -34,21 +35,75 @@ bool may_clash(const Question& question) {
     for (std::size_t due = 0; due < all.size(); ++due) {
         bool every = true;
         for (std::size_t i = 0; i < all.size(); ++i)
-            every = every && ((i == due && all.size() > 1) || meet(all[due].demanded, all[i].forbidden));
+            every = every && ((i == due && all.size() > 1) || have_common(all[due].demanded, all[i].forbidden));
         if (every) return true;
     }
     return false;
 }
 
-/// Whether at some instant two demands are open for the last time at once: `A within 5 seconds otherwise B within 0
-/// seconds`.
-bool has_two_last(const std::vector<Obligation>& obligations) {
+/// What the obligations demand at once, at the instant of their trigger.
+std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligations) {
+    std::set<std::size_t> result;
     for (const Obligation& obligation : obligations)
-        for (const Demand& a : obligation.any)
-            for (const Demand& b : obligation.any)
-                if (&a < &b && !a.forbids && !b.forbids && a.end == b.end && a.end != forever && a.event != b.event)
-                    return true;
-    return false;
+        for (const Demand& each : obligation.any)
+            if (!each.forbids && each.end == 0) result.insert(each.event);
+    return result;
+}
+
+/// Rules that answer each other at once: each demands, at once, the trigger of the next.
+using Answers = std::vector<std::vector<std::size_t>>;
+
+Answers answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
+                const std::vector<std::set<std::size_t>>& at_once) {
+    Answers result(asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        for (std::size_t k = 0; k < asked.size(); ++k)
+            if (at_once[i].contains(rules.rules[asked[k]].trigger)) result[i].push_back(k);
+    return result;
+}
+
+/// Simple cycles of rules that answer each other at once, each as the set of its rules, of at most so many; the first
+/// few of many.
+class Cycles {
+public:
+    static constexpr std::size_t longest = 6;
+    static constexpr std::size_t most = 500;
+
+    explicit Cycles(const Answers& answers) : answers_(answers) {
+        for (std::size_t first = 0; first < answers.size(); ++first) {
+            path_ = {first};
+            extend();
+        }
+    }
+    [[nodiscard]] const std::set<std::vector<std::size_t>>& found() const { return found_; }
+
+private:
+    /// Only over rules behind the first, so that each cycle is found from its first rule.
+    void extend() {
+        for (const std::size_t next : answers_[path_.back()]) {
+            if (found_.size() >= most) return;
+            if (next == path_.front()) {
+                std::vector<std::size_t> cycle = path_;
+                std::sort(cycle.begin(), cycle.end());
+                found_.insert(std::move(cycle));
+            } else if (next > path_.front() && path_.size() < longest &&
+                       std::find(path_.begin(), path_.end(), next) == path_.end()) {
+                path_.push_back(next);
+                extend();
+                path_.pop_back();
+            }
+        }
+    }
+
+    const Answers& answers_;
+    std::vector<std::size_t> path_;
+    std::set<std::vector<std::size_t>> found_;
+};
+
+bool may_be_endless(const CheckedRules& rules, const Question& question) {
+    std::vector<std::set<std::size_t>> at_once;
+    for (const auto& each : question.obligations) at_once.push_back(demanded_at_once(each));
+    return !Cycles(answers(rules, question.rules, at_once)).found().empty();
 }
 
 /// Goes through a run again, and knows of each obligation where it comes from.
@@ -64,14 +119,30 @@ public:
         Conflict result;
         result.instant = now_;
         std::set<std::size_t> triggers{find(found.due).id};
-        for (const Clash::Forbidden& each : found.forbidden) {
-            result.due.push_back(side(found.due, each.event, false));
-            result.forbidding.push_back(side(each.by, each.event, true));
+        for (std::size_t i = 0; i < found.events.size(); ++i) {
+            result.due.push_back(side(found.due, found.events[i], false));
+            result.forbidding.push_back(side(found.by[i], found.events[i], true));
             result.for_ever = result.for_ever || result.due.back().demand.end == forever;
-            triggers.insert(find(each.by).id);
+            triggers.insert(find(found.by[i]).id);
         }
-        for (const auto& [instant, event, id] : occurred_)
-            if (!triggers.contains(id)) result.besides.emplace_back(instant, event);
+        note_besides(triggers, result);
+        return result;
+    }
+
+    /// A run to an instant that does not end: each duty that is due.
+    Conflict endless(const std::vector<lts::Event>& steps) {
+        for (const lts::Event step : steps) take(step);
+        Conflict result;
+        result.instant = now_;
+        result.endless = true;
+        std::set<std::size_t> triggers;
+        for (const Opened& each : open_)
+            for (const Demand* demand :
+                 due_now(question_.of(each.open), each.open.progress, [](std::size_t) { return false; })) {
+                result.due.push_back(side(each.open, demand->event, false));
+                triggers.insert(each.id);
+            }
+        note_besides(triggers, result);
         return result;
     }
 
@@ -86,6 +157,11 @@ private:
         std::int64_t instant = 0;
         std::size_t event = 0, id = 0;
     };
+
+    void note_besides(const std::set<std::size_t>& triggers, Conflict& result) const {
+        for (const auto& [instant, event, id] : occurred_)
+            if (!triggers.contains(id)) result.besides.emplace_back(instant, event);
+    }
 
     void take(lts::Event event) {
         const auto occurrence = system_.occurrence(event);
@@ -130,7 +206,52 @@ private:
     std::int64_t now_ = 0;
 };
 
-void search(const Question& question, const AnalysisOptions& options, ConflictAnswer& answer) {
+/// The steps to a state from which no second can pass any more, whatever comes, and no clash is reached either, of
+/// fewer rules; nothing if there is none.
+std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const AnalysisOptions& options) {
+    const auto explored = lts::explore(system, [&](std::size_t states) {
+        if (options.budget != nullptr) options.budget->poll();
+        if (states > options.limits.max_states) throw NotDecided("more states than --max-states");
+    });
+    const lts::Graph& graph = explored.graph;
+    std::vector<std::vector<lts::StateIndex>> before(graph.size());
+    std::vector<std::pair<lts::StateIndex, lts::Event>> reached(graph.size(), {0, 0});
+    std::vector<bool> passes(graph.size(), false), known(graph.size(), false);
+    std::vector<lts::StateIndex> waiting;
+    known[0] = true;
+    for (lts::StateIndex state = 0; state < graph.size(); ++state) {  // breadth first, so from a known state
+        if (system.some_clash(explored.states[state])) {
+            passes[state] = true;
+            waiting.push_back(state);
+        }
+        for (const lts::Edge& each : graph.edges(state)) {
+            if (!known[each.target]) reached[each.target] = {state, each.event};
+            known[each.target] = true;
+            before[each.target].push_back(state);
+            if (!system.is_tock(each.event) || passes[state]) continue;
+            passes[state] = true;
+            waiting.push_back(state);
+        }
+    }
+    while (!waiting.empty()) {
+        const lts::StateIndex state = waiting.back();
+        waiting.pop_back();
+        for (const lts::StateIndex each : before[state]) {
+            if (passes[each]) continue;
+            passes[each] = true;
+            waiting.push_back(each);
+        }
+    }
+    const auto found = std::find(passes.begin(), passes.end(), false);
+    if (found == passes.end()) return std::nullopt;
+    std::vector<lts::Event> steps;
+    for (auto at = static_cast<lts::StateIndex>(found - passes.begin()); at != 0; at = reached[at].first)
+        steps.push_back(reached[at].second);
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+}
+
+void search_clash(const Question& question, const AnalysisOptions& options, ConflictAnswer& answer) {
     RuleSystem system(question);
     const refine::Verdict verdict = refine::deadlock_free(system, refine::Model::failures, options.limits);
     answer.states = verdict.statistics.states;
@@ -146,6 +267,139 @@ void search(const Question& question, const AnalysisOptions& options, ConflictAn
     }
 }
 
+void search_endless(const Question& question, const AnalysisOptions& options, ConflictAnswer& answer) {
+    RuleSystem system(question);
+    const auto steps = endless_instant(system, options);
+    if (system.left_out()) {
+        answer.conflict = Answer::not_decided;
+        answer.reason = "too many obligations can be open at once";
+    } else if (steps) {
+        answer.conflict = Answer::yes;
+        answer.example = Replay(question, system).endless(*steps);
+    }
+}
+
+/// The questions about a file, the smaller first.
+class Questions {
+public:
+    Questions(const CheckedRules& rules, const AnalysisOptions& options,
+              const std::function<void(const ConflictAnswer&)>& take)
+        : rules_(rules), options_(options), take_(take) {}
+
+    void ask_all() {
+        for (std::size_t rule = 0; rule < rules_.rules.size(); ++rule)
+            if (!rules_.rules[rule].assumed) meet(rule);
+        std::size_t most = 2;
+        for (const Known& each : known_) {
+            ask({each.rule});
+            most = std::max(most, each.alternatives + 1);
+        }
+        const std::set<std::vector<std::size_t>> cycles = at_once();
+        for (std::size_t size = 2; size <= std::max(most, Cycles::longest + 1); ++size) {
+            for (std::size_t due = 0; due < known_.size(); ++due)
+                if (size == 2 || known_[due].alternatives + 1 >= size) with_forbidding(due, size);
+            for (const auto& each : cycles)
+                if (each.size() == size) ask(each);
+        }
+    }
+
+private:
+    struct Known {
+        std::size_t rule = 0;
+        std::size_t alternatives = 1;
+        Events events;
+        std::set<std::size_t> at_once;
+    };
+
+    void meet(std::size_t rule) {
+        try {
+            const Question alone = make_question(rules_, {rule}, options_.without_limit, options_.budget);
+            known_.push_back({rule, last_alternatives(alone.obligations[0]), events_of(alone.obligations[0]),
+                              demanded_at_once(alone.obligations[0])});
+        } catch (const NotDecided& error) {
+            ConflictAnswer answer;
+            answer.rules = {rule};
+            answer.conflict = Answer::not_decided;
+            answer.reason = std::string(error.what()) + "; no other rule is compared with it";
+            take_(answer);
+        }
+    }
+
+    /// Sets of rules in which one follows the other within an instant, and the same with a rule that forbids what leads
+    /// out of it.
+    std::set<std::vector<std::size_t>> at_once() {
+        std::vector<std::size_t> rules;
+        std::vector<std::set<std::size_t>> events;
+        for (const Known& each : known_) {
+            rules.push_back(each.rule);
+            events.push_back(each.at_once);
+        }
+        const Answers all = answers(rules_, rules, events);
+        const Cycles cycles(all);
+        std::set<std::vector<std::size_t>> result;
+        for (const std::vector<std::size_t>& places : cycles.found()) {
+            std::vector<std::size_t> cycle;
+            std::set<std::size_t> demanded;
+            for (const std::size_t place : places) {
+                cycle.push_back(rules[place]);
+                demanded.insert(known_[place].at_once.begin(), known_[place].at_once.end());
+            }
+            result.insert(cycle);
+            for (const Known& each : known_) {
+                if (!have_common(demanded, each.events.forbidden)) continue;
+                std::vector<std::size_t> more = cycle;
+                if (std::find(more.begin(), more.end(), each.rule) != more.end()) continue;
+                more.push_back(each.rule);
+                std::sort(more.begin(), more.end());
+                result.insert(std::move(more));
+            }
+        }
+        return result;
+    }
+
+    void with_forbidding(std::size_t due, std::size_t size) {
+        std::vector<std::size_t> others;
+        for (std::size_t i = 0; i < known_.size(); ++i)
+            if (i != due && have_common(known_[due].events.demanded, known_[i].events.forbidden))
+                others.push_back(known_[i].rule);
+        std::vector<std::size_t> chosen{known_[due].rule};
+        combine(others, 0, size, chosen);
+    }
+
+    void combine(const std::vector<std::size_t>& others, std::size_t from, std::size_t size,
+                 std::vector<std::size_t>& chosen) {
+        if (chosen.size() == size) {
+            std::vector<std::size_t> sorted = chosen;
+            std::sort(sorted.begin(), sorted.end());
+            return ask(std::move(sorted));
+        }
+        for (std::size_t i = from; i < others.size(); ++i) {
+            chosen.push_back(others[i]);
+            combine(others, i + 1, size, chosen);
+            chosen.pop_back();
+        }
+    }
+
+    void ask(std::vector<std::size_t> asked) {
+        const bool smaller = std::any_of(conflicts_.begin(), conflicts_.end(), [&](const auto& each) {
+            return std::includes(asked.begin(), asked.end(), each.begin(), each.end());
+        });
+        if ((smaller && asked.size() > 2) || !asked_.insert(asked).second) return;
+        ConflictAnswer answer = find_conflict(rules_, asked, options_);
+        if (answer.conflict == Answer::yes && answer.example->endless && smaller)
+            answer = {asked, Answer::no, {}, {}, 0};
+        if (answer.conflict == Answer::yes) conflicts_.push_back(std::move(asked));
+        take_(answer);
+    }
+
+    const CheckedRules& rules_;
+    const AnalysisOptions& options_;
+    const std::function<void(const ConflictAnswer&)>& take_;
+    std::vector<Known> known_;
+    std::set<std::vector<std::size_t>> asked_;
+    std::vector<std::vector<std::size_t>> conflicts_;
+};
+
 }  // namespace
 
 ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
@@ -154,7 +408,8 @@ ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t>
     answer.rules = judged;
     try {
         const Question question = make_question(rules, std::move(judged), options.without_limit, options.budget);
-        if (may_clash(question)) search(question, options, answer);
+        if (may_clash(question)) search_clash(question, options, answer);
+        if (answer.conflict == Answer::no && may_be_endless(rules, question)) search_endless(question, options, answer);
     } catch (const NotDecided& error) {
         answer.conflict = Answer::not_decided;
         answer.reason = error.what();
@@ -164,30 +419,7 @@ ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t>
 
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take) {
-    const auto ask = [&](std::vector<std::size_t> asked) { take(find_conflict(rules, std::move(asked), options)); };
-    std::vector<std::size_t> judged;
-    std::vector<std::size_t> with_two;
-    for (std::size_t rule = 0; rule < rules.rules.size(); ++rule) {
-        if (rules.rules[rule].assumed) continue;
-        try {
-            const Question alone = make_question(rules, {rule}, options.without_limit, options.budget);
-            judged.push_back(rule);
-            if (has_two_last(alone.obligations[0])) with_two.push_back(rule);
-            ask({rule});
-        } catch (const NotDecided& error) {
-            ConflictAnswer answer;
-            answer.rules = {rule};
-            answer.conflict = Answer::not_decided;
-            answer.reason = std::string(error.what()) + "; no other rule is compared with it";
-            take(answer);
-        }
-    }
-    for (std::size_t i = 0; i < judged.size(); ++i)
-        for (std::size_t k = i + 1; k < judged.size(); ++k) {
-            ask({judged[i], judged[k]});
-            for (const std::size_t due : with_two)
-                if (due != judged[i] && due != judged[k]) ask({due, judged[i], judged[k]});
-        }
+    Questions(rules, options, take).ask_all();
 }
 
 /// For each sample of its trigger: nothing is asked for, or what the other asks for implies it. Measures are free, and

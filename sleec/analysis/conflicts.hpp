@@ -29,11 +29,12 @@ struct Conflict {
     std::vector<Side> due, forbidding;
     std::int64_t instant = 0;
     bool for_ever = false;  ///< nothing is due yet, but it never can be again
+    bool endless = false;   ///< nothing is forbidden, but what is due calls for more at this instant, without end
     /// What else happens before, to keep the rules: second and event.
     std::vector<std::pair<std::int64_t, std::size_t>> besides;
 };
 
-/// The answer about one rule (and itself), two, or three.
+/// The answer about one rule (and itself), two, or more.
 struct ConflictAnswer {
     std::vector<std::size_t> rules;
     Answer conflict = Answer::no;
@@ -48,13 +49,14 @@ struct AnalysisOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// Whether these rules can come into conflict, and all of them are needed for it: one with itself (by several
-/// triggers), two, or three.
+/// Whether these rules can come into conflict, and all of them have part in it: one with itself (by several triggers),
+/// two, or more. `judged`: ascending.
 [[nodiscard]] ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
                                            const AnalysisOptions& options);
-/// Asks about the rules that are no assumptions: each with itself, each two, and each three where two may exclude the
-/// last alternatives of one. More than three are needed only where one instant has as many alternatives: that is not
-/// asked.
+/// The smallest sets in conflict of the rules that are no assumptions. A duty with n alternatives for one last instant
+/// is in conflict with at most n others, so that no more are asked about at once; beside these, rules that answer each
+/// other within an instant, up to six, with one more that forbids what leads out of it. None is asked about three or
+/// more of which fewer are in conflict.
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take);
 /// Whether all that `rule` asks for, `by` asks for with the same trigger. Throws NotDecided.

@@ -23,9 +23,12 @@ std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
 std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
     std::string events;
     for (const Side& each : conflict.due) events += (events.empty() ? "" : " or ") + rules.event(each.demand.event);
+    if (conflict.endless)
+        return fmt::format("second {} never ends: {} has to come, and calls for the next, whatever is done",
+                           conflict.instant, events);
     if (conflict.for_ever) return fmt::format("{} has to come some time, and never may", events);
     return fmt::format("at second {} {} has to come, and {}", conflict.instant, events,
-                       conflict.due.size() > 1 ? "neither may" : "may not");
+                       conflict.due.size() > 1 ? "none of them may" : "may not");
 }
 
 }  // namespace

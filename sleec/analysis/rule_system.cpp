@@ -91,56 +91,81 @@ bool forbids(const Question& question, const OpenObligation& open, std::size_t e
     return take_event(question.of(open), progress, event) == Effect::broken;
 }
 
-}  // namespace
-
-namespace {
-
-/// The first open obligation of another judged rule that forbids the event now.
-const OpenObligation* forbidding(const Question& question, const std::vector<OpenObligation>& open,
-                                 const OpenObligation& due, std::size_t event) {
+/// One obligation of each judged rule that forbids the event now; for a demand without limit, for ever.
+std::vector<OpenObligation> forbidding(const Question& question, const std::vector<OpenObligation>& open,
+                                       std::size_t event, bool for_ever) {
+    std::vector<OpenObligation> result;
     for (const OpenObligation& each : open) {
-        if (each.rule >= question.judged || (each.rule == due.rule && question.judged > 1)) continue;
-        if (forbids(question, each, event)) return &each;
+        if (each.rule >= question.judged || (!result.empty() && result.back().rule == each.rule)) continue;
+        if (forbids(question, each, event) && (!for_ever || forbids_for_ever(question.of(each), each.progress, event)))
+            result.push_back(each);
     }
-    return nullptr;
+    return result;
+}
+
+/// A choice of one obligation for each demand such that all of these rules have part in the clash; the bits of
+/// `wanted`.
+bool choose(std::uint32_t wanted, const std::vector<std::vector<OpenObligation>>& choices, Clash& clash,
+            std::uint32_t involved) {
+    const std::size_t at = clash.by.size();
+    if (at == choices.size()) return (involved & wanted) == wanted;
+    for (const OpenObligation& each : choices[at]) {
+        clash.by.push_back(each);
+        if (choose(wanted, choices, clash, involved | 1U << each.rule)) return true;
+        clash.by.pop_back();
+    }
+    return false;
 }
 
 std::optional<Clash> clash_of(const Question& question, const std::vector<OpenObligation>& open,
-                              const OpenObligation& due) {
-    const auto never_again = [&](std::size_t event) {
-        const OpenObligation* by = forbidding(question, open, due, event);
-        return by != nullptr && forbids_for_ever(question.of(*by), by->progress, event);
-    };
-    Clash result{due, {}};
-    std::set<std::size_t> involved{due.rule};
+                              const OpenObligation& due, std::uint32_t wanted) {
+    const auto never_again = [&](std::size_t event) { return !forbidding(question, open, event, true).empty(); };
+    Clash result{due, {}, {}};
+    std::vector<std::vector<OpenObligation>> choices;
     for (const Demand* demand : due_now(question.of(due), due.progress, never_again)) {
-        const OpenObligation* by = forbidding(question, open, due, demand->event);
-        if (by == nullptr) return std::nullopt;
-        result.forbidden.push_back({*by, demand->event});
-        involved.insert(by->rule);
+        choices.push_back(forbidding(question, open, demand->event, demand->end == forever));
+        result.events.push_back(demand->event);
     }
-    if (result.forbidden.empty() || involved.size() < question.judged) return std::nullopt;
+    if (choices.empty() || !choose(wanted, choices, result, 1U << due.rule)) return std::nullopt;
     return result;
 }
 
 }  // namespace
 
-std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open) {
+std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open, std::uint32_t wanted) {
     for (const OpenObligation& due : open)
         if (due.rule < question.judged)
-            if (auto found = clash_of(question, open, due)) return found;
+            if (auto found = clash_of(question, open, due, wanted)) return found;
     return std::nullopt;
 }
 
+std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open) {
+    return clash(question, open, (1U << question.judged) - 1);
+}
+
+std::size_t last_alternatives(const std::vector<Obligation>& obligations) {
+    std::size_t most = 1;
+    for (const Obligation& obligation : obligations)
+        for (const Demand& last : obligation.any) {
+            std::set<std::size_t> events;
+            for (const Demand& each : obligation.any)
+                if (!each.forbids && each.end == last.end) events.insert(each.event);
+            most = std::max(most, events.size());
+        }
+    return most;
+}
+
 std::size_t unasked_occurrences(const Question& question) {
-    std::size_t breakable = 0;
-    for (const auto& obligations : question.obligations)
-        for (const Obligation& each : obligations) {
+    std::size_t breakable = 0, alternatives = 1;
+    for (std::size_t rule = 0; rule < question.obligations.size(); ++rule) {
+        alternatives = std::max(alternatives, last_alternatives(question.obligations[rule]));
+        for (const Obligation& each : question.obligations[rule]) {
             const auto forbidding =
                 std::count_if(each.any.begin(), each.any.end(), [](const Demand& demand) { return demand.forbids; });
             if (each.any.size() > 1) breakable = std::max(breakable, static_cast<std::size_t>(forbidding));
         }
-    return std::max<std::size_t>(2, question.judged) + 2 * breakable;
+    }
+    return (1 + alternatives) * (1 + breakable);
 }
 
 RuleSystem::RuleSystem(const Question& question) : question_(question) {
@@ -195,6 +220,10 @@ std::optional<std::size_t> RuleSystem::occurrence(lts::Event event) const {
     const auto found = std::find(names_.begin(), names_.end(), event);
     if (found == names_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - names_.begin());
+}
+
+bool RuleSystem::some_clash(lts::StateView packed) const {
+    return clash(question_, unpack(packed).open, 0).has_value();
 }
 
 void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {

@@ -31,7 +31,7 @@ struct OpenObligation {
 /// What a question is about: rules, what they can ask for, and the events that matter.
 struct Question {
     std::vector<std::size_t> rules;                    ///< of the file: those judged, then assumptions
-    std::size_t judged = 0;                            ///< how many are judged: one to three
+    std::size_t judged = 0;                            ///< how many are judged
     std::vector<std::vector<Obligation>> obligations;  ///< of each rule, all that some sample gives
     std::vector<Occurrence> occurrences;               ///< of each event that a rule names
 
@@ -46,14 +46,11 @@ struct Question {
 /// Obligations that cannot all be kept: `due` has to be fulfilled now at the latest, and each of its demands that is
 /// left is forbidden by another.
 struct Clash {
-    struct Forbidden {
-        OpenObligation by;
-        std::size_t event = 0;
-    };
     OpenObligation due;
-    std::vector<Forbidden> forbidden;
+    std::vector<std::size_t> events;  ///< of its demands
+    std::vector<OpenObligation> by;   ///< what forbids each
 };
-/// A clash at this instant of the rules that are judged, all of them; or of one with itself if it is judged alone.
+/// A clash at this instant in which all rules have part that are judged.
 [[nodiscard]] std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open);
 
 /// Few occurrences come unasked (`unasked_occurrences`); every other fulfils an open obligation. That loses no
@@ -72,6 +69,9 @@ public:
 
     /// Nothing for a tock; else the occurrence.
     [[nodiscard]] std::optional<std::size_t> occurrence(lts::Event event) const;
+    [[nodiscard]] bool is_tock(lts::Event event) const { return event == tock_; }
+    /// Whether some of the rules clash in this state.
+    [[nodiscard]] bool some_clash(lts::StateView state) const;
     /// States were left out because a rule would have had too many obligations open at once: a search that finds no
     /// conflict proves nothing then.
     [[nodiscard]] bool left_out() const { return left_out_; }
@@ -96,8 +96,10 @@ private:
     bool left_out_ = false;
 };
 
-/// Two triggers, of three rules three; and an occurrence for each prohibition that may be broken because there is
-/// another alternative, on both sides.
+/// The most events one of which must come at one and the same last instant; at least 1.
+[[nodiscard]] std::size_t last_alternatives(const std::vector<Obligation>& obligations);
+/// A trigger for the duty that clashes, and one for each of its last alternatives, which forbids it; for each of these
+/// duties an occurrence for each prohibition that may be broken because there is another alternative.
 [[nodiscard]] std::size_t unasked_occurrences(const Question& question);
 
 }  // namespace robochart::sleec

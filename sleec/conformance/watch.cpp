@@ -23,8 +23,13 @@ constexpr const char* broken_event = "sleec_broken";
 constexpr const char* asked_event = "sleec_asked";
 constexpr const char* free_process = "sleec_Free";
 constexpr const char* idle_process = "sleec_Idle";
+constexpr const char* wrong_process = "sleec_Wrong";
 constexpr const char* all_events = "sleec_events";
 constexpr std::size_t most_ways = 4096;
+
+/// Values of a measure at an instant, beside its classes.
+constexpr std::int64_t unknown = -1;
+constexpr std::int64_t changing = -2;
 
 Tree time() {
     return build::name("t");
@@ -54,6 +59,11 @@ Tree some_left(const Obligation& obligation) {
     return build::any_of(std::move(conditions));
 }
 
+bool waits_for_ever(const Obligation& obligation) {
+    return std::any_of(obligation.any.begin(), obligation.any.end(),
+                       [](const Demand& each) { return !each.forbids && each.end == forever; });
+}
+
 const Demand* prohibition(const Obligation& obligation) {
     for (const Demand& each : obligation.any)
         if (each.forbids) return &each;
@@ -81,8 +91,9 @@ Tree breaks() {
 
 }  // namespace
 
-Watch::Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process)
-    : rules_(rules), rule_(rule), linking_(linking), process_(std::move(process)) {
+Watch::Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process,
+             Readings readings)
+    : rules_(rules), rule_(rule), linking_(linking), process_(std::move(process)), readings_(readings) {
     find_classes();
     find_ways();
 }
@@ -223,7 +234,8 @@ Tree Watch::started(std::size_t from, Valuation classes) const {
     return result;
 }
 
-/// sleec_Start0(k..): -1 is what is not known, and is assumed; a.. is what was assumed and not yet seen.
+/// sleec_Start0(k..): what is not known is assumed; a.. is what the readings that follow at this instant are compared
+/// with, if anything.
 std::vector<DeclPtr> Watch::starting() const {
     std::vector<DeclPtr> result;
     const std::size_t count = followed_.size();
@@ -247,31 +259,35 @@ std::vector<DeclPtr> Watch::starting() const {
             for (const std::int64_t each : followed_[i].classes)
                 assumed.push_back(with(build::number(each), build::number(each)));
             const Tree value = build::name(variable(i));
-            body = build::if_(build::binary(ExprKind::equal, value, build::number(-1)),
-                              build::internal_choice(std::move(assumed)), with(value, build::number(-1)));
+            const bool compared = readings_ == Readings::one_value;
+            body = build::if_(build::binary(ExprKind::equal, value, build::number(unknown)),
+                              build::internal_choice(std::move(assumed)),
+                              with(value, compared ? value : build::number(unknown)));
         }
         result.push_back(build::function_decl(named(i), build::variables(parameters), body));
     }
     return result;
 }
 
-/// A call of a process with the measures of a state, one of them replaced.
-Tree Watch::after_reading(const std::string& process, std::size_t place, Exprs first) const {
-    for (std::size_t i = 0; i < followed_.size(); ++i)
-        first.push_back(i == place
-                            ? (process == idle_process ? class_of(followed_[i], build::name("v")) : build::number(-1))
-                            : build::name(variable(i)));
-    return build::call(process, std::move(first));
+/// What the value of a measure is at this instant, behind a reading `v`.
+Tree Watch::reading(std::size_t place) const {
+    const Tree read = class_of(followed_[place], build::name("v"));
+    if (readings_ == Readings::any) return read;
+    const Tree before = build::name(variable(place));
+    return build::if_(build::any_of({build::binary(ExprKind::equal, before, build::number(unknown)),
+                                     build::binary(ExprKind::equal, before, read)}),
+                      read, build::number(changing));
 }
 
 /// Any trigger may be the one that is followed.
 std::vector<DeclPtr> Watch::idle() const {
-    Exprs measures, unknown;
+    Exprs measures, not_read, changes;
     std::vector<std::string> parameters;
     for (std::size_t i = 0; i < followed_.size(); ++i) {
         parameters.push_back(variable(i));
         measures.push_back(build::name(variable(i)));
-        unknown.push_back(build::number(-1));
+        not_read.push_back(build::number(unknown));
+        changes.push_back(build::binary(ExprKind::equal, measures.back(), build::number(changing)));
     }
     const auto any_of_channel = [](const std::string& channel, const Tree& then) {
         return build::replicated(ExprKind::replicated_external,
@@ -282,13 +298,68 @@ std::vector<DeclPtr> Watch::idle() const {
     const std::string trigger = linking_.events[rules_.rules[rule_].trigger].value();
     for (const std::size_t each : event_indices())
         choices.push_back(any_of_channel(linking_.events[each].value(), build::call(idle_process, measures)));
-    choices.push_back(any_of_channel(trigger, build::call("sleec_Start0", measures)));
-    for (std::size_t i = 0; i < followed_.size(); ++i)
-        if (const auto& linked = linking_.measures[followed_[i].measure])
-            choices.push_back(build::prefix(build::name(linked->channel), {build::input("d"), build::input("v")},
-                                            after_reading(idle_process, i, {})));
-    choices.push_back(build::prefix(build::name("tock"), build::call(idle_process, unknown)));
+    const Tree start = build::call("sleec_Start0", measures);
+    const bool guarded = readings_ == Readings::one_value && !changes.empty();
+    choices.push_back(any_of_channel(
+        trigger,
+        guarded ? build::if_(build::any_of(std::move(changes)), build::call(idle_process, measures), start) : start));
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        const auto& linked = linking_.measures[followed_[i].measure];
+        if (!linked) continue;
+        Exprs arguments = measures;
+        arguments[i] = reading(i);
+        choices.push_back(build::prefix(build::name(linked->channel), {build::input("d"), build::input("v")},
+                                        build::call(idle_process, std::move(arguments))));
+    }
+    choices.push_back(build::prefix(build::name("tock"), build::call(idle_process, not_read)));
     return {build::function_decl(idle_process, build::variables(parameters), build::choice(std::move(choices)))};
+}
+
+/// An event breaks the obligation, unless a reading of the trigger's instant is still to show another value.
+Tree Watch::against() const {
+    if (!reads()) return breaks();
+    Exprs same;
+    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(variable(i)));
+    return build::if_(build::binary(ExprKind::greater, time(), build::number(0)), breaks(),
+                      build::call(wrong_process, std::move(same)));
+}
+
+/// A measure that is read while an obligation is open: another value than the one assumed means that this is no run.
+Tree Watch::compared(std::size_t place, const Tree& then) const {
+    const Tree assumed = build::name(variable(place));
+    const Tree other =
+        build::all_of({build::binary(ExprKind::greater_equal, assumed, build::number(0)),
+                       build::binary(ExprKind::not_equal, assumed, class_of(followed_[place], build::name("v")))});
+    return build::prefix(build::name(linking_.measures[followed_[place].measure]->channel),
+                         {build::input("d"), build::input("v")}, build::if_(other, build::name(free_process), then));
+}
+
+/// The values of the measures behind a reading that agreed with the one assumed.
+Exprs Watch::behind_reading(std::size_t place) const {
+    Exprs result;
+    for (std::size_t k = 0; k < followed_.size(); ++k)
+        result.push_back(k == place && readings_ == Readings::any ? build::number(unknown) : build::name(variable(k)));
+    return result;
+}
+
+std::vector<DeclPtr> Watch::wrong() const {
+    if (!reads()) return {};
+    Exprs choices, same;
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        parameters.push_back(variable(i));
+        same.push_back(build::name(variable(i)));
+    }
+    for (const std::size_t each : event_indices())
+        choices.push_back(
+            build::replicated(ExprKind::replicated_external,
+                              {build::generator("x", build::productions({build::name(linking_.events[each].value())}))},
+                              build::prefix(build::name("x"), build::call(wrong_process, same))));
+    for (std::size_t i = 0; i < followed_.size(); ++i)
+        if (linking_.measures[followed_[i].measure])
+            choices.push_back(compared(i, build::call(wrong_process, behind_reading(i))));
+    choices.push_back(build::prefix(build::name("tock"), breaks()));
+    return {build::function_decl(wrong_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
 
 /// As take_event (obligations/open.hpp).
@@ -302,7 +373,7 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
     const Demand* forbidden = prohibition(obligation);
     if (forbidden != nullptr && forbidden->event == event && !broken)
         result = build::if_(within(*forbidden),
-                            build::if_(some_left(obligation), build::call(open_process(index, true), same), breaks()),
+                            build::if_(some_left(obligation), build::call(open_process(index, true), same), against()),
                             result);
     Exprs fulfilled;
     for (const Demand& each : obligation.any)
@@ -317,7 +388,7 @@ Tree Watch::on_tock(std::size_t index, bool broken) const {
     const std::int64_t last = last_second(obligation);
     const Tree next = build::binary(ExprKind::plus, time(), build::number(1));
     Exprs arguments{build::if_(build::binary(ExprKind::less, time(), build::number(last)), next, time())};
-    for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::number(-1));
+    for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::number(unknown));
     Tree result = build::call(open_process(index, broken), std::move(arguments));
     const auto ends_now = [&](const Demand& each) {
         return build::binary(ExprKind::less_equal, build::number(each.end), time());
@@ -334,6 +405,11 @@ Tree Watch::on_tock(std::size_t index, bool broken) const {
     return build::if_(build::all_of(std::move(over)), breaks(), result);
 }
 
+/// How a second passes while this is open.
+Tree Watch::passing(std::size_t index) const {
+    return build::name(waits_for_ever(obligations_[index]) ? waiting : "tock");
+}
+
 std::vector<DeclPtr> Watch::open(std::size_t index) const {
     std::vector<DeclPtr> result;
     std::vector<std::string> parameters{"t"};
@@ -347,17 +423,12 @@ std::vector<DeclPtr> Watch::open(std::size_t index) const {
                 {build::generator("x", build::productions({build::name(linking_.events[each].value())}))},
                 build::prefix(build::name("x"), on_event(index, broken, each))));
         for (std::size_t i = 0; i < followed_.size(); ++i) {
-            const auto& linked = linking_.measures[followed_[i].measure];
-            if (!linked) continue;
-            const Tree assumed = build::name(variable(i));
-            const Tree other =
-                build::all_of({build::binary(ExprKind::greater_equal, assumed, build::number(0)),
-                               build::binary(ExprKind::not_equal, assumed, class_of(followed_[i], build::name("v")))});
-            choices.push_back(build::prefix(
-                build::name(linked->channel), {build::input("d"), build::input("v")},
-                build::if_(other, build::name(free_process), after_reading(open_process(index, broken), i, {time()}))));
+            if (!linking_.measures[followed_[i].measure]) continue;
+            Exprs arguments = behind_reading(i);
+            arguments.insert(arguments.begin(), time());
+            choices.push_back(compared(i, build::call(open_process(index, broken), std::move(arguments))));
         }
-        choices.push_back(build::prefix(build::name("tock"), on_tock(index, broken)));
+        choices.push_back(build::prefix(passing(index), on_tock(index, broken)));
         result.push_back(build::function_decl(open_process(index, broken), build::variables(parameters),
                                               build::choice(std::move(choices))));
     }
@@ -366,34 +437,59 @@ std::vector<DeclPtr> Watch::open(std::size_t index) const {
 
 std::vector<DeclPtr> Watch::declarations() const {
     std::vector<DeclPtr> result{
-        build::channel({broken_event}),
+        build::channel({broken_event, waiting}),
         build::channel({asked_event},
                        build::set_range(build::number(0), build::number(static_cast<std::int64_t>(ways_.size()) - 1))),
         build::value(all_events, named_events()),
         build::value(free_process,
                      build::replicated(ExprKind::replicated_external, {build::generator("x", build::name(all_events))},
                                        build::prefix(build::name("x"), build::name(free_process)))),
+        build::value("sleec_Seconds",
+                     build::choice({build::prefix(build::name("tock"), build::name("sleec_Seconds")),
+                                    build::prefix(build::name(waiting), build::name("sleec_Seconds"))})),
         build::value("sleec_Over", build::prefix(build::name("tock"), build::name("sleec_Over")))};
     const auto add = [&](std::vector<DeclPtr> more) { result.insert(result.end(), more.begin(), more.end()); };
     add(idle());
     add(starting());
+    add(wrong());
     for (std::size_t i = 0; i < obligations_.size(); ++i) add(open(i));
     return result;
 }
 
+bool Watch::has_demand_without_limit() const {
+    return std::any_of(obligations_.begin(), obligations_.end(), waits_for_ever);
+}
+
+bool Watch::reads() const {
+    return std::any_of(followed_.begin(), followed_.end(),
+                       [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
+}
+
 /// A component that has ended does nothing more, but time goes on.
+Tree Watch::both() const {
+    Exprs not_read;
+    for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(unknown));
+    Tree component = build::sequential({process_, build::name("sleec_Over")});
+    Tree shared = build::name(all_events);
+    if (has_demand_without_limit()) {
+        const Tree tock = build::name("tock"), wait = build::name(waiting);
+        component = build::rename(component, {{tock, tock}, {tock, wait}});
+        shared = build::call("union", {shared, build::set({wait})});
+    }
+    return build::parallel(component, shared, build::call(idle_process, std::move(not_read)));
+}
+
+Tree Watch::waiting_process() const {
+    return both_showing(build::set({build::name(waiting)}));
+}
+
 Tree Watch::both_showing(const Tree& events) const {
-    Exprs unknown;
-    for (std::size_t i = 0; i < followed_.size(); ++i) unknown.push_back(build::number(-1));
-    const Tree component = build::sequential({process_, build::name("sleec_Over")});
-    const Tree both =
-        build::parallel(component, build::name(all_events), build::call(idle_process, std::move(unknown)));
-    return build::hide(both, build::call("diff", {build::name("Events"), events}));
+    return build::hide(both(), build::call("diff", {build::name("Events"), events}));
 }
 
 DeclPtr Watch::obeyed() const {
-    return build::assert_refines(build::stop(), cspm::Model::traces,
-                                 both_showing(build::set({build::name(broken_event)})));
+    const Tree events = build::set({build::name(broken_event), build::name("tock"), build::name(waiting)});
+    return build::assert_refines(build::name("sleec_Seconds"), cspm::Model::traces, both_showing(events));
 }
 
 DeclPtr Watch::never_asked(const std::vector<std::size_t>& ways) const {

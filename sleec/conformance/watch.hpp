@@ -31,11 +31,18 @@ struct Asked {
     std::size_t obligation = 0;
 };
 
+/// What is judged where the component reads different values of a measure within one instant.
+enum class Readings : std::uint8_t {
+    one_value,  ///< a trigger of this instant is not judged: a measure has one value at each instant, as in SLEEC-TK
+    any,        ///< the last value before the trigger counts; without one, that behind it
+};
+
 /// The script about one rule and one component.
 class Watch {
 public:
     /// `process`: the component, in time. Throws NotDecided where the rule cannot be followed so.
-    Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process);
+    Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process,
+          Readings readings = Readings::one_value);
 
     /// Channels and processes; names begin with "sleec_".
     [[nodiscard]] std::vector<cspm::DeclPtr> declarations() const;
@@ -43,6 +50,16 @@ public:
     [[nodiscard]] cspm::DeclPtr obeyed() const;
     /// Fails iff some run asks for something; of those ways alone.
     [[nodiscard]] cspm::DeclPtr never_asked(const std::vector<std::size_t>& ways) const;
+    /// Whether something is asked for that has to come and has no limit.
+    [[nodiscard]] bool has_demand_without_limit() const;
+    /// Component and rule together, where a second that passes while such a demand is open is the event `waiting`. The
+    /// component obeys the rule iff it is never broken, and no run has this event without end (endless.hpp).
+    [[nodiscard]] cspm::ExprPtr waiting_process() const;
+    /// Component and rule together, with all that they do.
+    [[nodiscard]] cspm::ExprPtr process() const { return both(); }
+    static constexpr const char* waiting = "sleec_waiting";
+    /// Whether a measure is asked for that the component reads.
+    [[nodiscard]] bool reads() const;
 
     [[nodiscard]] const std::vector<Obligation>& obligations() const { return obligations_; }
     [[nodiscard]] const std::vector<Asked>& ways() const { return ways_; }
@@ -67,16 +84,22 @@ private:
     [[nodiscard]] std::vector<cspm::DeclPtr> open(std::size_t obligation) const;
     [[nodiscard]] cspm::ExprPtr on_event(std::size_t obligation, bool broken, std::size_t event) const;
     [[nodiscard]] cspm::ExprPtr on_tock(std::size_t obligation, bool broken) const;
-    [[nodiscard]] cspm::ExprPtr after_reading(const std::string& process, std::size_t place,
-                                              std::vector<cspm::ExprPtr> first) const;
+    [[nodiscard]] cspm::ExprPtr against() const;
+    [[nodiscard]] cspm::ExprPtr compared(std::size_t place, const cspm::ExprPtr& then) const;
+    [[nodiscard]] std::vector<cspm::ExprPtr> behind_reading(std::size_t place) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> wrong() const;
+    [[nodiscard]] cspm::ExprPtr reading(std::size_t place) const;
+    [[nodiscard]] cspm::ExprPtr passing(std::size_t obligation) const;
     [[nodiscard]] cspm::ExprPtr named_events() const;
     [[nodiscard]] std::vector<std::size_t> event_indices() const;
+    [[nodiscard]] cspm::ExprPtr both() const;
     [[nodiscard]] cspm::ExprPtr both_showing(const cspm::ExprPtr& events) const;
 
     const CheckedRules& rules_;
     std::size_t rule_;
     const Linking& linking_;
     cspm::ExprPtr process_;
+    Readings readings_;
     std::vector<Followed> followed_;
     std::vector<Obligation> obligations_;
     std::vector<Asked> ways_;

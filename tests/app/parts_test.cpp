@@ -85,12 +85,12 @@ TEST(Project, AssertionsOfOtherToolsAreSaidNotChecked) {
                           "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
                           "A trigger e } }"},
                          {"m.assertions",
-                          "untimed assertion A : S is deadlock-free\nsleec assertion R : S conforms to Rule1\nuntimed "
+                          "untimed assertion A : S is deadlock-free\nrobocert assertion R : S conforms to Rule1\nuntimed "
                           "assertion B : S is deterministic\n"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("m.assertions:2"));
-    EXPECT_THAT(ran.out, HasSubstr("`sleec assertion` is of another tool"));
+    EXPECT_THAT(ran.out, HasSubstr("`robocert assertion` is of another tool"));
     EXPECT_THAT(ran.out, HasSubstr("2 of 3 checks hold"));
     EXPECT_EQ(run({"check", folder.path(), "--assertion", "A"}).exit, 0);
     EXPECT_EQ(run({"validate", folder.path()}).exit, 0);

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command.hpp"
+#include "tests/contents.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::app::testing {
 namespace {
@@ -98,7 +101,8 @@ Ran obey(const std::string& rules, const std::vector<std::string>& options = {})
     const Folder folder({{"bell.rct", bell},
                          {"bell.sleec",
                           "def_start event Ring event OpenDoor event Sleep event Alarm event Open\n"
-                          "measure dark : boolean map Open to Bell::OpenDoor def_end rule_start\n" +
+                          "measure dark : boolean measure level : numeric measure other : numeric map Open to "
+                          "Bell::OpenDoor def_end rule_start\n" +
                               rules + "\nrule_end\n"}});
     std::vector<std::string> arguments{"rules", folder / "bell.sleec", folder / "bell.rct"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -124,7 +128,7 @@ TEST(RulesOfModels, AreNotPassedInSilence) {
     EXPECT_THAT(obey("R when Alarm then OpenDoor within 1 seconds").out, HasSubstr("R by Bell: never asked"));
     const Ran missing = obey("R when Sleep then OpenDoor within 1 seconds");
     EXPECT_THAT(missing.out, HasSubstr("R by Bell: not applicable: Bell has no event and no operation 'Sleep'"));
-    const Ran open = obey("R when Ring then OpenDoor");
+    const Ran open = obey("R when Ring and {level} > {other} then OpenDoor within 1 seconds");
     EXPECT_EQ(open.exit, 3);
     EXPECT_THAT(open.out, HasSubstr("R by Bell: not decided"));
     EXPECT_EQ(obey("R when Ring then OpenDoor", {"--as-sleec-tk"}).exit, 4);
@@ -132,6 +136,125 @@ TEST(RulesOfModels, AreNotPassedInSilence) {
         json::parse(
             obey("R when Ring then OpenDoor within 2 seconds", {"--format", "json"}).out)["verdicts"][0]["verdict"],
         "obeyed");
+}
+
+/// OpenDoor comes two seconds behind Ring, and nothing makes Alarm come.
+TEST(RulesOfModels, WithoutLimit) {
+    EXPECT_EQ(obey("R when Ring then OpenDoor").exit, 0);
+    const Ran waits = obey("R when Ring then Alarm");
+    EXPECT_EQ(waits.exit, 1);
+    EXPECT_THAT(waits.out, HasSubstr("it asks for Alarm, without limit"));
+    EXPECT_THAT(waits.out, HasSubstr("time can pass for ever without it"));
+}
+
+/// Verdicts that are recorded of SLEEC-TK (shared/suite/sleec, conformance.tsv), with the instantiations of the
+/// published assertions. "conforms" is also what is never asked.
+TEST(RulesOfModels, AsRecorded) {
+    if (tests::shared_folder().empty()) GTEST_SKIP() << "no shared/suite/sleec";
+    const auto suite = tests::shared_folder() / "suite/sleec";
+    const auto verdicts = [&](const std::string& project, const std::vector<std::string>& files,
+                              const std::string& rules) {
+        std::vector<std::pair<std::string, std::string>> copied{{rules, tests::contents(suite / project / rules)}};
+        for (const std::string& each : files) copied.emplace_back(each, tests::contents(suite / project / each));
+        const Folder folder(copied);
+        const Ran ran = run({"rules", folder / rules, folder / "main.rct", "--format", "json"});
+        std::map<std::string, std::string> result;
+        const json found = json::parse(ran.out, nullptr, false);
+        if (found.is_discarded()) return std::map<std::string, std::string>{{"", ran.err}};
+        for (const auto& each : found["verdicts"]) {
+            const std::string verdict = each["verdict"];
+            const bool conforms = verdict == "never asked" || verdict == "obeyed";
+            result[each["rule"]] = conforms ? "conforms" : verdict == "broken" ? "fails" : verdict;
+        }
+        return result;
+    };
+    const std::vector<std::string> uav{"main.rct", "jss_running_example-conformance.assertions"};
+    auto jss = verdicts("FireFighter/robochart", uav, "jss_running_example.sleec");
+    EXPECT_EQ(jss["Rule1"], "conforms") << jss[""];
+    EXPECT_EQ(jss["Rule2"], "conforms");
+    EXPECT_EQ(jss["Rule3"], "fails");
+    EXPECT_EQ(jss["Rule4"], "conforms");
+    auto valid = verdicts("FireFighter/robochart", uav, "firefighter-valid.sleec");
+    EXPECT_EQ(valid["FRule1"], "conforms") << valid[""];
+    EXPECT_EQ(valid["FRule6"], "fails");
+    auto almi = verdicts("ALMI-project", {"main.rct", "system.rct", "verification.assertions"}, "ALMI-demo.sleec");
+    EXPECT_EQ(almi["Rule1"], "conforms") << almi[""];
+    EXPECT_EQ(almi["Rule2"], "conforms");
+    EXPECT_EQ(almi["Rule3"], "not applicable");
+    EXPECT_EQ(almi["Rule4"], "fails");
+}
+
+// ---------------------------------------------------------------- as assertions
+
+const std::string bell_rules =
+    "def_start event Ring event OpenDoor event Sleep def_end rule_start\n"
+    "Open when Ring then OpenDoor within 3 seconds\nQuick when Ring then OpenDoor within 1 seconds\n"
+    "Rest when Sleep then not Ring within 9 seconds\nrule_end\n";
+
+Ran claim(const std::string& assertions, const std::vector<std::string>& options = {}) {
+    const Folder folder({{"bell.rct", bell}, {"bell.sleec", bell_rules}, {"bell.assertions", assertions}});
+    std::vector<std::string> arguments{"check", folder / "bell.rct"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+}
+
+TEST(RuleAssertions, AreCheckedWithTheOthers) {
+    EXPECT_EQ(claim("sleec assertion A : Bell conforms to Open").exit, 0);
+    EXPECT_EQ(claim("timed sleec assertion A : Bell conforms to Open.").exit, 0);
+    EXPECT_EQ(claim("sleec assertion A : Bell does not conform to Quick").exit, 0);
+    EXPECT_EQ(claim("sleec assertion A : Bell does not conform to Open").exit, 1);
+    const Ran broken = claim("sleec assertion A : Bell conforms to Quick\nassertion B : Bell is divergence-free");
+    EXPECT_EQ(broken.exit, 1);
+    EXPECT_THAT(broken.out, HasSubstr("Quick begins at second 0 with Ring: it asks for OpenDoor up to second 1"));
+    EXPECT_THAT(broken.out, HasSubstr("input Ring"));
+    EXPECT_EQ(claim("sleec assertion A : Bell conforms to Quick\nsleec assertion B : Bell conforms to Open",
+                    {"--assertion", "B"})
+                  .exit,
+              0);
+    EXPECT_EQ(claim("sleec assertion A : Bell conforms to Quick", {"--format", "json"}).exit, 1);
+}
+
+TEST(RuleAssertions, ThatCannotBeAskedAreErrors) {
+    const Ran unknown = claim("sleec assertion A : Bell conforms to Quik");
+    EXPECT_EQ(unknown.exit, 2);
+    EXPECT_THAT(unknown.out + unknown.err, HasSubstr("did you mean `Quick`?"));
+    const Ran missing = claim("sleec assertion A : Bell conforms to Rest");
+    EXPECT_EQ(missing.exit, 2);
+    EXPECT_THAT(missing.out + missing.err, HasSubstr("Bell has no event and no operation 'Sleep'"));
+    EXPECT_EQ(claim("assertion B : Bell is divergence-free\nsleec assertion A : Bel conforms to Quick").exit, 2);
+    EXPECT_EQ(claim("untimed sleec assertion A : Bell conforms to Quick").exit, 2);
+    EXPECT_EQ(claim("sleec assertion A : Bell conforms Quick").exit, 2);
+}
+
+// ---------------------------------------------------------------- logs
+
+Ran logged(const std::string& log, const std::string& rules) {
+    const Folder folder({{"a.trace", log},
+                         {"a.sleec",
+                          "def_start event Ring event OpenDoor measure dark : boolean measure level : numeric\n"
+                          "map OpenDoor to Bell::open def_end rule_start\n" +
+                              rules + "\nrule_end\n"}});
+    return run({"conform", folder / "a.sleec", "--traces", folder / "a.trace"});
+}
+
+TEST(RulesOfLogs, AreObeyedOrBroken) {
+    const std::string head = "robochart-trace 1\ncomponent Bell\nrun a\n";
+    const std::string rule = "R when Ring then OpenDoor within 1 seconds";
+    EXPECT_EQ(logged(head + "Ring? tock\nopen! tock\ntock\n", rule).exit, 0);
+    const Ran late = logged(head + "Ring? tock\ntock\nopen! tock\n", rule);
+    EXPECT_EQ(late.exit, 1);
+    EXPECT_THAT(late.out, HasSubstr("a.trace:5: run a\n  R begins at second 0 with Ring"));
+    EXPECT_THAT(late.out, HasSubstr("second 1 ends without it"));
+    EXPECT_EQ(logged(head + "Ring? tock\n", rule).exit, 0) << "the log may end anywhere";
+    EXPECT_EQ(logged(head + "Ring? tock\nlost\ntock\ntock\n", rule).exit, 0);
+    const std::string dark = "R when Ring and dark then OpenDoor within 0 seconds";
+    EXPECT_EQ(logged(head + "Ring? dark?true tock\n", dark).exit, 1) << "read behind the trigger";
+    EXPECT_EQ(logged(head + "Ring? dark?false tock\n", dark).exit, 0);
+    const Ran open = logged(head + "Ring? tock\n", dark);
+    EXPECT_EQ(open.exit, 3);
+    EXPECT_THAT(open.out, HasSubstr("R begins while a measure that decides what it asks for is not read"));
+    EXPECT_EQ(logged("robochart-trace 1\ncomponent Bell\nunobserved open!\nrun a\nRing? tock\ntock\n", rule).exit, 3);
+    EXPECT_EQ(logged("robochart-trace 2\nrun a\n", rule).exit, 2);
 }
 
 }  // namespace

@@ -279,6 +279,8 @@ const std::vector<Row>& assertions() {
         {"assertion A: clock S::C is not initialised", "A: not clock S::C"},
         {"assertion A: event e is not missed in S::s", "A: not event e S::s"},
         {"timed assertion A: event e is missed in S for 3 time units.", "timed A: event e S for 3"},
+        {"sleec assertion A: M::c conforms to R1", "timed A: M::c conforms R1"},
+        {"timed sleec assertion A: X does not conform to R1.", "timed A: X not conforms R1"},
         {"assertion A: X terminates with constant k of S assigned 1", "A: X terminates c:k@S=1"},
         {"assertion A: X terminates with constant k of S set to 1 + 2.", "A: X terminates c:k@S=(+ 1 2)"},
         {"assertion A: X terminates with parameter p of O with value E::L.", "A: X terminates p:p@O=E::L"},
@@ -421,6 +423,9 @@ const std::vector<Row>& refused() {
         {"assertion A: X is not equal Y", "RC-P01@1"},
         {"assertion A: X refines Y in the stable model", "RC-P01@1"},
         {"assertion A X terminates", "RC-P01@1"},
+        {"sleec assertion A: X conforms R", "RC-P01@1"},
+        {"sleec assertion A: X does conform to R", "RC-P01@1"},
+        {"untimed sleec assertion A: X conforms to R", "RC-P01@1"},
         {"assertion A: X is zeno-free\nassertion B: X terminates", "RC-P01@1"},
         {"timed rewards r = true : 1; endrewards", "RC-P01@1"}};
     return rows;

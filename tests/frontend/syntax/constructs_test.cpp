@@ -108,8 +108,9 @@ INSTANTIATE_TEST_SUITE_P(Grammar, Declarations, ::testing::ValuesIn(testing::dec
 class Assertions : public ::testing::TestWithParam<Row> {};
 
 std::string shown(const Assertion& a) {
-    constexpr std::array kinds = {"deadlock-free", "divergence-free", "deterministic", "timelock-free", "terminates",
-                                  "refines",       "equals",          "reachable",     "clock",         "event"};
+    constexpr std::array kinds = {"deadlock-free", "divergence-free", "deterministic", "timelock-free",
+                                  "terminates",    "refines",         "equals",        "reachable",
+                                  "clock",         "event",           "conforms"};
     constexpr std::array times = {"", "timed ", "untimed "};
     constexpr std::array models = {"FD", "T", "F", "TT"};
     std::string out = times.at(static_cast<std::size_t>(a.time)) + a.name + ": " + a.subject.text();

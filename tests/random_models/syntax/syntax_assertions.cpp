@@ -20,7 +20,7 @@ AssertionParameter SyntaxBuilder::assertion_parameter() {
 }
 
 Assertion SyntaxBuilder::assertion() {
-    constexpr std::size_t kinds = 10;
+    constexpr std::size_t kinds = 11;
     Assertion result;
     result.name = name();
     result.time = time();
@@ -33,6 +33,11 @@ Assertion SyntaxBuilder::assertion() {
     if (result.kind == AssertionKind::clock_initialised) result.time = AssertionTime::both;
     if (!of_machine) result.subject = qualified();
     if (binary || of_machine) result.other = qualified();
+    if (result.kind == AssertionKind::conforms) {
+        result.time = AssertionTime::timed;
+        result.other = simple();
+        return result;
+    }
     if (result.kind == AssertionKind::event_missed) {
         result.event = simple();
         if (random_.chance(50)) result.time_units = static_cast<std::int64_t>(random_.between(1, 50));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sleec/analysis/conflicts.hpp"
+#include "sleec/analysis/suggest.hpp"
 #include "tests/sleec/support.hpp"
 
 namespace robochart::sleec {
@@ -181,6 +182,54 @@ TEST(SleecConflicts, AreNotDecidedWithinTooFewStates) {
 
 bool redundant(const std::string& rule, const std::string& by, WithoutLimit without = WithoutLimit::eventually) {
     return redundant(rules_of("R1 " + rule + "\nR2 " + by), 0, 1, {without, {}, nullptr});
+}
+
+/// Three alternatives end at one instant, and a rule excludes each; without one of these a way is left.
+TEST(SleecConflicts, OfFour) {
+    const std::string due =
+        "A when Go then Stop within 2 seconds otherwise Alarm within 0 seconds otherwise Help within 0 seconds\n";
+    const std::string others =
+        "B when Halt then not Stop within 9 seconds\nC when Halt then not Alarm within 9 seconds\n";
+    EXPECT_EQ(conflicts(due + others + "D when Halt then not Help within 9 seconds"), "A-B-C-D");
+    EXPECT_EQ(conflicts(due + others + "D when Halt and near then not Help within 1 seconds"), "A-B-C-D");
+    EXPECT_EQ(conflicts(due + others), "");
+}
+
+/// One alternative is excluded by the rule itself, the other by another rule.
+TEST(SleecConflicts, OfARuleWithItselfAndAnother) {
+    const std::string own =
+        "A when Go then Stop within 2 seconds otherwise Alarm within 0 seconds unless near then {not Stop within 9 "
+        "seconds}\n";
+    EXPECT_EQ(conflicts(own), "");
+    EXPECT_EQ(conflicts(own + "B when Halt then not Alarm within 9 seconds"), "A-B");
+}
+
+TEST(SleecConflicts, OfInstantsWithoutEnd) {
+    const std::string go = "A when Go then Stop within 0 seconds\n";
+    EXPECT_EQ(conflicts(go + "B when Stop then Go within 0 seconds"), "A-B");
+    EXPECT_EQ(conflicts(go + "B when Stop then Go within 1 seconds"), "") << "a second passes";
+    EXPECT_EQ(conflicts(go + "B when Stop and near then Go within 0 seconds"), "") << "nobody need be near";
+    EXPECT_EQ(conflicts(go + "B when Stop then Go within 0 seconds otherwise Help within 0 seconds"), "")
+        << "Help leads out";
+    EXPECT_EQ(conflicts(go + "B when Stop then Halt within 0 seconds\nC when Halt then Go within 0 seconds"), "A-B-C");
+    EXPECT_EQ(conflicts("A when Go then Go within 0 seconds"), "A");
+    EXPECT_EQ(conflicts("A when Go then Stop\nB when Stop then Go", WithoutLimit::now), "A-B");
+}
+
+std::string suggested(const std::string& rules, std::vector<std::size_t> in_conflict) {
+    std::string text;
+    for (const Suggestion& each : suggest(rules_of(rules), in_conflict, {}))
+        text += (text.empty() ? "" : ", ") + std::to_string(each.rule) + " " + each.text;
+    return text;
+}
+
+TEST(SleecConflicts, SuggestWhatRemovesThem) {
+    const std::string both = "A when Go then Stop within 5 seconds\nB when Halt then not Stop within 9 seconds";
+    EXPECT_EQ(suggested(both, {0, 1}), "0 unless Halt, 1 unless Go") << "whichever comes first, it ends";
+    EXPECT_EQ(suggested("A when Go then Stop within 5 seconds\nB when Go then not Stop within 9 seconds", {0, 1}), "")
+        << "one trigger, and nothing is measured";
+    const std::string itself = "A when Go then Stop within 5 seconds unless near then {not Stop within 9 seconds}";
+    EXPECT_EQ(suggested(itself, {0}), "0 unless near");
 }
 
 TEST(SleecRedundancy, IsImplicationByTheSameTrigger) {

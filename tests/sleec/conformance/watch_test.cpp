@@ -8,6 +8,7 @@
 #include "checker/cspm/syntax/printer.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "sleec/conformance/endless.hpp"
 #include "sleec/conformance/watch.hpp"
 #include "tests/sleec/support.hpp"
 
@@ -38,11 +39,12 @@ Linking linking() {
     return result;
 }
 
-/// "obeyed", "broken", with ", never asked" where the rule never asks the component for anything.
-std::string judged(const std::string& rule, const std::string& component, const Linking& linked = linking()) {
+/// "obeyed", "broken", "waits for ever", with ", never asked" where the rule never asks the component for anything.
+std::string judged(const std::string& rule, const std::string& component, const Linking& linked = linking(),
+                   Readings readings = Readings::one_value) {
     Read read(with_definitions("R " + rule));
     if (!read.checked_too().checked) return read.report();
-    const Watch watch(*read.checked, 0, linked, cspm::build::name("C"));
+    const Watch watch(*read.checked, 0, linked, cspm::build::name("C"), readings);
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     cspm::Script script = cspm::read(sources, sources.add("c.csp", channels + component), diagnostics);
@@ -61,6 +63,11 @@ std::string judged(const std::string& rule, const std::string& component, const 
     const auto holds = [&](std::size_t i) {
         return session.check(*session.assertions()[i], {}).verdict.outcome == refine::Outcome::holds;
     };
+    if (holds(0) && watch.has_demand_without_limit()) {
+        const auto system = session.system(watch.waiting_process());
+        if (endless_run(*system, session.event_table().intern(Watch::waiting), [](std::size_t) {}))
+            return "waits for ever";
+    }
     return std::string(holds(0) ? "obeyed" : "broken") + (holds(1) ? ", never asked" : "");
 }
 
@@ -111,6 +118,46 @@ TEST(SleecWatch, MeasuresAreThoseOfTheInstant) {
         << "the reading is a second old";
     EXPECT_EQ(judged(rule, "C = Go.in -> tock -> C"), "broken") << "it does not look";
     EXPECT_EQ(judged(rule, "C = Go.in -> Stop.out -> tock -> C"), "obeyed") << "it need not look";
+}
+
+/// The first Go is answered, as near is true; before the second it is false.
+TEST(SleecWatch, AMeasureHasOneValueAtAnInstant) {
+    const std::string rule = "when Go and near then Stop within 0 seconds";
+    const std::string twice =
+        "C = Go.in -> near.in?x -> (if x then Stop.out -> C1 else C1)\n"
+        "C1 = Go.in -> near.in?x -> (if x then Stop.out -> tock -> C else tock -> C)";
+    EXPECT_EQ(judged(rule, twice), "obeyed");
+    EXPECT_EQ(judged(rule, twice, linking(), Readings::any), "broken");
+    const std::string forbids = "when Go and near then not Stop within 0 seconds";
+    EXPECT_EQ(judged(forbids, "C = Go.in -> Stop.out -> near.in.false -> tock -> C"), "obeyed")
+        << "the value is known in the end";
+    EXPECT_EQ(judged(forbids, "C = Go.in -> Stop.out -> near.in?x -> tock -> C"), "broken");
+    EXPECT_EQ(judged(forbids, "C = Go.in -> near.in.true -> Stop.out -> tock -> C"), "broken");
+}
+
+/// What has no limit comes at last iff no run goes on without it for ever.
+TEST(SleecWatch, WithoutLimit) {
+    const std::string rule = "when Go then Stop";
+    EXPECT_EQ(judged(rule, "C = Go.in -> Wait(7, Stop.out -> tock -> C) [] tock -> C"), "obeyed");
+    EXPECT_EQ(judged(rule, "C = Go.in -> D\nD = tock -> D |~| Stop.out -> C"), "waits for ever");
+    EXPECT_EQ(judged(rule, "C = Go.in -> SKIP"), "waits for ever") << "time goes on when it has ended";
+    EXPECT_EQ(judged(rule, "C = Go.in -> D\nD = Go.in -> D [] Stop.out -> tock -> C"), "obeyed")
+        << "events without end at one instant are no history";
+    EXPECT_EQ(judged(rule, "C = tock -> C [] Stop.out -> C"), "obeyed, never asked");
+    EXPECT_EQ(judged("when Go then Stop unless near",
+                     "C = Go.in -> near.in?x -> (if x then D else Stop.out -> C)\n"
+                     "D = tock -> D"),
+              "obeyed");
+    EXPECT_EQ(judged("when Go then Stop unless near",
+                     "C = Go.in -> near.in?x -> (if x then Stop.out -> C else D)\n"
+                     "D = tock -> D"),
+              "waits for ever");
+    EXPECT_EQ(judged("when Go then Stop within 1 seconds otherwise Alarm",
+                     "C = Go.in -> tock -> tock -> D\n"
+                     "D = Halt.in -> tock -> D"),
+              "waits for ever");
+    EXPECT_EQ(judged("when Go then not Stop", "C = Go.in -> D\nD = tock -> D"), "obeyed");
+    EXPECT_EQ(judged("when Go then not Stop", "C = Go.in -> Wait(3, Stop.out -> C)"), "broken");
 }
 
 TEST(SleecWatch, NumbersAndScalesByTheirClasses) {

@@ -1,0 +1,262 @@
+// See model_rules.hpp.
+#include "app/verbs/model_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/command/limits.hpp"
+#include "app/command/run.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/assertion_forms.hpp"
+#include "runs/interpreter.hpp"
+#include "sleec/analysis/explain.hpp"
+#include "sleec/obligations/open.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// A run of component and rule in the words of the rule: follows the obligation that the rule's process has picked.
+class BrokenRule {
+public:
+    BrokenRule(const RulesOf& of, const sleec::Watch& watch, const sleec::Linking& linking, std::size_t rule)
+        : of_(of), watch_(watch), linking_(linking), rule_(rule) {}
+
+    void take(const std::string& event) {
+        const bool second = event == "tock" || event == sleec::Watch::waiting;
+        if (const auto way = sleec::Watch::way_of(event)) begin(*way);
+        if (second) ++now_;
+        if (!way_ || effect_ == sleec::Effect::broken) return;
+        const sleec::Obligation& obligation = watch_.obligations()[watch_.ways()[*way_].obligation];
+        const std::optional<std::size_t> known = second ? std::nullopt : event_of(event);
+        if (second)
+            effect_ = sleec::take_tock(obligation, progress_);
+        else if (known)
+            effect_ = sleec::take_event(obligation, progress_, *known);
+        if (effect_ != sleec::Effect::broken) return;
+        breaking_ = event;
+        at_ = second ? now_ - 1 : now_;
+    }
+
+    /// What was asked for, by which clauses.
+    [[nodiscard]] std::vector<std::string> asked() const {
+        std::vector<std::string> lines;
+        const sleec::Asked& way = watch_.ways()[way_.value()];
+        for (const sleec::Demand& each : watch_.obligations()[way.obligation].any)
+            lines.push_back(sleec::side_text({rule_, began_, way.values, each}, of_.rules, of_.sources));
+        return lines;
+    }
+    /// The event that broke it; "" if a second without one did.
+    [[nodiscard]] std::string breaking_event() const { return event_of(breaking_) ? breaking_ : ""; }
+    [[nodiscard]] std::string how(const std::string& place) const {
+        const auto event = event_of(breaking_);
+        return event ? fmt::format("{} comes at second {}{}", of_.rules.event(*event), at_, place)
+                     : fmt::format("second {} ends without it", at_);
+    }
+    [[nodiscard]] std::int64_t now() const { return now_; }
+    [[nodiscard]] std::optional<std::size_t> event_of(const std::string& name) const {
+        for (std::size_t i = 0; i < linking_.events.size(); ++i)
+            if (linking_.events[i] && (name == *linking_.events[i] || name.starts_with(*linking_.events[i] + ".")))
+                return i;
+        return std::nullopt;
+    }
+
+private:
+    void begin(std::size_t way) {
+        way_ = way;
+        began_ = now_;
+    }
+
+    RulesOf of_;
+    const sleec::Watch& watch_;
+    const sleec::Linking& linking_;
+    std::size_t rule_;
+    std::int64_t now_ = 0, began_ = 0, at_ = 0;
+    std::optional<std::size_t> way_;
+    sleec::Progress progress_;
+    sleec::Effect effect_ = sleec::Effect::open;
+    std::string breaking_;
+};
+
+}  // namespace
+
+/// One rule and the component.
+class ModelRules::Question {
+public:
+    Question(const ModelRules& of, std::size_t rule, sleec::Readings readings)
+        : of_(of),
+          rule_(rule),
+          watch_(of.of_.rules, rule, of.linking_.linking, of.component_.process, readings),
+          session_(of.session(script())) {}
+
+    /// Nothing may be broken, and nothing waited for without end. False where a limit is reached.
+    bool decide(JudgedRule& judged) {
+        const refine::Verdict found = session_->check(*obeyed_, limits(of_.options_)).verdict;
+        RuleVerdict& verdict = judged.verdict;
+        verdict.states = std::max(verdict.states, found.statistics.states);
+        if (found.outcome == refine::Outcome::inconclusive) {
+            verdict.kind = RuleVerdict::Kind::not_decided;
+            verdict.reason = found.reason;
+            return false;
+        }
+        verdict.kind = RuleVerdict::Kind::obeyed;
+        if (found.outcome == refine::Outcome::fails)
+            broken(*found.counterexample, judged);
+        else if (watch_.has_demand_without_limit())
+            wait(verdict);
+        return verdict.kind != RuleVerdict::Kind::not_decided;
+    }
+
+    /// No run brings the rule to ask for anything.
+    bool never_asked() {
+        return session_->check(*never_asked_, limits(of_.options_)).verdict.outcome == refine::Outcome::holds;
+    }
+    [[nodiscard]] bool reads() const { return watch_.reads(); }
+
+private:
+    cspm::Script script() {
+        cspm::Script script = of_.emission_.script;
+        for (const cspm::DeclPtr& each : watch_.declarations()) script.decls.push_back(each);
+        std::vector<std::size_t> ways;
+        for (std::size_t i = 0; i < watch_.ways().size(); ++i)
+            if (watch_.ways()[i].obligation < watch_.obligations().size()) ways.push_back(i);
+        obeyed_ = watch_.obeyed();
+        never_asked_ = watch_.never_asked(ways);
+        script.decls.push_back(obeyed_);
+        script.decls.push_back(never_asked_);
+        return script;
+    }
+
+    void broken(const refine::Counterexample& run, JudgedRule& judged) {
+        BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
+        for (const refine::Step& step : run.steps) reading.take(session_->event_table().name(step.revealed));
+        judged.verdict.kind = RuleVerdict::Kind::broken;
+        judged.verdict.lines = reading.asked();
+        judged.verdict.lines.push_back(reading.how(place_in_model(reading.breaking_event())));
+        csp_emit::Obligation claim;
+        claim.kind = ir::PropertyKind::conforms;
+        claim.time = csp_emit::Time::timed;
+        judged.run = runs::interpret({of_.emission_.provenance, of_.project_.system, of_.project_.instantiation,
+                                      of_.project_.sources, *session_},
+                                     claim, run);
+        // What the rule's process says of itself is no step of the model.
+        std::erase_if(judged.run->steps, [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); });
+        std::erase_if(judged.run->end.allowed, [](const runs::Event& each) { return each.text.starts_with("sleec_"); });
+        judged.run->end.event.reset();
+        judged.run->end.why = judged.verdict.lines.back();
+    }
+
+    /// What has no limit comes at last, unless some run goes on without it for ever.
+    void wait(RuleVerdict& verdict) {
+        const refine::Limits bounds = limits(of_.options_);
+        try {
+            const auto system = session_->system(watch_.waiting_process(), bounds);
+            const auto run = sleec::endless_run(*system, session_->event_table().intern(sleec::Watch::waiting),
+                                                [&](std::size_t states) {
+                                                    of_.options_.run->budget().poll();
+                                                    if (states > bounds.max_states)
+                                                        throw process::Interrupted("max-states");
+                                                    verdict.states = std::max<std::uint64_t>(verdict.states, states);
+                                                });
+            if (run) endless(*run, verdict);
+        } catch (const process::Interrupted& limit) {
+            verdict.kind = RuleVerdict::Kind::not_decided;
+            verdict.reason = limit.what();
+        }
+    }
+
+    void endless(const sleec::EndlessRun& run, RuleVerdict& verdict) {
+        BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
+        const auto name = [&](lts::Event event) { return session_->event_table().name(event); };
+        for (const lts::Event each : run.steps) reading.take(name(each));
+        const std::int64_t from = reading.now();
+        std::string between;
+        for (const lts::Event each : run.loop) {
+            reading.take(name(each));
+            if (const auto event = reading.event_of(name(each)))
+                between += (between.empty() ? ", with " : ", ") + of_.of_.rules.event(*event);
+        }
+        verdict.kind = RuleVerdict::Kind::broken;
+        verdict.lines = reading.asked();
+        const std::int64_t seconds = reading.now() - from;
+        verdict.lines.push_back(fmt::format(
+            "from second {} on time can pass for ever without it{}", from,
+            seconds == 1 && between.empty()
+                ? ""
+                : fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between)));
+    }
+
+    /// " (model.rct:12)": where the event, or the operation, is declared.
+    [[nodiscard]] std::string place_in_model(const std::string& event) const {
+        const auto found = of_.emission_.provenance.events.find(event);
+        if (found == of_.emission_.provenance.events.end() || !found->second.origin.span.known()) return "";
+        return fmt::format(" ({})", of_.project_.sources.place(found->second.origin.span));
+    }
+
+    const ModelRules& of_;
+    std::size_t rule_;
+    sleec::Watch watch_;
+    cspm::DeclPtr obeyed_, never_asked_;
+    std::unique_ptr<cspm::Session> session_;
+};
+
+ModelRules::ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,
+                       const csp_emit::ComponentProcesses& component, const Options& options)
+    : of_(of),
+      project_(project),
+      emission_(emission),
+      component_(component),
+      options_(options),
+      linking_(sleec::link(of.rules, emission, component.path, project.system, project.instantiation)) {}
+
+std::unique_ptr<cspm::Session> ModelRules::session(cspm::Script script) const {
+    auto session = std::make_unique<cspm::Session>(std::move(script), &options_.run->budget());
+    if (diagnostics::Cache* const cache = options_.run->cache()) session->remember(*cache);
+    return session;
+}
+
+JudgedRule ModelRules::judge(std::size_t rule) const {
+    const diagnostics::Budget::Phase phase(
+        options_.run->budget(), fmt::format("asking whether {} obeys {}", component_.path, of_.rules.name(rule)));
+    JudgedRule judged;
+    judged.verdict.component = component_.path;
+    judged.verdict.rule = rule;
+    judged.verdict.reason = sleec::not_applicable(of_.rules, rule, linking_);
+    if (!judged.verdict.reason.empty()) {
+        judged.verdict.kind = RuleVerdict::Kind::not_applicable;
+        return judged;
+    }
+    try {
+        follow(judged);
+    } catch (const sleec::NotDecided& error) {
+        judged.verdict.reason = error.what();
+    }
+    return judged;
+}
+
+void ModelRules::follow(JudgedRule& judged) const {
+    Question question(*this, judged.verdict.rule, sleec::Readings::one_value);
+    if (!question.decide(judged) || judged.verdict.kind != RuleVerdict::Kind::obeyed) return;
+    if (question.never_asked()) {
+        judged.verdict.kind = RuleVerdict::Kind::never_asked;
+        return;
+    }
+    if (!question.reads()) return;
+    JudgedRule changing;
+    Question other(*this, judged.verdict.rule, sleec::Readings::any);
+    if (other.decide(changing) && changing.verdict.kind == RuleVerdict::Kind::broken)
+        judged.verdict.reason = "as long as no measure changes within a second";
+}
+
+bool ModelRules::stops_time() const {
+    namespace build = cspm::build;
+    cspm::Script script = emission_.script;
+    const cspm::DeclPtr asked = csp_emit::timelock_free(
+        build::hide(csp_emit::running_on(component_.process, "tock"),
+                    build::productions(csp_emit::outputs_of(emission_.provenance, component_.path))));
+    script.decls.push_back(asked);
+    return session(std::move(script))->check(*asked, limits(options_)).verdict.outcome == refine::Outcome::fails;
+}
+
+}  // namespace robochart::app

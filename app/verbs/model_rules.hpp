@@ -1,0 +1,54 @@
+// Whether components of a model obey rules in SLEEC: what `rules FILE MODEL` and `sleec assertion` ask.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command/pipeline.hpp"
+#include "app/report/rules_report.hpp"
+#include "checker/cspm/session.hpp"
+#include "runs/run.hpp"
+#include "sleec/conformance/endless.hpp"
+#include "sleec/conformance/watch.hpp"
+#include "sleec/model/linking.hpp"
+
+namespace robochart::app {
+
+/// A file of rules with the texts that it was read from.
+struct RulesOf {
+    const sleec::CheckedRules& rules;
+    const diagnostics::SourceManager& sources;
+};
+
+/// A verdict, and of a rule that is broken the run of the model.
+struct JudgedRule {
+    RuleVerdict verdict;
+    std::optional<runs::Run> run;  ///< none: a rule that waits without end
+};
+
+/// One component and the rules of a file, in the timed semantics. Refers to what it is made from.
+class ModelRules {
+public:
+    ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,
+               const csp_emit::ComponentProcesses& component, const Options& options);
+
+    [[nodiscard]] JudgedRule judge(std::size_t rule) const;
+    /// Whether time can stop in the component, while its platform takes every output and call at once: a component that
+    /// stops time breaks no rule.
+    [[nodiscard]] bool stops_time() const;
+
+private:
+    class Question;
+    [[nodiscard]] std::unique_ptr<cspm::Session> session(cspm::Script script) const;
+    void follow(JudgedRule& judged) const;
+
+    RulesOf of_;
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    const csp_emit::ComponentProcesses& component_;
+    const Options& options_;
+    sleec::ComponentLinking linking_;
+};
+
+}  // namespace robochart::app

@@ -1,0 +1,147 @@
+// See rule_claims.hpp.
+#include "app/verbs/rule_claims.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/command/run.hpp"
+#include "app/verbs/model_rules.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "diagnostics/spelling.hpp"
+#include "sleec/checks/check.hpp"
+#include "sleec/syntax/reader.hpp"
+#include "sleec/syntax/rules.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// What a claim of this kind says about a file with errors.
+std::string first_error(const LoadedRules& file) {
+    for (const diagnostics::Diagnostic& each : file.diagnostics.sorted())
+        if (each.rule->severity == diagnostics::Severity::error)
+            return fmt::format("{}{}{}", file.sources.place(each.span), each.span.known() ? ": " : "", each.message());
+    return "";
+}
+
+std::vector<std::string> sleec_files(const std::string& folder) {
+    std::vector<std::string> result;
+    for (const std::string& each : diagnostics::files_below(folder, false).files)
+        if (each.ends_with(".sleec")) result.push_back(each);
+    return result;
+}
+
+}  // namespace
+
+void load_rules(const std::string& path, LoadedRules& loaded) {
+    loaded.path = path;
+    std::string error;
+    const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
+    if (!source) {
+        loaded.diagnostics.report(sleec::rules::unreadable, {}, {diagnostics::shown(path), error});
+        return;
+    }
+    const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.rules = sleec::check(file, loaded.diagnostics);
+}
+
+RuleClaims::RuleClaims(const Project& project, const csp_emit::Emission& emission, const Options& options)
+    : project_(project), emission_(emission), options_(options) {}
+
+RuleClaims::~RuleClaims() = default;
+
+const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::files_beside(const std::string& assertions) {
+    const std::filesystem::path path(assertions);
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    const auto [at, fresh] = folders_.try_emplace(folder);
+    if (!fresh) return at->second;
+    for (const std::string& each : sleec_files(folder)) {
+        auto loaded = std::make_unique<LoadedRules>();
+        loaded->diagnostics.within(&options_.run->budget());
+        load_rules(std::filesystem::path(each).lexically_normal().string(), *loaded);
+        at->second.push_back(std::move(loaded));
+    }
+    return at->second;
+}
+
+/// Throws sleec::NotDecided, with the cause, where there is not exactly one rule of the name.
+RuleClaims::Found RuleClaims::find(const ir::Property& property) {
+    std::vector<Found> found;
+    std::vector<std::string> names;
+    std::string wrong;
+    const auto& files = files_beside(property.file);
+    for (const auto& file : files) {
+        if (!file->rules && wrong.empty()) wrong = first_error(*file);
+        for (std::size_t i = 0; file->rules && i < file->rules->rules.size(); ++i) {
+            names.push_back(file->rules->name(i));
+            if (names.back() == property.rule) found.push_back({file.get(), i});
+        }
+    }
+    if (found.size() == 1) return found.front();
+    if (found.size() > 1)
+        throw sleec::NotDecided(fmt::format("`{}` is in several files: {} and {}", property.rule,
+                                            diagnostics::shown(found[0].file->path),
+                                            diagnostics::shown(found[1].file->path)));
+    if (files.empty()) throw sleec::NotDecided("no file of rules (.sleec) lies beside the assertions");
+    const std::string meant = diagnostics::nearest(property.rule, names);
+    throw sleec::NotDecided(fmt::format("no rule is called `{}`{}{}", property.rule,
+                                        meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant),
+                                        wrong.empty() ? "" : fmt::format("; a file of rules is wrong: {}", wrong)));
+}
+
+const csp_emit::ComponentProcesses* RuleClaims::component(const ir::Property& property) const {
+    const std::string& path = property.subject.path;
+    for (const csp_emit::ComponentProcesses& each : emission_.components)
+        if (each.path == path || each.path == property.subject.package + "::" + path) return &each;
+    return nullptr;
+}
+
+bool RuleClaims::stops_time(const csp_emit::ComponentProcesses& component, const LoadedRules& file) {
+    const auto [at, fresh] = stops_time_.try_emplace(component.path, false);
+    if (fresh)
+        at->second = ModelRules({*file.rules, file.sources}, project_, emission_, component, options_).stops_time();
+    return at->second;
+}
+
+void RuleClaims::decide(const ir::Property& property, AssertionReport& report) {
+    report.answer = Answer::error;
+    try {
+        const Found found = find(property);
+        const csp_emit::ComponentProcesses* const asked = component(property);
+        if (asked == nullptr) throw sleec::NotDecided(property.subject.path + " was not emitted");
+        JudgedRule judged = ModelRules({*found.file->rules, found.file->sources}, project_, emission_, *asked, options_)
+                                .judge(found.rule);
+        report.statistics.states = judged.verdict.states;
+        report.searched = true;
+        report.reason = judged.verdict.reason;
+        switch (judged.verdict.kind) {
+            case RuleVerdict::Kind::not_applicable:
+                return;
+            case RuleVerdict::Kind::not_decided:
+                report.answer = Answer::inconclusive;
+                return;
+            case RuleVerdict::Kind::broken:
+                report.answer = property.negated ? Answer::holds : Answer::fails;
+                report.reason = fmt::format("{}", fmt::join(judged.verdict.lines, "; "));
+                if (!property.negated) report.run = std::move(judged.run);
+                return;
+            case RuleVerdict::Kind::never_asked:
+                report.reason = "no run ever brings the rule to ask for anything";
+                break;
+            case RuleVerdict::Kind::obeyed:
+                break;
+        }
+        report.answer = property.negated ? Answer::fails : Answer::holds;
+        if (property.negated && report.reason.empty()) report.reason = "every run obeys the rule";
+        if (stops_time(*asked, *found.file))
+            report.reason += fmt::format("{}time can stop in {}, which breaks no rule",
+                                         report.reason.empty() ? "" : "; ", asked->path);
+    } catch (const sleec::NotDecided& error) {
+        report.reason = error.what();
+    }
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,56 @@
+// Claims that a component conforms to a rule in SLEEC (`sleec assertion`): rules from the files beside the assertions.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/command/pipeline.hpp"
+#include "app/report/report.hpp"
+#include "app/report/rules_report.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "sleec/checks/checked.hpp"
+
+namespace robochart::app {
+
+/// A file of rules with the findings about it.
+struct LoadedRules {
+    std::string path;
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::optional<sleec::CheckedRules> rules;  ///< nothing: the findings say why
+};
+/// Reads a file of rules; "-" is standard input.
+void load_rules(const std::string& path, LoadedRules& loaded);
+
+/// Decides the claims of one model. Every file is read once. Refers to what it is made from.
+class RuleClaims {
+public:
+    RuleClaims(const Project& project, const csp_emit::Emission& emission, const Options& options);
+    ~RuleClaims();
+    RuleClaims(const RuleClaims&) = delete;
+    RuleClaims& operator=(const RuleClaims&) = delete;
+
+    /// The answer about a property of the kind `conforms`. A rule that cannot be asked of the component, or is in no
+    /// file or in several, is an error.
+    void decide(const ir::Property& property, AssertionReport& report);
+
+private:
+    struct Found {
+        const LoadedRules* file = nullptr;
+        std::size_t rule = 0;
+    };
+    const std::vector<std::unique_ptr<LoadedRules>>& files_beside(const std::string& assertions);
+    Found find(const ir::Property& property);
+    const csp_emit::ComponentProcesses* component(const ir::Property& property) const;
+    bool stops_time(const csp_emit::ComponentProcesses& component, const LoadedRules& file);
+
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    const Options& options_;
+    std::map<std::string, std::vector<std::unique_ptr<LoadedRules>>> folders_;
+    std::map<std::string, bool> stops_time_;  ///< of components, by path
+};
+
+}  // namespace robochart::app

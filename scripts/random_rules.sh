@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Conflicts of random sets of SLEEC rules, by the analysis and by the naive enumeration of the tests (docs/testing.md):
+#   scripts/random_rules.sh [CHECKS [SEED]]           default: 10000 sets
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release -DROBOCHART_TESTS=ON
+export ROBOCHART_RANDOM_CHECKS="${1:-10000}"
+export ROBOCHART_RANDOM_SEED="${2:-$(date +%s)}"
+cmake --build --preset release --target tests_sleec
+echo "seed $ROBOCHART_RANDOM_SEED"
+exec build/release/tests/sleec/tests_sleec --gtest_filter='RandomRules.*'

@@ -1,0 +1,132 @@
+// See suggest.hpp.
+#include "sleec/analysis/suggest.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "sleec/obligations/samples.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+/// A defeater without response.
+struct Candidate {
+    std::string text;
+    CheckedDefeater defeater;
+};
+
+Condition constant(std::int64_t value) {
+    return {Op::number, value, 0, {}, nullptr};
+}
+
+Condition measure_value(std::size_t measure) {
+    return {Op::name, 0, measure, {}, nullptr};
+}
+
+Candidate when(std::string text, Condition condition) {
+    return {fmt::format("unless {}", text), {std::move(condition), std::nullopt, nullptr, nullptr}};
+}
+
+/// Conditions over one measure, among the values that the rules distinguish.
+void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t index,
+                    std::vector<Candidate>& result) {
+    const Measure& measure = rules.measure(index);
+    const std::string& name = measure.name.text;
+    if (measure.type == MeasureType::boolean) {
+        result.push_back(when(name, measure_value(index)));
+        result.push_back(when("not " + name, {Op::negation, 0, 0, {measure_value(index)}, nullptr}));
+        return;
+    }
+    const auto compared = [&](Op op, std::int64_t value, const std::string& shown) {
+        result.push_back(when(fmt::format("{} {} {}", name, symbol_of(op), shown),
+                              {op, 0, 0, {measure_value(index), constant(value)}, nullptr}));
+    };
+    if (measure.type == MeasureType::scale) {
+        for (std::size_t i = 0; i < measure.literals.size(); ++i)
+            for (const Op op : {Op::greater_equal, Op::less_equal, Op::equal})
+                compared(op, static_cast<std::int64_t>(i), measure.literals[i].text);
+        return;
+    }
+    std::set<std::int64_t> constants;
+    for (const std::size_t rule : asked)
+        for (const std::int64_t each : constants_of(rules.rules[rule], index)) constants.insert(each);
+    for (const std::int64_t each : constants)
+        for (const Op op : {Op::greater, Op::greater_equal, Op::less, Op::less_equal, Op::equal})
+            if (each >= 0) compared(op, each, std::to_string(each));
+}
+
+Candidate on_event(const CheckedRules& rules, std::size_t event) {
+    return {fmt::format("unless {}", rules.event(event)), {{}, event, nullptr, nullptr}};
+}
+
+/// The rules with one defeater more.
+CheckedRules with(const CheckedRules& rules, std::size_t rule, const CheckedDefeater& defeater) {
+    CheckedRules result = rules;
+    Duty duty = *result.rules[rule].duty;
+    duty.defeaters.push_back(defeater);
+    result.rules[rule].duty = std::make_shared<const Duty>(std::move(duty));
+    return result;
+}
+
+class Search {
+public:
+    Search(const CheckedRules& rules, const std::vector<std::size_t>& asked, const AnalysisOptions& options)
+        : rules_(rules), asked_(asked), options_(options) {}
+
+    std::vector<Suggestion> one() {
+        std::set<std::size_t> measures, events;
+        for (const std::size_t rule : asked_) {
+            for (const std::size_t each : measures_of(rules_.rules[rule])) measures.insert(each);
+            events.insert(rules_.rules[rule].trigger);
+        }
+        for (const std::size_t rule : asked_) {
+            std::vector<Candidate> candidates;
+            for (const std::size_t each : measures) add_conditions(rules_, asked_, each, candidates);
+            for (const std::size_t each : events)
+                if (each != rules_.rules[rule].trigger) candidates.push_back(on_event(rules_, each));
+            for (const Candidate& each : candidates)
+                if (helps(with(rules_, rule, each.defeater))) return {{rule, each.text}};
+        }
+        return {};
+    }
+
+    std::vector<Suggestion> two() {
+        for (const std::size_t first : asked_)
+            for (const std::size_t second : asked_) {
+                const std::size_t a = rules_.rules[first].trigger, b = rules_.rules[second].trigger;
+                if (first >= second || a == b) continue;
+                const Candidate to_first = on_event(rules_, b), to_second = on_event(rules_, a);
+                if (helps(with(with(rules_, first, to_first.defeater), second, to_second.defeater)))
+                    return {{first, to_first.text}, {second, to_second.text}};
+            }
+        return {};
+    }
+
+private:
+    /// Neither they nor fewer of them are in conflict any more.
+    bool helps(const CheckedRules& changed) {
+        try {
+            for (const std::size_t rule : asked_)
+                if (asks_for_nothing(changed, rule, options_)) return false;
+        } catch (const NotDecided&) {
+            return false;
+        }
+        return find_conflict(changed, asked_, options_).conflict == Answer::no;
+    }
+
+    const CheckedRules& rules_;
+    const std::vector<std::size_t>& asked_;
+    const AnalysisOptions& options_;
+};
+
+}  // namespace
+
+std::vector<Suggestion> suggest(const CheckedRules& rules, const std::vector<std::size_t>& in_conflict,
+                                const AnalysisOptions& options) {
+    Search search(rules, in_conflict, options);
+    std::vector<Suggestion> found = search.one();
+    return found.empty() ? search.two() : found;
+}
+
+}  // namespace robochart::sleec

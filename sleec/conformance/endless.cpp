@@ -1,0 +1,101 @@
+// See endless.hpp.
+#include "sleec/conformance/endless.hpp"
+
+#include <algorithm>
+#include <deque>
+
+#include "checker/lts/strong_components.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+using lts::Edge;
+
+using lts::Graph;
+using lts::StateIndex;
+
+constexpr std::uint32_t nowhere = ~std::uint32_t{0};
+
+/// The number of each state's component.
+std::vector<std::uint32_t> components_of(const Graph& graph) {
+    std::vector<std::uint32_t> result(graph.size(), nowhere);
+    std::uint32_t next = 0;
+    const lts::GraphView view{graph.size(), [&](StateIndex state, std::vector<StateIndex>& targets) {
+                                  for (const Edge& each : graph.edges(state)) targets.push_back(each.target);
+                              }};
+    const std::vector<StateIndex> roots{0};
+    lts::strong_components(view, roots, [&](std::span<const StateIndex> members, bool) {
+        for (const StateIndex each : members) result[each] = next;
+        ++next;
+    });
+    return result;
+}
+
+/// The edges of a shortest way from one state to another, through states that are admitted.
+template <class Admitted>
+std::vector<std::pair<StateIndex, Edge>> way(const Graph& graph, StateIndex from, StateIndex to,
+                                             const Admitted& admitted) {
+    std::vector<std::pair<StateIndex, Edge>> result;
+    if (from == to) return result;
+    std::vector<std::pair<StateIndex, Edge>> reached(graph.size(), {nowhere, {}});
+    std::deque<StateIndex> waiting{from};
+    while (!waiting.empty() && reached[to].first == nowhere) {
+        const StateIndex state = waiting.front();
+        waiting.pop_front();
+        for (const Edge& each : graph.edges(state)) {
+            if (each.target == from || reached[each.target].first != nowhere || !admitted(each.target)) continue;
+            reached[each.target] = {state, each};
+            waiting.push_back(each.target);
+        }
+    }
+    for (StateIndex at = to; at != from; at = reached[at].first) result.push_back(reached[at]);
+    std::reverse(result.begin(), result.end());
+    return result;
+}
+
+/// Collects what is behind the taus of one state.
+class Revealing final : public lts::SuccessorSink {
+public:
+    Revealing(const lts::StateStore& states, const Edge& wanted) : states_(states), wanted_(wanted) {}
+    void add(lts::Event event, lts::StateView target, lts::Event revealed) override {
+        const lts::StateView view = states_[wanted_.target];
+        if (!found_ && event == wanted_.event && std::equal(target.begin(), target.end(), view.begin(), view.end()))
+            found_ = revealed;
+    }
+    [[nodiscard]] lts::Event found() const { return found_.value_or(wanted_.event); }
+
+private:
+    const lts::StateStore& states_;
+    const Edge& wanted_;
+    std::optional<lts::Event> found_;
+};
+
+}  // namespace
+
+std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event event,
+                                      const std::function<void(std::size_t states)>& poll) {
+    const lts::Exploration explored = lts::explore(system, poll);
+    const Graph& graph = explored.graph;
+    const std::vector<std::uint32_t> component = components_of(graph);
+    const auto revealed = [&](const std::vector<std::pair<StateIndex, Edge>>& edges) {
+        std::vector<lts::Event> result;
+        for (const auto& [state, edge] : edges) {
+            Revealing sink(explored.states, edge);
+            system.successors(explored.states[state], sink);
+            result.push_back(sink.found());
+        }
+        return result;
+    };
+    for (StateIndex state = 0; state < graph.size(); ++state)
+        for (const Edge& each : graph.edges(state)) {
+            if (each.event != event || component[each.target] != component[state]) continue;
+            std::vector<std::pair<StateIndex, Edge>> loop{{state, each}};
+            const auto back =
+                way(graph, each.target, state, [&](StateIndex at) { return component[at] == component[state]; });
+            loop.insert(loop.end(), back.begin(), back.end());
+            return EndlessRun{revealed(way(graph, 0, state, [](StateIndex) { return true; })), revealed(loop)};
+        }
+    return std::nullopt;
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,107 @@
+// See rule_monitor.hpp.
+#include "sleec/monitor/rule_monitor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sleec/obligations/samples.hpp"
+
+namespace robochart::sleec {
+
+RuleMonitor::RuleMonitor(const CheckedRules& rules, WithoutLimit without) : rules_(rules), without_(without) {}
+
+namespace {
+
+/// What the rule asks for with these values: one valuation for each obligation that it may be. What is not known takes
+/// each of the values that the rule tells apart.
+std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const CheckedRules& rules, std::size_t rule,
+                                                                      const MeasureReadings& readings,
+                                                                      WithoutLimit without) {
+    constexpr std::size_t most = 4096;
+    std::vector<Valuation> all{Valuation(readings.size(), 0)};
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        if (readings[i]) all.front()[i] = *readings[i];
+    std::vector<std::vector<std::int64_t>> values;
+    for (const std::size_t measure : measures_of(rules.rules[rule])) {
+        if (readings[measure]) continue;
+        if (values.empty()) values = representatives(rules, {rule});
+        std::vector<Valuation> more;
+        for (const Valuation& each : all)
+            for (const std::int64_t value : values[measure]) {
+                more.push_back(each);
+                more.back()[measure] = value;
+                if (more.size() > most) throw NotDecided("a rule tells too many values of measures apart");
+            }
+        all = std::move(more);
+    }
+    std::vector<std::pair<Valuation, std::optional<Obligation>>> result;
+    for (Valuation& each : all) {
+        auto asked = obligation_of(rules.rules[rule], each, without);
+        const bool known =
+            std::any_of(result.begin(), result.end(), [&](const auto& other) { return other.second == asked; });
+        if (!known) result.emplace_back(std::move(each), std::move(asked));
+    }
+    return result;
+}
+
+}  // namespace
+
+void RuleMonitor::event(std::size_t event, const MeasureReadings& values) {
+    std::vector<Open> left;
+    for (Open& each : open_) {
+        const Effect effect = take_event(each.obligation, each.progress, event);
+        after(std::move(each), effect, event, left);
+    }
+    open_ = std::move(left);
+    for (std::size_t i = 0; i < rules_.rules.size(); ++i)
+        if (!rules_.rules[i].assumed && rules_.rules[i].trigger == event) trigger(i, values);
+}
+
+void RuleMonitor::trigger(std::size_t rule, const MeasureReadings& values) {
+    auto all = possible(rules_, rule, values, without_);
+    if (all.size() > 1) {
+        if (std::find(open_triggers_.begin(), open_triggers_.end(), rule) == open_triggers_.end())
+            open_triggers_.push_back(rule);
+        return;
+    }
+    auto& [valuation, asked] = all.front();
+    if (!asked) return;
+    if (asked->any.size() > most_demands) throw NotDecided("a rule has too many responses behind each other");
+    keep({rule, std::move(*asked), {}, now_, std::move(valuation)}, open_);
+}
+
+void RuleMonitor::second() {
+    std::vector<Open> left;
+    for (Open& each : open_) {
+        const Effect effect = take_tock(each.obligation, each.progress);
+        after(std::move(each), effect, std::nullopt, left);
+    }
+    open_ = std::move(left);
+    ++now_;
+}
+
+void RuleMonitor::after(Open open, Effect effect, std::optional<std::size_t> event, std::vector<Open>& left) {
+    if (effect == Effect::open) keep(std::move(open), left);
+    if (effect == Effect::broken)
+        violations_.push_back({open.rule, open.began, std::move(open.values), std::move(open.obligation), event, now_});
+}
+
+/// Of duties of a rule that are the same from now on, the oldest is kept.
+void RuleMonitor::keep(Open open, std::vector<Open>& open_now) const {
+    const bool known = std::any_of(open_now.begin(), open_now.end(), [&](const Open& other) {
+        return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;
+    });
+    if (!known) open_now.push_back(std::move(open));
+}
+
+std::vector<std::pair<Obligation, Progress>> RuleMonitor::owed() const {
+    std::vector<std::pair<Obligation, Progress>> result;
+    for (const Open& each : open_) result.emplace_back(each.obligation, each.progress);
+    return result;
+}
+
+std::vector<Violation> RuleMonitor::take() {
+    return std::exchange(violations_, {});
+}
+
+}  // namespace robochart::sleec

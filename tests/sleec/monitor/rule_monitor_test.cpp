@@ -1,0 +1,195 @@
+// Monitors beside the checker: of every history over two events and seconds, the monitor finds a rule
+// broken iff the process that the checker asks (sleec/conformance) can be broken by it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/lts/graph.hpp"
+#include "sleec/conformance/watch.hpp"
+#include "sleec/monitor/rule_monitor.hpp"
+#include "tests/sleec/support.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+using testing::Read;
+using testing::with_definitions;
+
+/// The process of a rule beside one that may do anything, as a graph.
+class RuleProcess {
+public:
+    explicit RuleProcess(const CheckedRules& rules) {
+        Linking linking;
+        for (const char* event : {"Go", "Stop", "Halt", "Alarm", "Help"}) linking.events.emplace_back(event);
+        linking.measures.resize(4);
+        const Watch watch(rules, 0, linking, cspm::build::name("C"));
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics diagnostics;
+        cspm::Script script = cspm::read(
+            sources,
+            sources.add(
+                "c.csp",
+                "channel tock, Go, Stop, Halt, Alarm, Help\nC = [] x : {tock, Go, Stop, Halt, Alarm, Help} @ x -> C\n"),
+            diagnostics);
+        for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
+        session_.emplace(script);
+        const auto system = session_->system(watch.process());
+        graph_ = lts::explore(*system, [](std::size_t) {}).graph;
+    }
+
+    using States = std::set<lts::StateIndex>;
+    /// The states behind an event, before and behind what the rule's process does on its own.
+    States after(const States& before, const std::string& event) {
+        const auto number = session_->event_table().intern(event);
+        States result;
+        for (const lts::StateIndex state : closed(before))
+            for (const lts::Edge& each : graph_.edges(state))
+                if (each.event == number) result.insert(each.target);
+        return result;
+    }
+    bool broken(const States& states) {
+        const States all = closed(states);
+        return std::any_of(all.begin(), all.end(), [&](lts::StateIndex state) {
+            const auto edges = graph_.edges(state);
+            return std::any_of(edges.begin(), edges.end(), [&](const lts::Edge& each) {
+                return session_->event_table().name(each.event) == "sleec_broken";
+            });
+        });
+    }
+
+private:
+    States closed(States states) {
+        std::vector<lts::StateIndex> waiting(states.begin(), states.end());
+        while (!waiting.empty()) {
+            const lts::StateIndex state = waiting.back();
+            waiting.pop_back();
+            for (const lts::Edge& each : graph_.edges(state)) {
+                const bool own =
+                    each.event == process::tau || session_->event_table().name(each.event).starts_with("sleec_asked");
+                if (own && states.insert(each.target).second) waiting.push_back(each.target);
+            }
+        }
+        return states;
+    }
+
+    std::optional<cspm::Session> session_;
+    lts::Graph graph_;
+};
+
+struct Step {
+    const char* name;
+    std::optional<std::size_t> event;
+};
+constexpr std::array<Step, 3> steps{Step{"Go", 0}, Step{"Stop", 1}, Step{"tock", std::nullopt}};
+
+/// Where both sides are behind a history.
+struct Place {
+    RuleMonitor monitor;
+    RuleProcess::States states;
+    std::string history;
+    int length = 0;
+};
+
+std::string key(const Place& place) {
+    std::string text;
+    for (const auto& [obligation, progress] : place.monitor.owed()) {
+        for (const Demand& each : obligation.any)
+            text += std::to_string(each.event) + (each.forbids ? "-" : "+") + std::to_string(each.begin) + "." +
+                    std::to_string(each.end) + " ";
+        text += std::to_string(progress.elapsed) + "." + std::to_string(progress.broken) + "; ";
+    }
+    for (const lts::StateIndex each : place.states) text += std::to_string(each) + " ";
+    return text;
+}
+
+/// Histories that lead both sides to the same place are continued once: what follows is the same. Returns the length of
+/// the longest history that had to be looked at.
+int compare(const CheckedRules& rules) {
+    RuleProcess process(rules);
+    std::vector<Place> waiting{{RuleMonitor(rules, WithoutLimit::eventually), {0}, "", 0}};
+    std::set<std::string> known{key(waiting.front())};
+    for (std::size_t at = 0; at < waiting.size() && !::testing::Test::HasFailure(); ++at)
+        for (const Step& step : steps) {
+            Place next = waiting[at];
+            if (step.event)
+                next.monitor.event(*step.event, {0, 0, 0, 0});
+            else
+                next.monitor.second();
+            next.states = process.after(next.states, step.name);
+            next.history += std::string(step.name) + " ";
+            ++next.length;
+            const bool violated = !next.monitor.take().empty();
+            EXPECT_EQ(violated, process.broken(next.states)) << next.history;
+            if (!violated && known.insert(key(next)).second) waiting.push_back(std::move(next));
+        }
+    return waiting.back().length;
+}
+
+/// Of every length, so of twelve steps too.
+TEST(RuleMonitor, AgreesWithTheCheckerOnAllHistories) {
+    for (const char* rule : {
+             "when Go then Stop within 2 seconds",
+             "when Go then not Stop within 2 seconds",
+             "when Go then Stop within [1, 2] seconds",
+             "when Go then Stop within 1 seconds otherwise not Stop within 2 seconds",
+             "when Go then not Stop within 1 seconds otherwise Stop within 2 seconds",
+             "when Go then Go within 3 seconds",
+             "when Go then not Stop",
+             "when Go then Stop within 0 seconds otherwise Go within 1 seconds",
+             "when Go then Stop within 2 seconds unless Go",
+         }) {
+        SCOPED_TRACE(rule);
+        Read read(with_definitions(std::string("R ") + rule));
+        ASSERT_TRUE(read.checked_too().checked) << read.report();
+        EXPECT_GT(compare(*read.checked), 0);
+    }
+}
+
+TEST(RuleMonitor, SaysWhatWasBroken) {
+    Read read(
+        with_definitions("A when Go and near then Stop within 2 seconds\nB when Halt then not Stop within 1 seconds"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    RuleMonitor monitor(*read.checked, WithoutLimit::eventually);
+    monitor.event(0, {0, 0, 0, 0});
+    for (int i = 0; i < 4; ++i) monitor.second();
+    EXPECT_TRUE(monitor.take().empty()) << "nobody is near";
+    monitor.event(0, {1, 0, 0, 0});
+    monitor.second();
+    monitor.event(2, {0, 0, 0, 0});
+    monitor.second();
+    monitor.event(1, {0, 0, 0, 0});
+    const std::vector<Violation> found = monitor.take();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].rule, 1U);
+    EXPECT_EQ(found[0].began, 5);
+    EXPECT_EQ(found[0].second, 6);
+    EXPECT_EQ(found[0].event, 1U);
+    monitor.event(0, {1, 0, 0, 0});
+    for (int i = 0; i < 3; ++i) monitor.second();
+    const std::vector<Violation> late = monitor.take();
+    ASSERT_EQ(late.size(), 1U);
+    EXPECT_EQ(late[0].rule, 0U);
+    EXPECT_EQ(late[0].second, 8);
+    EXPECT_FALSE(late[0].event);
+}
+
+TEST(RuleMonitor, LeavesOpenWhatDependsOnAValueThatIsNotKnown) {
+    Read read(with_definitions(
+        "A when Go and near then Stop within 2 seconds\nB when Go and (near or not near) then Stop within 1 seconds"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    RuleMonitor monitor(*read.checked, WithoutLimit::eventually);
+    monitor.event(0, {std::nullopt, std::nullopt, std::nullopt, std::nullopt});
+    EXPECT_EQ(monitor.open_triggers(), std::vector<std::size_t>{0}) << "B asks for the same whatever near is";
+    for (int i = 0; i < 3; ++i) monitor.second();
+    const std::vector<Violation> found = monitor.take();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].rule, 1U);
+}
+
+}  // namespace
+}  // namespace robochart::sleec

@@ -1,0 +1,111 @@
+// Conflicts of random rule sets, by the analysis and by the naive enumeration. ROBOCHART_RANDOM_CHECKS and
+// ROBOCHART_RANDOM_SEED set how many (scripts/random_rules.sh).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+#include "sleec/analysis/conflicts.hpp"
+#include "tests/rounds.hpp"
+#include "tests/sleec/random/naive_rules.hpp"
+#include "tests/sleec/support.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+std::uint64_t setting(const char* name, std::uint64_t otherwise) {
+    const char* const text = std::getenv(name);
+    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+std::string text_of(const std::set<std::vector<std::size_t>>& conflicts) {
+    std::string text;
+    for (const auto& each : conflicts) {
+        for (const std::size_t rule : each) text += "R" + std::to_string(rule) + " ";
+        text += "; ";
+    }
+    return text;
+}
+
+/// What the analysis says of all questions about some rules.
+struct Analysed {
+    std::set<std::vector<std::size_t>> forbidden, endless, asked;
+    bool decided = true;
+};
+
+Analysed analysed(const CheckedRules& rules) {
+    Analysed result;
+    for_each_question(rules, {}, [&](const ConflictAnswer& each) {
+        result.asked.insert(each.rules);
+        result.decided = result.decided && each.conflict != Answer::not_decided;
+        if (each.conflict == Answer::yes)
+            (each.example->endless ? result.endless : result.forbidden).insert(each.rules);
+    });
+    return result;
+}
+
+using Sets = std::set<std::vector<std::size_t>>;
+
+/// Without those that contain a smaller one of `others`.
+Sets without_larger(Sets sets, const Sets& others) {
+    std::erase_if(sets, [&](const auto& each) {
+        return std::any_of(others.begin(), others.end(), [&](const auto& other) {
+            return other.size() < each.size() && std::includes(each.begin(), each.end(), other.begin(), other.end());
+        });
+    });
+    return sets;
+}
+
+/// Of sets that were asked about, no part of which is in conflict.
+void compare_endless(const std::vector<testing::NaiveRule>& rules, const Analysed& found, const std::string& text) {
+    for (const std::vector<std::size_t>& each : found.asked) {
+        std::vector<testing::NaiveRule> subset;
+        for (const std::size_t rule : each) subset.push_back(rules[rule]);
+        const auto naive = testing::in_conflict(subset);
+        const auto part = [&](const auto& other) {
+            return other.size() < each.size() && std::includes(each.begin(), each.end(), other.begin(), other.end());
+        };
+        if (!naive || std::any_of(found.endless.begin(), found.endless.end(), part) ||
+            std::any_of(found.forbidden.begin(), found.forbidden.end(), part))
+            continue;
+        const bool said = found.endless.contains(each);
+        const bool expected = *naive == testing::NaiveAnswer::endless;
+        EXPECT_TRUE(said == expected) << text << text_of({each}) << (said ? "" : "not ") << "said to be endless";
+    }
+}
+
+TEST(RandomRules, ConflictsAgreeWithTheEnumeration) {
+    const std::uint64_t checks = setting("ROBOCHART_RANDOM_CHECKS", tests::rounds(100));
+    const std::uint64_t seed = setting("ROBOCHART_RANDOM_SEED", 1);
+    std::uint64_t compared = 0, in_conflict = 0, of_three = 0, endless = 0;
+    for (std::uint64_t round = 0; round < checks; ++round) {
+        std::mt19937_64 random(seed + round);
+        const auto rules = testing::random_rules(random);
+        const std::string text = "seed " + std::to_string(seed + round) + "\n" + testing::text_of(rules);
+        testing::Read read(testing::text_of(rules));
+        ASSERT_TRUE(read.checked_too().checked) << text << read.report();
+        const Analysed found = analysed(*read.checked);
+        const auto expected = testing::smallest_conflicts(rules);
+        if (!found.decided || !expected) continue;
+        ++compared;
+        in_conflict += expected->empty() ? 0U : 1U;
+        endless += found.endless.size();
+        for (const auto& each : *expected) of_three += each.size() > 2 ? 1U : 0U;
+        const Sets smallest = without_larger(without_larger(found.forbidden, found.forbidden), found.endless);
+        ASSERT_EQ(text_of(smallest), text_of(without_larger(*expected, found.endless))) << text;
+        compare_endless(rules, found, text);
+        if (HasFailure()) return;
+    }
+    std::printf(
+        "%llu of %llu compared, %llu in conflict; %llu conflicts of three rules or more, %llu endless instants\n",
+        static_cast<unsigned long long>(compared), static_cast<unsigned long long>(checks),
+        static_cast<unsigned long long>(in_conflict), static_cast<unsigned long long>(of_three),
+        static_cast<unsigned long long>(endless));
+    EXPECT_GT(compared * 2, checks) << "too many were too large";
+    EXPECT_GT(in_conflict * 10, compared) << "too few conflicts to tell";
+}
+
+}  // namespace
+}  // namespace robochart::sleec

@@ -1,0 +1,282 @@
+// See naive_rules.hpp.
+#include "tests/sleec/random/naive_rules.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace robochart::sleec::testing {
+namespace {
+
+constexpr int endless = std::numeric_limits<int>::max();
+constexpr std::size_t most_states = 6'000;
+constexpr int events = 4;
+
+/// An action with its window counted from the trigger.
+struct Part {
+    bool negated = false;
+    int event = 0, first = 0, last = 0;
+    friend auto operator<=>(const Part&, const Part&) = default;
+};
+using Parts = std::vector<Part>;
+
+/// One of the parts has to hold.
+struct Duty {
+    Parts parts;
+    int age = 0;
+    unsigned failed = 0;
+    friend auto operator<=>(const Duty&, const Duty&) = default;
+};
+
+enum class Fate { open, kept, violated };
+
+bool failed(const Duty& duty, std::size_t part) {
+    return (duty.failed >> part & 1U) != 0;
+}
+
+Fate fate(const Duty& duty) {
+    for (std::size_t i = 0; i < duty.parts.size(); ++i)
+        if (!failed(duty, i)) return Fate::open;
+    return Fate::violated;
+}
+
+Fate on_event(Duty& duty, int event) {
+    for (std::size_t i = 0; i < duty.parts.size(); ++i) {
+        const Part& part = duty.parts[i];
+        if (part.event != event || duty.age < part.first || duty.age > part.last) continue;
+        if (!part.negated) return Fate::kept;
+        duty.failed |= 1U << i;
+    }
+    return fate(duty);
+}
+
+Fate on_second(Duty& duty) {
+    int settled = 0;  // from here on nothing changes by time alone
+    for (const Part& part : duty.parts) settled = std::max(settled, part.last == endless ? part.first : part.last + 1);
+    ++duty.age;
+    for (std::size_t i = 0; i < duty.parts.size(); ++i) {
+        if (duty.parts[i].last >= duty.age || failed(duty, i)) continue;
+        if (duty.parts[i].negated) return Fate::kept;
+        duty.failed |= 1U << i;
+    }
+    duty.age = std::min(duty.age, settled);
+    return fate(duty);
+}
+
+/// What the response asks for with these values; nothing where no duty is left.
+std::optional<Parts> asked(const NaiveResponse& response, unsigned values) {
+    const NaiveResponse::Defeater* deciding = nullptr;
+    for (const auto& each : response.defeaters)
+        if (each.condition.holds(values)) deciding = &each;
+    if (deciding != nullptr) return deciding->response ? asked(*deciding->response, values) : std::nullopt;
+    Parts parts;
+    int begin = 0;
+    for (const NaiveAction& action : response.chain) {
+        parts.push_back({action.negated, action.event, begin + action.from, action.to ? begin + *action.to : endless});
+        if (!action.to) break;
+        begin += *action.to;
+    }
+    return parts;
+}
+
+using State = std::set<Duty>;
+
+/// Every part that is left is an event that has to come now at the latest, or can never come again, and is forbidden.
+bool is_dead(const Duty& due, const State& open) {
+    bool any = false;
+    for (std::size_t i = 0; i < due.parts.size(); ++i) {
+        const Part& part = due.parts[i];
+        if (failed(due, i)) continue;
+        if (part.negated || part.last < due.age) return false;
+        const bool for_ever = part.last == endless;
+        if (!for_ever && (part.last != due.age || part.first > due.age)) return false;
+        const bool forbidden = std::any_of(open.begin(), open.end(), [&](Duty other) {
+            const bool always = std::all_of(other.parts.begin(), other.parts.end(), [&](const Part& of) {
+                const auto place = static_cast<std::size_t>(&of - other.parts.data());
+                return failed(other, place) || (of.negated && of.event == part.event && of.last == endless);
+            });
+            return on_event(other, part.event) == Fate::violated && (!for_ever || always);
+        });
+        if (!forbidden) return false;
+        any = true;
+    }
+    return any;
+}
+
+std::optional<State> after_event(const std::vector<NaiveRule>& rules, const State& state, int event, unsigned values) {
+    State next;
+    for (Duty each : state) {
+        const Fate fate = on_event(each, event);
+        if (fate == Fate::violated) return std::nullopt;
+        if (fate == Fate::open) next.insert(each);
+    }
+    for (const NaiveRule& rule : rules) {
+        if (rule.trigger != event || (rule.condition && !rule.condition->holds(values))) continue;
+        if (auto parts = asked(rule.response, values)) next.insert({std::move(*parts), 0, 0});
+    }
+    return next;
+}
+
+std::optional<State> after_second(const State& state) {
+    State next;
+    for (Duty each : state) {
+        const Fate fate = on_second(each);
+        if (fate == Fate::violated) return std::nullopt;
+        if (fate == Fate::open) next.insert(each);
+    }
+    return next;
+}
+
+int number(std::mt19937_64& random, int below) {
+    return static_cast<int>(random() % static_cast<unsigned>(below));
+}
+
+NaiveCondition random_condition(std::mt19937_64& random) {
+    return {number(random, 2), number(random, 2) == 0};
+}
+
+NaiveResponse random_response(std::mt19937_64& random, int depth) {
+    NaiveResponse result;
+    const int length = number(random, 3) == 0 ? (number(random, 3) == 0 ? 3 : 2) : 1;
+    for (int i = 0; i < length; ++i) {
+        NaiveAction action{number(random, 5) < 2, number(random, events), 0, number(random, 3)};
+        if (i > 0 && number(random, 3) != 0) action.to = 0;
+        if (*action.to > 0 && !action.negated && number(random, 6) == 0) action.from = 1;
+        if (i + 1 == length && number(random, 8) == 0) action.to.reset();
+        if (!action.to) action.from = 0;
+        result.chain.push_back(action);
+    }
+    while (depth < 2 && number(random, 4) == 0) {
+        NaiveResponse::Defeater defeater{random_condition(random), std::nullopt};
+        if (number(random, 3) != 0) defeater.response = random_response(random, depth + 1);
+        result.defeaters.push_back(std::move(defeater));
+    }
+    return result;
+}
+
+/// `A within 1 seconds otherwise B within 0 seconds ...`, or `not A within 2 seconds`.
+NaiveResponse alternative_response(std::mt19937_64& random, bool demands) {
+    NaiveResponse result;
+    if (!demands) {
+        result.chain.push_back({true, number(random, events), 0, number(random, 3)});
+        return result;
+    }
+    const int first = number(random, events), count = 2 + number(random, 2);
+    for (int i = 0; i < count; ++i)
+        result.chain.push_back({false, (first + i) % events, 0, i == 0 ? number(random, 3) : 0});
+    return result;
+}
+
+}  // namespace
+
+std::string NaiveCondition::text() const {
+    return std::string(positive ? "" : "not ") + (measure == 0 ? "near" : "safe");
+}
+
+std::string NaiveResponse::text() const {
+    std::string result;
+    for (const NaiveAction& each : chain) {
+        if (&each != chain.data()) result += " otherwise ";
+        result += (each.negated ? "not " : "") + event_text(each.event);
+        if (each.to && each.from > 0)
+            result += " within [" + std::to_string(each.from) + ", " + std::to_string(*each.to) + "] seconds";
+        else if (each.to)
+            result += " within " + std::to_string(*each.to) + " seconds";
+    }
+    for (const Defeater& each : defeaters) {
+        result += " unless " + each.condition.text();
+        if (each.response) result += " then {" + each.response->text() + "}";
+    }
+    return result;
+}
+
+std::string event_text(int event) {
+    return {static_cast<char>('A' + event)};
+}
+
+std::string text_of(const std::vector<NaiveRule>& rules) {
+    std::string text = "def_start\n";
+    for (int i = 0; i < events; ++i) text += "event " + event_text(i) + " ";
+    text += "measure near : boolean measure safe : boolean\ndef_end\nrule_start\n";
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        text += "R" + std::to_string(i) + " when " + event_text(rules[i].trigger);
+        if (rules[i].condition) text += " and " + rules[i].condition->text();
+        text += " then " + rules[i].response.text() + "\n";
+    }
+    return text + "rule_end\n";
+}
+
+std::vector<NaiveRule> random_rules(std::mt19937_64& random) {
+    std::vector<NaiveRule> result(static_cast<std::size_t>(2 + number(random, 3)));
+    const bool alternatives = number(random, 4) == 0;  // one rule with several for one instant, the others forbid
+    for (NaiveRule& each : result) {
+        each.trigger = number(random, events);
+        if (number(random, 3) == 0) each.condition = random_condition(random);
+        each.response = random_response(random, 0);
+        if (alternatives) each.response = alternative_response(random, &each == result.data());
+    }
+    return result;
+}
+
+std::optional<NaiveAnswer> in_conflict(const std::vector<NaiveRule>& rules) {
+    std::map<State, std::size_t> known{{State{}, 0}};
+    std::vector<State> states{State{}};
+    std::vector<std::vector<std::size_t>> before(1);
+    std::vector<std::size_t> passing;
+    for (std::size_t at = 0; at < states.size(); ++at) {
+        if (states.size() > most_states) return std::nullopt;
+        const State state = states[at];
+        for (const Duty& each : state)
+            if (is_dead(each, state)) return NaiveAnswer::forbidden;
+        const auto meet = [&](std::optional<State> next) {
+            if (!next) return;
+            const auto [place, fresh] = known.emplace(*next, states.size());
+            if (fresh) {
+                states.push_back(std::move(*next));
+                before.emplace_back();
+            }
+            before[place->second].push_back(at);
+        };
+        auto second = after_second(state);
+        if (second) passing.push_back(at);
+        meet(std::move(second));
+        for (int event = 0; event < events; ++event)
+            for (unsigned values = 0; values < 4; ++values) meet(after_event(rules, state, event, values));
+    }
+    std::vector<bool> passes(states.size(), false);
+    for (const std::size_t each : passing) passes[each] = true;
+    while (!passing.empty()) {
+        const std::size_t at = passing.back();
+        passing.pop_back();
+        for (const std::size_t each : before[at]) {
+            if (!passes[each]) passing.push_back(each);
+            passes[each] = true;
+        }
+    }
+    const bool all = std::find(passes.begin(), passes.end(), false) == passes.end();
+    return all ? NaiveAnswer::none : NaiveAnswer::endless;
+}
+
+std::optional<std::set<std::vector<std::size_t>>> smallest_conflicts(const std::vector<NaiveRule>& rules) {
+    std::set<std::vector<std::size_t>> result;
+    for (std::size_t size = 1; size <= rules.size(); ++size)
+        for (unsigned chosen = 1; chosen < 1U << rules.size(); ++chosen) {
+            std::vector<std::size_t> subset;
+            std::vector<NaiveRule> of;
+            for (std::size_t i = 0; i < rules.size(); ++i)
+                if ((chosen >> i & 1U) != 0) {
+                    subset.push_back(i);
+                    of.push_back(rules[i]);
+                }
+            const bool known = std::any_of(result.begin(), result.end(), [&](const auto& smaller) {
+                return std::includes(subset.begin(), subset.end(), smaller.begin(), smaller.end());
+            });
+            if (subset.size() != size || known) continue;
+            const std::optional<NaiveAnswer> found = in_conflict(of);
+            if (!found) return std::nullopt;
+            if (*found == NaiveAnswer::forbidden) result.insert(subset);
+        }
+    return result;
+}
+
+}  // namespace robochart::sleec::testing
