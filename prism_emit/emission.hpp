@@ -13,9 +13,9 @@ namespace robochart::prism_emit {
 
 /// What an element of the model is called in PRISM.
 struct NameOf {
-    std::string kind;     ///< "STM", "event", "constant", "variable", "node", "transition"
-    std::string element;  ///< "modUVC::ctrlUVC::stm_ref0::p0"
-    std::string name;     ///< "modUVC_ctrlUVC_stm_ref0_p0"
+    std::string kind;                        ///< "STM", "event", "constant", "variable", "node", "transition"
+    std::string element;                     ///< "modUVC::ctrlUVC::stm_ref0::p0"
+    std::string name;                        ///< "modUVC_ctrlUVC_stm_ref0_p0"
     std::vector<std::string> literals = {};  ///< of a variable of an enumeration: its values, from 0 on
 };
 

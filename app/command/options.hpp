@@ -148,8 +148,8 @@ struct Options {
     double timeout_seconds = 0;      ///< of the whole run; 0: none
     std::uint64_t max_states = 500'000'000;
     bool reduction = true;  ///< states that confluent taus lead on from are left out
-    unsigned threads = 0;    ///< 0: one a core
-    Run* run = nullptr;      ///< the run that these options are of: its budget, and signals
+    unsigned threads = 0;   ///< 0: one a core
+    Run* run = nullptr;     ///< the run that these options are of: its budget, and signals
 };
 
 }  // namespace robochart::app

@@ -140,10 +140,9 @@ private:
         if (!found) return std::nullopt;
         const Port& port = emission_.outputs[*found];
         if (!fits(carries, port.arguments)) {
-            diagnostics_.report(
-                rules::wrong_type, name.span,
-                {name.text, described(port), carries == Carries::whole ? "a message" : "a quantity",
-                 carries == Carries::whole ? "send" : "follow"});
+            diagnostics_.report(rules::wrong_type, name.span,
+                                {name.text, described(port), carries == Carries::whole ? "a message" : "a quantity",
+                                 carries == Carries::whole ? "send" : "follow"});
             return std::nullopt;
         }
         if (slots_[*found] == no_slot) {

@@ -81,12 +81,13 @@ TEST(Project, EachAssertionFileHasItsInstantiations) {
 }
 
 TEST(Project, AssertionsOfOtherToolsAreSaidNotChecked) {
-    const Folder folder({{"m.rct",
-                          "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
-                          "A trigger e } }"},
-                         {"m.assertions",
-                          "untimed assertion A : S is deadlock-free\nrobocert assertion R : S conforms to Rule1\nuntimed "
-                          "assertion B : S is deterministic\n"}});
+    const Folder folder(
+        {{"m.rct",
+          "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
+          "A trigger e } }"},
+         {"m.assertions",
+          "untimed assertion A : S is deadlock-free\nrobocert assertion R : S conforms to Rule1\nuntimed "
+          "assertion B : S is deterministic\n"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("m.assertions:2"));
