@@ -99,7 +99,8 @@ private:
     void verdicts();
     void verdict(std::size_t number, const AssertionReport& assertion);
     void claim(std::size_t number, const AssertionReport& assertion);
-    void standstill(std::size_t number, const ConformanceReport& report);
+    void model_runs(std::size_t number, const ConformanceReport& report);
+    void model_run(const std::string& id, const std::string& title, const std::string& more, const runs::Run& run);
     void replay(const std::string& id, const runs::Run& run);
     void steps(const std::string& id, const runs::Run& run);
     void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
@@ -343,6 +344,8 @@ void ReportPage::steps(const std::string& id, const runs::Run& run) {
         row(i + 1, &run.steps[i], *shown, run.steps[i].machines);
         shown = &run.steps[i].machines;
     }
+    if (run.end.kind == runs::EndKind::no_trace && !run.end.why.empty())
+        out_ += fmt::format("<tr><td colspan=\"{}\">here: {}</td></tr>\n", columns, xml_text(run.end.why));
     out_ += "</tbody></table>\n</div>\n";
 }
 
@@ -427,16 +430,38 @@ void ReportPage::claim(std::size_t number, const AssertionReport& assertion) {
     out_ += "</section>\n";
 }
 
-/// What shows that a model cannot be run in cycles.
-void ReportPage::standstill(std::size_t number, const ConformanceReport& report) {
-    const conformance::Explanation& explanation = report.result.explanation;
-    const std::string id = fmt::format("c{}", number);
-    const std::string code = explanation.rule == nullptr ? "" : fmt::format(" [{}]", explanation.rule->code);
-    out_ +=
-        fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{} is not schedulable{}</h3>\n<p>{}</p>\n<p>{}</p>\n", id,
-                    xml_text(report.component), code, xml_text(explanation.run->end.why), xml_text(explanation.remedy));
-    replay(id, *explanation.run);
+/// A run of the model behind what is said of a component and its code. `more`: a second sentence, or "".
+void ReportPage::model_run(const std::string& id, const std::string& title, const std::string& more,
+                           const runs::Run& run) {
+    out_ += fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{}</h3>\n<p>{}</p>\n", id, xml_text(title),
+                        xml_text(run.end.why));
+    if (!more.empty()) out_ += fmt::format("<p>{}</p>\n", xml_text(more));
+    replay(id, run);
     out_ += "</section>\n";
+}
+
+/// What shows that the model cannot be run in cycles, or how far it goes with code that differs; and where it makes an
+/// output twice or misses a deadline.
+void ReportPage::model_runs(std::size_t number, const ConformanceReport& report) {
+    const conformance::Result& result = report.result;
+    const auto coded = [&](std::string title, const diagnostics::Rule* rule) {
+        return rule == nullptr ? title : fmt::format("{} [{}]", title, rule->code);
+    };
+    if (const conformance::Explanation& explanation = result.explanation; explanation.run) {
+        const bool differs = result.outcome == conformance::Outcome::differs;
+        const std::string title = report.component + (differs ? ": the code differs from the model; what both do before"
+                                                              : " is not schedulable");
+        const std::string expected = result.expected.empty() ? "" : "the model: " + result.expected;
+        model_run(fmt::format("c{}", number), coded(title, explanation.rule), differs ? expected : explanation.remedy,
+                  *explanation.run);
+    }
+    const auto aside = [&](const char* id, const char* title, const std::optional<conformance::Aside>& each) {
+        if (!each || !each->run) return;
+        model_run(fmt::format("{}{}", id, number), coded(report.component + title, each->rule),
+                  each->rule == nullptr ? "" : std::string(each->rule->explanation), *each->run);
+    };
+    aside("o", " does not run in register cycles", result.register_cycles);
+    aside("t", " may miss a deadline", result.deadlines);
 }
 
 void ReportPage::code() {
@@ -445,7 +470,7 @@ void ReportPage::code() {
     for (std::size_t i = 0; i < report_.conformance.size(); ++i) {
         const ConformanceReport& each = report_.conformance[i];
         out_ += preformatted(conformance_text(each)) + "\n";
-        if (each.result.explanation.run) standstill(i, each);
+        model_runs(i, each);
     }
     out_ += "</section>\n";
 }

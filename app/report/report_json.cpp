@@ -62,6 +62,7 @@ Json aside(const conformance::Aside& a) {
     if (a.holds) return {{"holds", true}};
     Json json{{"holds", false}, {"reason", a.reason}, {"cycles", cycles(a.cycles)}};
     if (a.rule != nullptr) json.update({{"code", a.rule->code}, {"meaning", a.rule->explanation}});
+    if (a.run) json["run"] = runs::json(*a.run);
     return json;
 }
 
@@ -91,8 +92,8 @@ Json conformance_json(const ConformanceReport& c) {
     if (const conformance::Explanation& e = r.explanation; e.rule != nullptr) {
         json["code"] = e.rule->code;
         json["explanation"] = {{"where", e.where}, {"remedy", e.remedy}};
-        if (e.run) json["explanation"]["run"] = runs::json(*e.run);
     }
+    if (r.explanation.run) json["explanation"]["run"] = runs::json(*r.explanation.run);
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)
         json["faces"] = {{"event", r.api_difference->event},

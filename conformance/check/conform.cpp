@@ -213,8 +213,7 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
         const Alphabet alphabet(interface, session.event_table());
         if (sources != nullptr) {
             say_places(result, script.provenance, *sources);
-            explain_standstill(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
-                               options);
+            explain(result, session, process, alphabet, {script.provenance, system, instantiation, *sources}, options);
         }
         decide_for_all(result, session, process, alphabet, represented, options);
         say_inputs(result, interface);

@@ -137,7 +137,7 @@ void not_schedulable(Result& result, const refine::Counterexample& found, ModelG
     result.outcome = Outcome::not_schedulable;
     result.reason = timelock_reason(found);
     result.explanation.rule = &rule_of(found, model, alphabet, cycle_length, limits);
-    result.standstill = found;
+    result.model_run = found;
     result.cycles = std::move(run.cycles);
     result.raw = std::move(run.raw);
 }
@@ -145,7 +145,14 @@ void not_schedulable(Result& result, const refine::Counterexample& found, ModelG
 Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refine::Counterexample& found,
                   const Alphabet& alphabet, std::uint32_t cycle_length) {
     Witness run = tell_run(found.steps, alphabet, cycle_length);
-    return {false, std::move(reason), std::move(run.cycles), &rule};
+    std::vector<process::Event> trace;
+    for (const refine::Step& step : found.steps) {
+        const process::Event event = step.event == process::tau ? step.revealed : step.event;
+        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;  // hidden, it is reported too
+        if (step.event != process::tau || write) trace.push_back(event);
+    }
+    trace.pop_back();  // the mark of what is not so
+    return {false, std::move(reason), std::move(run.cycles), &rule, traced(trace), {}};
 }
 
 void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
@@ -153,6 +160,10 @@ void differs(Result& result, const refine::Counterexample& found, const Alphabet
     std::vector<refine::Step> steps = found.steps;
     const auto event = offence(found);
     if (found.kind == refine::ViolationKind::refusal && event) steps.push_back({*event, *event, ""});
+    std::vector<process::Event> agreed;
+    for (const refine::Step& step : found.steps) agreed.push_back(step.event);
+    if (found.kind == refine::ViolationKind::trace && event) agreed.pop_back();
+    take_run(result, nullptr, agreed);
     Witness run = tell_run(steps, alphabet, cycle_length);
     replay(run, code);
     result.outcome = Outcome::differs;

@@ -1,6 +1,7 @@
 // See dispatch_equivalence.hpp. Events that are not dispatched are raised beside the one that is: it must not look at
 // them.
 #include "conformance/check/dispatch_equivalence.hpp"
+#include "conformance/check/standstill.hpp"
 
 #include <fmt/format.h>
 
@@ -245,14 +246,21 @@ void apis_differ(Result& result, const ApiComparison& found, const CodeSystem& c
     result.outcome = Outcome::differs;
     result.api_difference = found.difference;
     result.reason = fmt::format("the event API differs from the cycle: {}", found.difference->what);
+    std::vector<process::Event> trace;
     for (const PassedCycle& passed : code.way_to(found.image)) {
         Cycle& cycle = result.cycles.emplace_back();
-        for (std::uint32_t input = 0; input < passed.readings.size(); ++input)
-            if (passed.readings[input] != 0)
-                cycle.inputs.push_back(alphabet.tell(alphabet.read(input, passed.readings[input])));
-        for (const process::Event write : passed.result->writes) cycle.outputs.push_back(alphabet.tell(write));
+        for (std::uint32_t input = 0; input < passed.readings.size(); ++input) {
+            trace.push_back(alphabet.read(input, passed.readings[input]));
+            if (passed.readings[input] != 0) cycle.inputs.push_back(alphabet.tell(trace.back()));
+        }
+        for (const process::Event write : passed.result->writes) {
+            trace.push_back(write);
+            cycle.outputs.push_back(alphabet.tell(write));
+        }
+        trace.insert(trace.end(), code.cycle_length(), alphabet.tock());
         cycle.state = code.print(passed.result->next);
     }
+    take_run(result, nullptr, trace);
 }
 
 }  // namespace

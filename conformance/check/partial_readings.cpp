@@ -61,7 +61,9 @@ public:
         result.product.states = positions_.size();
         result.product.transitions = cycles_;
         result.product.spec_nodes = follower_.nodes();
-        if (missed_) result.deadlines = {false, "the code reports a missed deadline", cycles_to(missed_way_)};
+        if (missed_)
+            result.deadlines = {false,   "the code reports a missed deadline", cycles_to(missed_way_),
+                                nullptr, traced(trace_to(missed_way_)),        {}};
         return result;
     }
 
@@ -79,6 +81,7 @@ private:
         Readings readings;
         const CycleResult* result = nullptr;
         std::size_t writes = 0;  ///< of it
+        std::size_t agreed = 0;  ///< of its reads and writes, those in front of where they differ
     };
 
     void add(std::uint32_t image, Node node, std::size_t from, const Readings& readings, const CycleResult* result) {
@@ -127,28 +130,29 @@ private:
         for (std::uint32_t i = 0; i < inputs_; ++i) {
             const bool unread = readings[i] == not_read;
             const process::Event event = unread ? follower_.system().unread(i) : alphabet_.read(i, readings[i]);
-            if (part(follower_.follow(node, event, true), result, readings, 0)) return std::nullopt;
+            if (part(follower_.follow(node, event, true), {at_, readings, &result, 0, i})) return std::nullopt;
         }
         for (std::size_t w = 0; w < result.writes.size(); ++w) {
             if (const auto asked = follower_.asked(node)) return asked;
-            if (part(follower_.follow(node, result.writes[w], false), result, readings, w + 1)) return std::nullopt;
+            if (part(follower_.follow(node, result.writes[w], false), {at_, readings, &result, w + 1, inputs_ + w}))
+                return std::nullopt;
         }
         if (const auto asked = follower_.asked(node)) return asked;
-        if (part(follower_.finish(node, result.outcome, false), result, readings, result.writes.size()))
-            return std::nullopt;
+        const std::size_t writes = result.writes.size();
+        const Last whole{at_, readings, &result, writes, inputs_ + writes};
+        if (part(follower_.finish(node, result.outcome, false), whole)) return std::nullopt;
         if (result.outcome == RC_DEADLINE && !missed_) {
             missed_ = true;
-            missed_way_ = {at_, readings, &result, result.writes.size()};
+            missed_way_ = whole;
         }
         if (!follower_.over()) add(result.next, node, at_, readings, &result);
         return std::nullopt;
     }
 
-    bool part(std::optional<Mismatch> mismatch, const CycleResult& result, const Readings& readings,
-              std::size_t writes) {
+    bool part(std::optional<Mismatch> mismatch, const Last& here) {
         if (!mismatch) return false;
         found_ = std::move(mismatch);
-        found_way_ = {at_, readings, &result, writes};
+        found_way_ = here;
         return true;
     }
 
@@ -177,27 +181,31 @@ private:
         result.reason = found_->reason;
         result.expected = found_->expected;
         result.cycles = cycles_to(found_way_);
-        take_standstill(result, found_->rule, trace_to(found_way_));
+        take_run(result, found_->rule, trace_to(found_way_));
     }
 
-    void add_events(const Readings& readings, const CycleResult& result, std::size_t writes,
-                    std::vector<process::Event>& trace) const {
+    /// The reads and writes of a cycle.
+    [[nodiscard]] std::vector<process::Event> events(const Readings& readings, const CycleResult& result) const {
+        std::vector<process::Event> events;
         for (std::uint32_t i = 0; i < inputs_; ++i)
-            trace.push_back(alphabet_.read(i, readings[i] == not_read ? 0 : readings[i]));
-        trace.insert(trace.end(), result.writes.begin(), result.writes.begin() + static_cast<std::ptrdiff_t>(writes));
+            events.push_back(alphabet_.read(i, readings[i] == not_read ? 0 : readings[i]));
+        events.insert(events.end(), result.writes.begin(), result.writes.end());
+        return events;
     }
 
-    /// A register that nothing depends on is as good as empty.
+    /// What both do; a register that nothing depends on is as good as empty.
     std::vector<process::Event> trace_to(const Last& last) const {
         std::vector<std::size_t> way;
         for (std::size_t at = last.from; at != 0; at = positions_[at].from) way.push_back(at);
         std::vector<process::Event> trace;
         for (auto at = way.rbegin(); at != way.rend(); ++at) {
             const Position& position = positions_[*at];
-            add_events(position.readings, *position.result, position.result->writes.size(), trace);
+            const std::vector<process::Event> cycle = events(position.readings, *position.result);
+            trace.insert(trace.end(), cycle.begin(), cycle.end());
             trace.insert(trace.end(), cycle_length_, alphabet_.tock());
         }
-        add_events(last.readings, *last.result, last.writes, trace);
+        const std::vector<process::Event> cycle = events(last.readings, *last.result);
+        trace.insert(trace.end(), cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(last.agreed));
         return trace;
     }
 

@@ -45,17 +45,18 @@ public:
         return position;
     }
 
-    /// One cycle; nothing: both agree, or the code has terminated (`over`).
+    /// One cycle; nothing: both agree, or the code has terminated (`over`). `agreed` gets its events in front of the
+    /// tocks, as far as both have them.
     std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
-                                  std::vector<process::Event>* trace = nullptr) {
+                                  std::vector<process::Event>* agreed = nullptr) {
         std::vector<rc_register> registers;
         for (const std::uint32_t reading : readings)
             registers.push_back({reading == 0 ? 0U : 1U, reading == 0 ? 0U : reading - 1});
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
             const process::Event read = alphabet_.read(i, readings[i]);
-            if (trace != nullptr) trace->push_back(read);
             if (reported != nullptr && readings[i] != 0) reported->inputs.push_back(alphabet_.tell(read));
             if (auto mismatch = follower_.follow(at.node, read, true)) return mismatch;
+            if (agreed != nullptr) agreed->push_back(read);
         }
         CycleLog log;
         const Bytes before = at.image;
@@ -70,8 +71,8 @@ public:
             const process::Event write =
                 alphabet_.write(record.output, {record.argument, record.argument + record.count});
             if (reported != nullptr) reported->outputs.push_back(alphabet_.tell(write));
-            if (trace != nullptr) trace->push_back(write);
             if (auto mismatch = follower_.follow(at.node, write, false)) return mismatch;
+            if (agreed != nullptr) agreed->push_back(write);
         }
         return follower_.finish(at.node, outcome, log.overflow != 0);
     }
@@ -233,7 +234,7 @@ private:
             if (walker_.cycle(at, readings, &cycle, &trace)) break;
             trace.insert(trace.end(), walker_.cycle_length(), alphabet_.tock());
         }
-        take_standstill(result, mismatch.rule, trace);
+        take_run(result, mismatch.rule, trace);
         count(result);
         return result;
     }

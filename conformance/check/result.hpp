@@ -30,13 +30,15 @@ struct Cycle {
     std::string state;                 ///< the code's state after it
 };
 
-/// What stands behind an outcome that is the model's: its rule, and in the words of the model where it shows and what
-/// would help.
+/// What stands behind an outcome, in the words of the model: of one that is the model's its rule, where it shows and
+/// what would help; of code that differs how far the model goes with it.
 struct Explanation {
-    const diagnostics::Rule* rule = nullptr;  ///< docs/rules has its page
+    const diagnostics::Rule* rule = nullptr;  ///< docs/rules has its page; null: the outcome is not the model's
     std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: not known
     std::string remedy;                       ///< what would make the model schedulable; "" : not known
-    std::optional<runs::Run> run;             ///< the run of the model that shows it; nothing: not found in time
+    /// The run of the model that shows it, or differs: that does what the code does up to where they differ. Nothing:
+    /// not found in time.
+    std::optional<runs::Run> run;
 };
 
 /// A property of the model beside conformance: whether it has it, and if not, a shortest run that shows it.
@@ -45,6 +47,10 @@ struct Aside {
     std::string reason;  ///< why it does not
     std::vector<Cycle> cycles;
     const diagnostics::Rule* rule = nullptr;  ///< what that means for a robot
+    /// The trace of NF_c(M) up to where it shows (as Result::model_run), and the run of the model that has it; nothing:
+    /// not found in time.
+    std::optional<refine::Counterexample> model_run;
+    std::optional<runs::Run> run;
 };
 
 /// Why an event is not taken in the cycles that its register holds it.
@@ -92,9 +98,10 @@ struct Result {
     std::string reason;
     std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
     std::string expected;       ///< what the model allows where the code differs
-    Explanation explanation;    ///< not_schedulable
-    /// not_schedulable: the run of NF_c(M) that shows it, to be found again where more is known of the model.
-    std::optional<refine::Counterexample> standstill;
+    Explanation explanation;    ///< differs, not_schedulable
+    /// Behind the explanation: the run of NF_c(M) that shows it, or a trace of NF_c(M), the code's up to where it
+    /// differs (kind `no_trace`); to be found again where more is known of the model.
+    std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
     std::uint64_t code_cycles = 0;      ///< (state, input valuation) pairs stepped
     std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions

@@ -6,70 +6,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
-#include <stdexcept>
 
-#include "checker/process/operational_semantics.hpp"
-#include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
-#include "checker/refine/verdict/reference.hpp"
 #include "conformance/model/rules.hpp"
-#include "runs/interpreter.hpp"
 
 namespace robochart::conformance {
 
 namespace {
 
-constexpr std::chrono::seconds longest_explanation{10};
 /// Of places and events in one explanation.
 constexpr std::size_t most_listed = 6;
-
-/// A run is found again in few states, however few the search was given.
-refine::Limits share_of(refine::Limits limits) {
-    limits.max_states = refine::Limits().max_states;
-    const auto end = std::chrono::steady_clock::now() + longest_explanation;
-    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
-    return limits;
-}
 
 /// Outputs without end are a divergence where writes are hidden; a deadline that an input missed is no standstill.
 Frame frame_for(const refine::Counterexample& found) {
     return {AfterTermination::idle, Outputs::sequence, Deadlines::idle,
             found.kind == refine::ViolationKind::divergence};
-}
-
-/// The actions of a run as the frame has them: reports of writes are seen, or are not.
-refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
-    refine::Run run;
-    for (const refine::Step& step : steps) {
-        const process::Event event = step.event == process::tau ? step.revealed : step.event;
-        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;
-        run.steps.push_back({write && frame.writes_hidden ? process::tau
-                             : write                      ? event
-                                                          : step.event,
-                             step.revealed == process::tau ? event : step.revealed,
-                             {}});
-    }
-    return run;
-}
-
-/// The same run in the normal form of this graph; nothing where it takes too long, or is not there.
-std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const Frame& frame,
-                                          const refine::Counterexample& found, const Alphabet& alphabet,
-                                          const refine::Limits& limits) {
-    refine::Budget budget(limits);
-    normal_form.watch([&budget] { budget.charge(); });
-    std::optional<refine::Violation> result;
-    try {
-        const refine::Violation violation{found.kind, run_in(frame, found.steps, alphabet),
-                                          run_in(frame, found.loop, alphabet), std::nullopt};
-        result = refine::found_again(normal_form, normal_form, violation, budget);
-    } catch (const process::Interrupted&) {
-    } catch (const std::logic_error&) {
-        // Which way it is shown decides nothing: a run that is only found otherwise is not shown.
-    }
-    normal_form.watch({});
-    return result;
 }
 
 bool writes_in(const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
@@ -78,59 +29,6 @@ bool writes_in(const std::vector<refine::Step>& steps, const Alphabet& alphabet)
         return alphabet.cycle_role(event).kind == CycleRole::Kind::write;
     });
 }
-
-/// What M does in a run of NF_c(M), as a counterexample of M.
-class RunOfModel {
-public:
-    RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
-        : graph_(graph), normal_form_(normal_form), alphabet_(alphabet) {}
-
-    refine::Counterexample read(const refine::Violation& violation) {
-        refine::Counterexample result;
-        const bool diverges = violation.kind == refine::ViolationKind::divergence;
-        result.kind = diverges ? refine::ViolationKind::divergence : refine::ViolationKind::refusal;
-        result.initial = graph_.describe(graph_.initial());
-        result.terms.push_back(term(graph_.initial()));
-        ModelState at = follow(violation.run, result.steps, result.terms);
-        if (diverges) {
-            result.loop_terms.push_back(term(at));
-            at = follow(violation.loop, result.loop, result.loop_terms);
-        }
-        for (const ModelEdge& edge : graph_.edges(at))
-            if (edge.event != process::tau) result.offered.push_back(edge.event);
-        std::sort(result.offered.begin(), result.offered.end());
-        result.offered.erase(std::unique(result.offered.begin(), result.offered.end()), result.offered.end());
-        return result;
-    }
-
-private:
-    [[nodiscard]] process::TermId term(ModelState state) const { return process::TermId{graph_.view(state).front()}; }
-
-    /// The last state of M before it terminates.
-    ModelState follow(const refine::Run& run, std::vector<refine::Step>& steps, std::vector<process::TermId>& terms) {
-        ModelState at = normal_form_.model(run.initial).value_or(graph_.initial());
-        for (const refine::RunStep& step : run.steps) {
-            const auto next = normal_form_.model(step.state);
-            if (!next) break;
-            const process::Event event = step.event == process::tau ? step.revealed : step.event;
-            const auto role = alphabet_.cycle_role(event).kind;
-            if (role == CycleRole::Kind::read || role == CycleRole::Kind::write) continue;
-            const std::vector<ModelEdge>& edges = graph_.edges(at);
-            const auto edge = std::find_if(edges.begin(), edges.end(), [&](const ModelEdge& each) {
-                return each.target == *next && (each.event == event || each.revealed == event);
-            });
-            if (edge == edges.end()) continue;
-            steps.push_back({edge->event, edge->revealed, graph_.describe(*next)});
-            terms.push_back(term(*next));
-            at = *next;
-        }
-        return at;
-    }
-
-    ModelGraph& graph_;
-    const NormalFormSystem& normal_form_;
-    const Alphabet& alphabet_;
-};
 
 std::string with_place(const std::string& text, const std::optional<runs::Place>& place) {
     return place ? fmt::format("{} ({}:{})", text, place->file, place->line) : text;
@@ -298,42 +196,80 @@ const diagnostics::Rule& rule_of(const refine::Counterexample& found, ModelGraph
         return writes_in(found.loop, alphabet) ? rules::endless_outputs : rules::endless_steps;
     const Frame frame = frame_for(found);
     NormalFormSystem normal_form(graph, alphabet, cycle_length, frame);
-    const auto again = found_in(normal_form, frame, found, alphabet, share_of(limits));
+    const auto again = found_in(normal_form, frame, found, alphabet, limits_of_explanation(limits));
     const diagnostics::Rule* const rule = again ? rule_of(normal_form.standstill(again->run.last())) : nullptr;
     return rule == nullptr ? rules::time_stops : *rule;
 }
 
-void take_standstill(Result& result, const diagnostics::Rule* rule, const std::vector<process::Event>& trace) {
-    if (rule == nullptr) return;
-    const bool endless = rule == &rules::endless_steps || rule == &rules::endless_outputs;
+refine::Counterexample traced(const std::vector<process::Event>& trace) {
     refine::Counterexample run;
-    run.kind = endless ? refine::ViolationKind::divergence : refine::ViolationKind::deadlock;
+    run.kind = refine::ViolationKind::no_trace;
     for (const process::Event event : trace) run.steps.push_back({event, event, ""});
-    result.explanation.rule = rule;
-    result.standstill = std::move(run);
+    return run;
 }
 
-void explain_standstill(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
-                        const ModelWords& words, const Options& options) {
-    if (result.outcome != Outcome::not_schedulable || !result.standstill) return;
-    const Frame frame = frame_for(*result.standstill);
+void take_run(Result& result, const diagnostics::Rule* rule, const std::vector<process::Event>& trace) {
+    const bool endless = rule == &rules::endless_steps || rule == &rules::endless_outputs;
+    refine::Counterexample run = traced(trace);
+    if (rule != nullptr) run.kind = endless ? refine::ViolationKind::divergence : refine::ViolationKind::deadlock;
+    result.explanation.rule = rule;
+    result.model_run = std::move(run);
+}
+
+namespace {
+
+/// What the explanations of one result are made from.
+struct Explained {
+    cspm::Session& session;
+    const cspm::ExprPtr& process;
+    const Alphabet& alphabet;
+    const ModelWords& words;
+    const Options& options;
+
+    [[nodiscard]] std::optional<refine::Counterexample> run(const Frame& frame,
+                                                            const refine::Counterexample& found) const {
+        return run_of_model(session, process, alphabet, options.cycle_length, frame, found,
+                            limits_of_explanation(options.limits));
+    }
+    [[nodiscard]] runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind) const {
+        return conformance::in_words(run, kind, session, words);
+    }
+};
+
+void explain_standstill(Result& result, const Explained& explained) {
+    const auto run = explained.run(frame_for(*result.model_run), *result.model_run);
+    if (!run) return;
+    const bool diverges = run->kind == refine::ViolationKind::divergence;
+    result.explanation.run =
+        explained.in_words(*run, diverges ? ir::PropertyKind::divergence_free : ir::PropertyKind::timelock_free);
+    Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write();
+}
+
+/// A run of M with a trace of NF_c(M). Of several that M has it shows one; what is said at its end is true of all.
+std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std::string& why,
+                                  const Explained& explained) {
+    const auto run = explained.run({}, trace);
+    if (!run) return std::nullopt;
+    runs::Run result = explained.in_words(*run, ir::PropertyKind::refines);
+    result.end.why = why;
+    return result;
+}
+
+}  // namespace
+
+void explain(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
+             const ModelWords& words, const Options& options) {
+    const Explained explained{session, process, alphabet, words, options};
     try {
-        process::OperationalSemantics semantics(session.terms());
-        process::TermSystem terms(semantics, session.process(process));
-        ModelGraph graph(terms, alphabet);
-        NormalFormSystem normal_form(graph, alphabet, options.cycle_length, frame);
-        const auto again = found_in(normal_form, frame, *result.standstill, alphabet, share_of(options.limits));
-        if (!again) return;
-        const refine::Counterexample run = RunOfModel(graph, normal_form, alphabet).read(*again);
-        csp_emit::Obligation asked;
-        asked.time = csp_emit::Time::timed;
-        asked.kind = run.kind == refine::ViolationKind::divergence ? ir::PropertyKind::divergence_free
-                                                                   : ir::PropertyKind::timelock_free;
-        const runs::Context context{words.provenance, words.system, words.instantiation, words.sources, session};
-        result.explanation.run = runs::interpret(context, asked, run);
-        Words(result.explanation, *result.explanation.run, options.cycle_length).write();
+        if (result.outcome == Outcome::not_schedulable && result.model_run) explain_standstill(result, explained);
+        if (result.outcome == Outcome::differs && result.model_run)
+            result.explanation.run = run_with(*result.model_run, result.reason, explained);
+        for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
+            if (*aside && (*aside)->model_run)
+                (*aside)->run = run_with(*(*aside)->model_run, (*aside)->reason, explained);
     } catch (const process::Interrupted&) {
     } catch (const process::SemanticsError&) {
+    } catch (const cspm::EvaluationError&) {
     }
 }
 

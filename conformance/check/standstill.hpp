@@ -3,6 +3,7 @@
 #pragma once
 
 #include "checker/cspm/session.hpp"
+#include "conformance/check/model_run.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "csp_emit/emit.hpp"
@@ -18,20 +19,14 @@ namespace robochart::conformance {
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
-/// The same rule and run for a result whose run was followed event by event (follower.hpp).
-void take_standstill(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
+/// Events that code and NF_c(M), or NF_c(M) alone, do one after the other, as a run whose trace alone counts.
+[[nodiscard]] refine::Counterexample traced(const std::vector<process::Event>& trace);
+/// The rule and the run behind a result that was found event by event (follower.hpp): of a standstill its rule, null of
+/// code that differs. `trace`: what code and NF_c(M) both do.
+void take_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
 
-/// What the words of a model are looked up in.
-struct ModelWords {
-    const csp_emit::Provenance& provenance;
-    const ir::System& system;
-    const ir::Instantiation& instantiation;
-    const diagnostics::SourceManager& sources;
-};
-
-/// Completes the explanation of a result that is not schedulable: its run is found again in the terms of M. Where that
-/// takes too long, the rule has to do.
-void explain_standstill(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&,
-                        const Options&);
+/// Completes the explanation of a result that differs or is not schedulable, and those of its asides: their runs are
+/// found again in the terms of M. Where that takes too long, the rule or the cycles have to do.
+void explain(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&, const Options&);
 
 }  // namespace robochart::conformance

@@ -82,6 +82,7 @@ public:
     [[nodiscard]] const std::string& unsound() const { return unsound_; }
     /// Some call of `step` did not return and was stopped (watchdog.hpp).
     [[nodiscard]] bool endless() const { return endless_; }
+    [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
     /// The most outputs that one cycle made.
     [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
     /// Two images print alike and differ in bytes: the state is not canonical, the numbers are larger than need be.

@@ -78,7 +78,7 @@
     }
   }
   function fromAddress() {
-    const match = /^#([ac][0-9]+)(?:\/s\/([0-9]+))?$/.exec(location.hash);
+    const match = /^#([a-z][0-9]+)(?:\/s\/([0-9]+))?$/.exec(location.hash);
     const claim = match && document.getElementById(match[1]);
     if (!claim || !claim.classList.contains("claim")) return;
     show(claim, match[2] === undefined ? steps(claim).length - 1 : Number(match[2]), false);

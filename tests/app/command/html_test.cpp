@@ -154,6 +154,38 @@ transition t0 { from i to A } transition t1 { from A to B } transition t2 { from
     EXPECT_THAT(between(page, "<pre tabindex=\"0\">", "</pre>").at(0), HasSubstr("\n")) << "line by line";
 }
 
+/// A shell's beginning: from here on a compiler comes first that changes the generated code by this script of sed.
+std::string with_changed_code(const std::string& change) {
+    return R"sh(mkdir bin; cat > bin/c++ <<'END'
+#!/bin/sh
+for each in "$@"; do
+    case "$each" in *.cpp) sed -i "$CHANGE" "$(dirname "$each")"/*_core.hpp ;; esac
+done
+PATH="${PATH#*:}" exec c++ "$@"
+END
+chmod +x bin/c++; export PATH="$PWD/bin:$PATH"; export CHANGE=)sh" +
+           ("'" + change + "'\n");
+}
+
+// The code turns the other way: the model's run ends where it would turn, in the state whose action that is.
+TEST(Html, CodeThatDiffersIsSteppedThrough) {
+    const Ran ran = run_shell(with_changed_code("s/Real(90.0)/Real(-90.0)/") +
+                              "\"$verify\" init w > /dev/null\n"
+                              "\"$verify\" conform w --no-cache --html page.html > /dev/null\ncat page.html");
+    EXPECT_EQ(ran.err, "");
+    expect_closed(ran.out);
+    const auto claims = between(ran.out, "<section class=\"claim\" id=\"c0\"", "</section>");
+    ASSERT_EQ(claims.size(), 1U);
+    const std::string& claim = claims.front();
+    EXPECT_THAT(claim, HasSubstr("the code writes turn(-90), which the model does not allow here"));
+    EXPECT_THAT(claim, HasSubstr("the model: turn(90)"));
+    EXPECT_THAT(claim, HasSubstr(">here: the code writes turn(-90)"));
+    EXPECT_THAT(claim, HasSubstr("data-text=\"input obstacle (met: Driving -&gt; Turning)\""));
+    EXPECT_THAT(claim, HasSubstr("<dt>possible</dt><dd>call turn(90)"));
+    EXPECT_THAT(all(claim, "<g class=\"node on[^\"]*\"[^>]*><title>([^<]*)</title>"),
+                ::testing::ElementsAre("state Turning"));
+}
+
 TEST(Html, LetsNothingInButItsStylesAndItsScript) {
     for (const std::string study : {"aggregation", "swarm_taxis"})
         expect_closed(

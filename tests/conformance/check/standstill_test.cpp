@@ -155,8 +155,8 @@ TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
     Result result = judge_partially(graph, alphabet, object->interface(), 1, {});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
     EXPECT_EQ(code_of_cause(result), "RC-K01");
-    explain_standstill(result, bench.session(), bench.process(), alphabet,
-                       {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
+    explain(result, bench.session(), bench.process(), alphabet,
+            {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 

@@ -1,0 +1,157 @@
+// See model_run.hpp.
+#include "conformance/check/model_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <stdexcept>
+
+#include "checker/process/operational_semantics.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/steps.hpp"
+#include "checker/refine/verdict/reference.hpp"
+#include "runs/interpreter.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr std::chrono::seconds longest_explanation{10};
+
+/// The actions of a run as the frame has them: reports of writes are seen, or are not.
+refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
+    refine::Run run;
+    for (const refine::Step& step : steps) {
+        const process::Event event = step.event == process::tau ? step.revealed : step.event;
+        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;
+        run.steps.push_back({write && frame.writes_hidden ? process::tau
+                             : write                      ? event
+                                                          : step.event,
+                             step.revealed == process::tau ? event : step.revealed,
+                             {}});
+    }
+    return run;
+}
+
+/// Hidden steps of M that are no outputs as long as there are some, the first of each state; ends where a state is met
+/// again.
+void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
+    const auto silent = [&](const refine::RunStep& step) {
+        return step.event == process::tau && alphabet.model_role(step.revealed).kind != ModelRole::Kind::output;
+    };
+    std::set<std::vector<lts::Word>> met{run.last()};
+    for (;;) {
+        const std::vector<refine::RunStep> steps = refine::steps_from(system, run.last(), budget);
+        const auto next = std::find_if(steps.begin(), steps.end(), silent);
+        if (next == steps.end() || !met.insert(next->state).second) return;
+        run.steps.push_back(*next);
+    }
+}
+
+/// What M does in a run of NF_c(M), as a counterexample of M.
+class RunOfModel {
+public:
+    RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
+        : graph_(graph), normal_form_(normal_form), alphabet_(alphabet) {}
+
+    refine::Counterexample read(const refine::Violation& violation) {
+        refine::Counterexample result;
+        const bool diverges = violation.kind == refine::ViolationKind::divergence;
+        result.kind = diverges                                            ? refine::ViolationKind::divergence
+                      : violation.kind == refine::ViolationKind::no_trace ? violation.kind
+                                                                          : refine::ViolationKind::refusal;
+        result.initial = graph_.describe(graph_.initial());
+        result.terms.push_back(term(graph_.initial()));
+        ModelState at = follow(violation.run, result.steps, result.terms);
+        if (diverges) {
+            result.loop_terms.push_back(term(at));
+            at = follow(violation.loop, result.loop, result.loop_terms);
+        }
+        for (const ModelEdge& edge : graph_.edges(at))
+            if (edge.event != process::tau) result.offered.push_back(edge.event);
+        std::sort(result.offered.begin(), result.offered.end());
+        result.offered.erase(std::unique(result.offered.begin(), result.offered.end()), result.offered.end());
+        return result;
+    }
+
+private:
+    [[nodiscard]] process::TermId term(ModelState state) const { return process::TermId{graph_.view(state).front()}; }
+
+    /// The last state of M before it terminates.
+    ModelState follow(const refine::Run& run, std::vector<refine::Step>& steps, std::vector<process::TermId>& terms) {
+        ModelState at = normal_form_.model(run.initial).value_or(graph_.initial());
+        for (const refine::RunStep& step : run.steps) {
+            const auto next = normal_form_.model(step.state);
+            if (!next) break;
+            const process::Event event = step.event == process::tau ? step.revealed : step.event;
+            const auto role = alphabet_.cycle_role(event).kind;
+            if (role == CycleRole::Kind::read || role == CycleRole::Kind::write) continue;
+            const std::vector<ModelEdge>& edges = graph_.edges(at);
+            const auto edge = std::find_if(edges.begin(), edges.end(), [&](const ModelEdge& each) {
+                return each.target == *next && (each.event == event || each.revealed == event);
+            });
+            if (edge == edges.end()) continue;
+            steps.push_back({edge->event, edge->revealed, graph_.describe(*next)});
+            terms.push_back(term(*next));
+            at = *next;
+        }
+        return at;
+    }
+
+    ModelGraph& graph_;
+    const NormalFormSystem& normal_form_;
+    const Alphabet& alphabet_;
+};
+
+}  // namespace
+
+refine::Limits limits_of_explanation(refine::Limits limits) {
+    limits.max_states = refine::Limits().max_states;
+    const auto end = std::chrono::steady_clock::now() + longest_explanation;
+    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+    return limits;
+}
+
+std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const Frame& frame,
+                                          const refine::Counterexample& found, const Alphabet& alphabet,
+                                          const refine::Limits& limits) {
+    refine::Budget budget(limits);
+    normal_form.watch([&budget] { budget.charge(); });
+    std::optional<refine::Violation> result;
+    try {
+        const refine::Violation violation{found.kind, run_in(frame, found.steps, alphabet),
+                                          run_in(frame, found.loop, alphabet), std::nullopt};
+        result = refine::found_again(normal_form, normal_form, violation, budget);
+        if (result->kind == refine::ViolationKind::no_trace) settle(normal_form, alphabet, result->run, budget);
+    } catch (const process::Interrupted&) {
+    } catch (const std::logic_error&) {
+        // Which way it is shown decides nothing: a run that is only found otherwise is not shown.
+    }
+    normal_form.watch({});
+    return result;
+}
+
+std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const cspm::ExprPtr& process,
+                                                   const Alphabet& alphabet, std::uint32_t cycle_length,
+                                                   const Frame& frame, const refine::Counterexample& found,
+                                                   const refine::Limits& limits) {
+    process::OperationalSemantics semantics(session.terms());
+    process::TermSystem terms(semantics, session.process(process));
+    ModelGraph graph(terms, alphabet);
+    NormalFormSystem normal_form(graph, alphabet, cycle_length, frame);
+    const auto again = found_in(normal_form, frame, found, alphabet, limits);
+    if (!again) return std::nullopt;
+    return RunOfModel(graph, normal_form, alphabet).read(*again);
+}
+
+runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
+                   const ModelWords& words) {
+    csp_emit::Obligation asked;
+    asked.time = csp_emit::Time::timed;
+    asked.kind = kind;
+    const runs::Context context{words.provenance, words.system, words.instantiation, words.sources, session};
+    return runs::interpret(context, asked, run);
+}
+
+}  // namespace robochart::conformance

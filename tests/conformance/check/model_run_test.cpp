@@ -1,0 +1,119 @@
+// Where generated code differs from its model, the run of the model as far as the code does the same: whichever search
+// has found the difference. And the runs behind what a model is besides.
+#include "conformance/check/model_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "conformance/check/conform.hpp"
+#include "conformance/check/partial_readings.hpp"
+#include "conformance/check/standstill.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Brakes three time units after `go`.
+const std::string late_brake = R"(interface Brakes { Brake() }
+stm M { requires Brakes event go initial i state Idle { } state B { entry wait(3) ; Brake() }
+transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })";
+
+Result with_fault(const std::string& text, cpp_emit::Fault fault, std::uint64_t most_states = 0) {
+    const test::TemporaryFolder folder(text);
+    test::Model model(folder.path());
+    diagnostics::Diagnostics found;
+    Options options;
+    options.generator.fault = fault;
+    if (most_states > 0) options.limits.max_states = most_states;
+    return conform(model.system, model.instantiation, model.machine("M"), options, model.sources, found);
+}
+
+/// What happens, but for what is entered and left.
+std::vector<std::string> texts(const runs::Run& run) {
+    std::vector<std::string> result;
+    for (const runs::Step& step : run.steps)
+        if (step.event.kind != runs::Kind::entered && step.event.kind != runs::Kind::exited)
+            result.push_back(step.event.text);
+    return result;
+}
+
+std::vector<std::string> offered(const runs::Run& run) {
+    std::vector<std::string> result;
+    for (const runs::Event& each : run.end.offered) result.push_back(each.text);
+    return result;
+}
+
+// The code ends the cycle in which the model brakes, three time units behind `go`: walks may have waited before it.
+TEST(ModelRun, GoesAsFarAsTheCodeDoes) {
+    const Result searched = with_fault(late_brake, cpp_emit::Fault::call_dropped);
+    ASSERT_EQ(searched.outcome, Outcome::differs);
+    ASSERT_TRUE(searched.explanation.run);
+    const runs::Run& run = *searched.explanation.run;
+    EXPECT_EQ(searched.explanation.rule, nullptr) << "the fault is not the model's";
+    EXPECT_THAT(texts(run), ElementsAre("t0: i -> Idle", "input go", "3 time units pass"));
+    EXPECT_THAT(offered(run), ElementsAre("call Brake"));
+    EXPECT_EQ(run.end.why, searched.reason);
+    ASSERT_EQ(run.steps.back().machines.size(), 1U);
+    EXPECT_EQ(run.steps.back().machines.front().text, "entry action of B, at Brake()");
+    EXPECT_EQ(run.time, 3);
+
+    const Result walked = with_fault(late_brake, cpp_emit::Fault::call_dropped, 1);
+    ASSERT_EQ(walked.outcome, Outcome::differs) << walked.reason;
+    ASSERT_TRUE(walked.explanation.run) << walked.reason;
+    EXPECT_THAT(offered(*walked.explanation.run), ElementsAre("call Brake"));
+}
+
+// The code brakes twice: what it has done once more than the model is not part of the run.
+TEST(ModelRun, EndsInFrontOfWhatTheModelDoesNotAllow) {
+    const Result result = with_fault(late_brake, cpp_emit::Fault::output_repeated);
+    ASSERT_EQ(result.outcome, Outcome::differs);
+    ASSERT_TRUE(result.explanation.run);
+    EXPECT_THAT(texts(*result.explanation.run),
+                ElementsAre("t0: i -> Idle", "input go", "3 time units pass", "call Brake"));
+    EXPECT_THAT(offered(*result.explanation.run), ElementsAre("one time unit passes"));
+}
+
+TEST(ModelRun, IsFoundForPartialReadings) {
+    const test::TemporaryFolder folder(late_brake);
+    test::Model model(folder.path());
+    test::Bench bench(model, model.machine("M"));
+    for (const cpp_emit::Fault fault : {cpp_emit::Fault::call_dropped, cpp_emit::Fault::output_repeated}) {
+        const auto object = bench.compiled(fault, 0);
+        ASSERT_TRUE(object);
+        const Alphabet alphabet(bench.interface(), bench.session().event_table());
+        ModelGraph graph(bench.system(), alphabet);
+        Result result = judge_partially(graph, alphabet, object->interface(), 1, {});
+        ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
+        explain(result, bench.session(), bench.process(), alphabet,
+                {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
+        ASSERT_TRUE(result.explanation.run);
+        EXPECT_EQ(result.explanation.run->time, 3);
+    }
+}
+
+// x is written twice in the cycle of `go`; the run ends in front of the second time.
+TEST(ModelRun, ShowsWhereAnOutputIsMadeTwice) {
+    const Result result = with_fault(R"(stm M { event go event x : nat initial i state Idle { }
+state B { entry x!1 ; x!2 } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",
+                                     cpp_emit::Fault::none);
+    ASSERT_TRUE(result.register_cycles && result.register_cycles->run) << result.reason;
+    EXPECT_THAT(texts(*result.register_cycles->run), ElementsAre("t0: i -> Idle", "input go", "output x with 1"));
+    EXPECT_THAT(offered(*result.register_cycles->run), ::testing::Contains("output x with 2"));
+}
+
+// A time unit behind `go` the answer is due, and time stops.
+TEST(ModelRun, ShowsWhereADeadlineMayBeMissed) {
+    const Result result = with_fault(R"(stm M { event go event answer : nat var x : nat initial i state Idle { }
+state B { entry (answer?x) <{1} } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",
+                                     cpp_emit::Fault::none);
+    ASSERT_TRUE(result.deadlines && result.deadlines->run) << result.reason;
+    const runs::Run& run = *result.deadlines->run;
+    EXPECT_THAT(texts(run), ElementsAre("t0: i -> Idle", "input go", "1 time unit passes"));
+    for (const std::string& each : offered(run)) EXPECT_THAT(each, ::testing::StartsWith("input answer"));
+    EXPECT_FALSE(run.end.offered.empty());
+}
+
+}  // namespace
+}  // namespace robochart::conformance
