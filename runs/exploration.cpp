@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "runs/structure.hpp"
+
 namespace robochart::runs {
 namespace {
 
@@ -71,6 +73,7 @@ private:
                 result.offers.push_back(
                     {labels_.number({each.happening, each.name, each.hidden}), number_of(each.step.target)});
             for (Absence& each : stepper.absences()) result.absences.push_back(absences_.number(std::move(each)));
+            if (const auto& whole = stepper.structure()) result.structure = part(*whole);
         } catch (const cspm::EvaluationError& error) {
             result.error = error.what();
         } catch (const process::SemanticsError& error) {
@@ -79,6 +82,14 @@ private:
         if (!result.error.empty()) result.offers.clear();
         if (result.machines.empty()) result.process = process::describe(reader_.context().session.terms(), term);
         return result;
+    }
+
+    /// As deep as a structure is: behaviour() ends it.
+    std::size_t part(const process::Behaviour& whole) {
+        Exploration::Part result{part_text(whole), {}, {}};
+        for (const process::Behaviour& each : whole.parts) result.parts.push_back(part(each));
+        if (whole.parts.empty()) result.offers = offers_text(whole, reader_.context().session.event_table());
+        return parts_.number(std::move(result));
     }
 
     void forget_unexplored() {
@@ -96,6 +107,7 @@ private:
     Table<Exploration::Label> labels_{result_.labels};
     Table<Machine> machines_{result_.machines};
     Table<Absence> absences_{result_.absences};
+    Table<Exploration::Part> parts_{result_.parts};
     std::vector<process::TermId> found_;  ///< in the order in which they are explored
     std::map<process::TermId, std::size_t> numbers_;
     std::size_t transitions_ = 0;

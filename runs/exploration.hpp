@@ -27,18 +27,28 @@ struct Exploration {
         std::size_t label = 0;
         std::optional<std::size_t> target;  ///< none: the state behind it was not explored
     };
+    /// Of the structure of a process: an operator with its operands, or a component.
+    struct Part {
+        std::string text;                ///< part_text() of structure.hpp
+        std::string offers;              ///< of a component: offers_text()
+        std::vector<std::size_t> parts;  ///< of an operator
+
+        friend auto operator<=>(const Part&, const Part&) = default;
+    };
     struct State {
         std::vector<std::size_t> machines;  ///< where they are
         std::string process;                ///< its text; only where there is no machine
         std::vector<Transition> offers;     ///< all of them, in the order of Stepper::offers
         std::vector<std::size_t> absences;
-        std::string error;  ///< why its definitions cannot be evaluated; then it has no offers
+        std::optional<std::size_t> structure;  ///< the part that is the whole; none where it cannot be evaluated
+        std::string error;                     ///< why its definitions cannot be evaluated; then it has no offers
     };
 
     std::vector<State> states;  ///< the first is the initial one
     std::vector<Label> labels;
     std::vector<Machine> machines;
     std::vector<Absence> absences;
+    std::vector<Part> parts;
     std::size_t left_out = 0;  ///< states that were found and not explored
     std::string limit;         ///< which limit ended the exploration; "" if none did
 };

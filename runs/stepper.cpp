@@ -34,15 +34,19 @@ const std::vector<Offer>& Stepper::offers() {
 
 void Stepper::take(std::size_t offer) {
     way_.push_back({here_, offers().at(offer)});
-    here_ = way_.back().offer.step.target;
-    offers_.reset();
+    move_to(way_.back().offer.step.target);
 }
 
 void Stepper::back_to(std::size_t steps) {
     if (steps >= way_.size()) return;
-    here_ = way_[steps].before;
+    move_to(way_[steps].before);
     way_.resize(steps);
+}
+
+void Stepper::move_to(process::TermId state) {
+    here_ = state;
     offers_.reset();
+    structure_.reset();
 }
 
 std::size_t Stepper::settle(std::size_t most) {
@@ -70,7 +74,7 @@ std::vector<Machine> Stepper::machines_of(const std::vector<Standing>& standing)
 
 std::vector<Standing> Stepper::components() {
     std::vector<Standing> result;
-    const auto whole = structure();
+    const std::optional<process::Behaviour>& whole = structure();
     if (!whole) return result;
     for (const auto& leaf : timeline(*whole, 0).initial) {
         if (!leaf) continue;
@@ -140,10 +144,13 @@ std::vector<Absence> Stepper::absences() {
     return result;
 }
 
-std::optional<process::Behaviour> Stepper::structure() const {
-    refine::Counterexample nothing;
-    nothing.terms = {here_};
-    return reader_.context().session.behaviour(nothing);
+const std::optional<process::Behaviour>& Stepper::structure() {
+    if (!structure_) {
+        refine::Counterexample nothing;
+        nothing.terms = {here_};
+        structure_.emplace(reader_.context().session.behaviour(nothing));
+    }
+    return *structure_;
 }
 
 Run Stepper::run(csp_emit::Time time) const {

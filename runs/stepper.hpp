@@ -78,8 +78,8 @@ public:
     /// The transitions that leave active states and are not on offer, each with the reason.
     [[nodiscard]] std::vector<Absence> absences();
     /// The structure of the process where it stands, its operators down to the components; none where it cannot be
-    /// evaluated.
-    [[nodiscard]] std::optional<process::Behaviour> structure() const;
+    /// evaluated. Good until the next step.
+    const std::optional<process::Behaviour>& structure();
     /// The way as a run; its end says nothing.
     [[nodiscard]] Run run(csp_emit::Time time) const;
 
@@ -88,6 +88,9 @@ private:
     process::TermId initial_, here_;
     std::vector<Taken> way_;
     std::optional<std::vector<Offer>> offers_;
+    std::optional<std::optional<process::Behaviour>> structure_;
+
+    void move_to(process::TermId state);
 
     [[nodiscard]] std::vector<Machine> machines_of(const std::vector<Standing>&) const;
     [[nodiscard]] std::set<std::string> offered_elements();

@@ -146,7 +146,8 @@ void ReportPage::verdicts() {
     out_ +=
         "<section id=\"verdicts\">\n<h2>Verdicts</h2>\n"
         "<p class=\"controls\"><label><input type=\"checkbox\" id=\"only\"> only what does not hold</label></p>\n"
-        "<table><thead><tr><th scope=\"col\">answer</th><th scope=\"col\">claim</th><th scope=\"col\">place</th>"
+        "<table class=\"sortable\"><thead><tr><th scope=\"col\">answer</th><th scope=\"col\">claim</th><th "
+        "scope=\"col\">place</th>"
         "<th scope=\"col\">states</th></tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < report_.assertions.size(); ++i) verdict(i, report_.assertions[i]);
     out_ += "</tbody></table>\n";
@@ -235,7 +236,7 @@ std::string end_text(const runs::End& end) {
     for (const runs::Cause& each : end.causes)
         text += fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", xml_text(each.component), xml_text(each.text),
                             each.place ? " " + place_text(*each.place) : "");
-    return text.empty() ? "" : fmt::format("<details><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
+    return text.empty() ? "" : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
 }
 
 /// What a component does in a step, and what it changes.
@@ -411,12 +412,19 @@ void ReportPage::replay(const std::string& id, const runs::Run& run) {
         "<p class=\"controls\"><button type=\"button\" data-to=\"first\">first</button>"
         "<button type=\"button\" data-to=\"back\">back</button><button type=\"button\" data-to=\"next\">next</button>"
         "<button type=\"button\" data-to=\"last\">last</button>"
+        "<button type=\"button\" class=\"play\">play</button>"
+        "<label>speed <select class=\"speed\"><option value=\"3000\">slow</option>"
+        "<option value=\"1000\" selected>a step a second</option><option value=\"250\">fast</option>"
+        "</select></label>"
+        "<button type=\"button\" class=\"link\">copy link</button>"
         "<button type=\"button\" class=\"size\" aria-pressed=\"false\">diagrams in full size</button> "
-        "<span class=\"status\" aria-live=\"polite\"></span></p>\n<div class=\"replay\">\n";
+        "<span class=\"status\" aria-live=\"polite\"></span></p>\n"
+        "<p class=\"address\" hidden><label>link to this step <input type=\"text\" readonly></label></p>\n"
+        "<div class=\"replay\">\n";
     steps(id, run);
     figures(id, run);
     out_ += "</div>\n" + end_text(run.end);
-    out_ += fmt::format("<details><summary>events of the script</summary>{}</details>\n",
+    out_ += fmt::format("<details class=\"script\"><summary>events of the script</summary>{}</details>\n",
                         preformatted(fmt::format("{}", fmt::join(run.raw, "\n"))));
 }
 

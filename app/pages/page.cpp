@@ -31,7 +31,7 @@ std::set<std::string> styles_of(std::string_view text) {
 
 std::string page_text(const Page& page) {
     const std::string style = page_part("style.css");
-    const std::string script = page_part(page.script);
+    const std::string script = page_part("tables.js") + page_part(page.script);
     std::set<std::string> styles = styles_of(page.body);
     styles.insert(style);
     std::vector<std::string> hashes;

@@ -13,7 +13,7 @@ namespace robochart::app {
 /// What makes a page. What others wrote is escaped already.
 struct Page {
     std::string title;   ///< as it is
-    std::string script;  ///< the file of app/pages/parts that it runs: "script.js"
+    std::string script;  ///< the file of app/pages/parts that it runs, behind tables.js: "script.js"
     std::string body;    ///< HTML; each `<style>` in it, a diagram's, is let in
 };
 

@@ -141,7 +141,7 @@ std::string SimulationPage::verdict() const {
 void SimulationPage::bands() {
     if (result_.bands.empty()) return;
     out_ +=
-        "<section id=\"bands\">\n<h2>Bands</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "<section id=\"bands\">\n<h2>Bands</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr><th "
         "scope=\"col\">number</th><th scope=\"col\">answer</th>"
         "<th scope=\"col\">band</th><th scope=\"col\">value</th><th scope=\"col\">trials, beside what is "
         "accepted</th></tr></thead>\n<tbody>\n";
@@ -163,7 +163,7 @@ void SimulationPage::bands() {
 void SimulationPage::claims() {
     if (result_.claims.empty()) return;
     out_ +=
-        "<section id=\"claims\">\n<h2>Claims</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "<section id=\"claims\">\n<h2>Claims</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr><th "
         "scope=\"col\">answer</th><th scope=\"col\">claim</th><th scope=\"col\">rests on</th></tr></thead>\n<tbody>\n";
     for (std::size_t c = 0; c < result_.claims.size(); ++c) {
         const simulation::ClaimResult& found = result_.claims[c];
@@ -394,7 +394,7 @@ void SimulationPage::plots() {
 
 void SimulationPage::trials() {
     out_ +=
-        "<section id=\"trials\">\n<h2>Trials</h2>\n<div class=\"sim-wide\"><table><thead><tr><th "
+        "<section id=\"trials\">\n<h2>Trials</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr><th "
         "scope=\"col\">trial</th><th "
         "scope=\"col\">seed</th><th scope=\"col\">outcome</th>";
     for (std::size_t b = 0; b < scenario_.bands.size(); ++b)

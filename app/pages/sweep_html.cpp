@@ -27,8 +27,8 @@ std::string sweep_row(const simulation::Scenario& scenario, const simulation::Po
 
 std::string sweep_table(const simulation::Scenario& scenario, const simulation::SweepResult& result,
                         std::size_t claim) {
-    std::string out =
-        fmt::format("<h2>{}</h2>\n<div class=\"sim-wide\"><table><thead><tr>", xml_text(scenario.claims[claim].text));
+    std::string out = fmt::format("<h2>{}</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr>",
+                                  xml_text(scenario.claims[claim].text));
     for (const simulation::Variation& variation : scenario.variations)
         out += fmt::format("<th scope=\"col\">{}</th>", xml_text(simulation::name_of(variation)));
     out +=

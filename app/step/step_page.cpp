@@ -81,7 +81,11 @@ public:
                   {"machines", listed(space_.machines, [&](const auto& each) { return machine(each); })},
                   {"labels", listed(space_.labels, [&](const auto& each) { return label(each); })},
                   {"absences", listed(space_.absences, [&](const auto& each) { return absence(each); })},
-                  {"states", listed(space_.states, [&](const auto& each) { return state(each); })}};
+                  {"parts", listed(space_.parts, [&](const auto& each) { return part(each); })},
+                  {"states", listed(space_.states, [&](const auto& each) { return state(each); })},
+                  {"structures", listed(space_.states, [&](const auto& each) {
+                       return each.structure ? Json(*each.structure) : Json(-1);
+                   })}};
         json["texts"] = strings_.list();
         return json;
     }
@@ -136,6 +140,13 @@ private:
             {text(absence.component), text(absence.text), text(absence.reason), text(place_text(absence.place))});
     }
 
+    /// [text, offers or 0, part, ...]
+    Json part(const Exploration::Part& part) {
+        Json json = Json::array({text(part.text), text(part.offers)});
+        for (const std::size_t each : part.parts) json.push_back(each);
+        return json;
+    }
+
     /// [[machines], [label, target or -1, ...], [absences], process, error]
     Json state(const Exploration::State& state) {
         Json offers = Json::array();
@@ -181,6 +192,8 @@ public:
              {"ABSENCES", absences()},
              {"MACHINES-TITLE", component ? "Machines" : "Process"},
              {"MACHINES", machines()},
+             {"TREE-OPEN", component ? "" : " open"},
+             {"TREE", first_.structure ? tree(*first_.structure) : ""},
              {"FIGURES", figures.empty() ? "" : fmt::format("<div class=\"drawn\">\n{}</div>", figures)},
              {"KEYS", timed ? "<kbd>t</kbd> one time unit; " : ""}});
     }
@@ -216,6 +229,18 @@ private:
                                 xml_text(runs::text(space_.machines[each])));
         if (!first_.process.empty()) text += fmt::format("<li>{}</li>\n", xml_text(first_.process));
         return text;
+    }
+
+    [[nodiscard]] std::string tree(std::size_t number) const {
+        const Exploration::Part& part = space_.parts[number];
+        std::string text = fmt::format("<li>{}", xml_text(part.text));
+        if (!part.offers.empty()) text += fmt::format(" <small>{}</small>", xml_text(part.offers));
+        if (!part.parts.empty()) {
+            text += "\n<ul>\n";
+            for (const std::size_t each : part.parts) text += tree(each);
+            text += "</ul>";
+        }
+        return text + "</li>\n";
     }
 
     const Exploration& space_;

@@ -35,7 +35,7 @@ public:
         }
     }
 
-    void run() {
+    std::size_t run() {
         const Effort effort = effort_for(nodes_.size());
         Layers best;
         std::size_t fewest = SIZE_MAX;
@@ -50,6 +50,7 @@ public:
         }
         graph_.layers = best;
         number();
+        return crossings();
     }
 
 private:
@@ -275,8 +276,8 @@ private:
 
 }  // namespace
 
-void order_layers(Graph& graph) {
-    Ordering(graph).run();
+std::size_t order_layers(Graph& graph) {
+    return Ordering(graph).run();
 }
 
 }  // namespace robochart::diagrams::layout

@@ -41,7 +41,7 @@ std::string rules_of(const Colours& c) {
 std::string style_of(Theme theme) {
     if (theme == Theme::light) return rules_of(light);
     if (theme == Theme::dark) return rules_of(dark);
-    return rules_of(light) + "@media (prefers-color-scheme:dark){" + rules_of(dark) + "}";
+    return rules_of(light) + "@media screen and (prefers-color-scheme:dark){" + rules_of(dark) + "}";
 }
 
 std::string number(double value) {

@@ -52,7 +52,7 @@ std::string short_text(const std::string& name) {
 }  // namespace
 
 std::string picture_style() {
-    return rules_of(light) + "@media (prefers-color-scheme:dark){" + rules_of(dark) + "}";
+    return rules_of(light) + "@media screen and (prefers-color-scheme:dark){" + rules_of(dark) + "}";
 }
 
 const char* colour(std::size_t number) {

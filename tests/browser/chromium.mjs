@@ -142,9 +142,14 @@ class Tab {
         await this.ask("Input.dispatchKeyEvent", { type: "keyUp", key });
     }
 
-    /** `dark` or `light`. */
-    scheme(value) {
-        return this.ask("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value }] });
+    /** `dark` or `light`; `media`: "print" as on paper. */
+    scheme(value, media = "") {
+        return this.ask("Emulation.setEmulatedMedia", { media, features: [{ name: "prefers-color-scheme", value }] });
+    }
+
+    /** A reader who prefers less motion. */
+    calm() {
+        return this.ask("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
     }
 
     /** What should not be: each message of the console, exception, violation of the policy, and request but the pages. */

@@ -1,4 +1,3 @@
-"use strict";
 (function () {
   const data = JSON.parse(document.getElementById("space").textContent);
   const part = (id) => document.getElementById(id);
@@ -207,6 +206,34 @@
     if (items.length === 0 && process !== undefined) items.push(element("li", text(process)));
     fill(part("machines"), items);
   }
+  /* ---- the structure of the process: operators may be folded, and stay so by their place in it ---- */
+
+  const folded = new Set();
+  const textOfPart = (number) => data.parts[number].slice(0, 2).join();
+  function partItem(number, before, path) {
+    const [what, offers, ...parts] = data.parts[number];
+    const item = element("li");
+    const changed = before !== undefined && textOfPart(before) !== textOfPart(number);
+    if (parts.length === 0) {
+      item.append(element(changed ? "mark" : "span", text(what)), element("small", text(offers)));
+      return item;
+    }
+    const branch = element("details");
+    branch.open = !folded.has(path);
+    branch.addEventListener("toggle", () => { if (branch.open) folded.delete(path); else folded.add(path); });
+    const was = before === undefined ? [] : data.parts[before].slice(2);
+    const list = element("ul");
+    list.append(...parts.map((each, index) => partItem(each, was.length === parts.length ? was[index] : undefined, path + "." + index)));
+    branch.append(element("summary", text(what)), list);
+    item.append(branch);
+    return item;
+  }
+  function showStructure() {
+    const whole = data.structures[here()];
+    const before = way.length === 0 ? -1 : data.structures[states[lastChoice()]];
+    part("tree").replaceChildren(...(whole < 0 ? [] : [partItem(whole, before < 0 ? undefined : before, "")]));
+    part("structure").hidden = whole < 0;
+  }
   function mark(instance, ids, name) {
     for (const id of ids)
       for (const each of document.querySelectorAll('figure[data-machine="' + instance + '"] [data-element="' + text(id) + '"]'))
@@ -278,6 +305,7 @@
     showOffers();
     showAbsences();
     showMachines();
+    showStructure();
     showFigures();
     showWay();
     part("log-text").hidden = true;
@@ -355,6 +383,7 @@
   const keys = { u: undo, Backspace: undo, ArrowLeft: undo, t: tock, Home: start };
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches("input[type=search], textarea")) return;
+    if (event.key === "Enter" && event.target.closest("summary")) return;
     if (/^[0-9]$/.test(event.key)) digit(event.key);
     else if (event.key === "Enter" && digits !== "") take(Number(digits) - 1);
     else if (event.key === "Escape") digits = "";

@@ -1,4 +1,3 @@
-"use strict";
 (function () {
   document.documentElement.classList.add("scripted");
   const claims = Array.from(document.querySelectorAll("section.claim"));
@@ -74,20 +73,74 @@
   function chosen(claim, figure, target) {
     for (let part = target.closest("[data-element]"); part; part = part.parentElement.closest("[data-element]")) {
       const index = nextWith(claim, figure, part);
-      if (index !== undefined) return show(claim, index, true);
+      if (index !== undefined) return go(claim, index);
     }
   }
+  /* ---- playing: one claim at a time, which a step chosen by hand ends ---- */
+
+  // Nothing moves between two steps. Readers who prefer less motion get a step in three seconds at most.
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  let playing = null;
+  function stop() {
+    if (playing === null) return;
+    clearTimeout(playing.timer);
+    playing.claim.querySelector("button.play").textContent = "play";
+    playing.claim.querySelector(".status").setAttribute("aria-live", "polite");
+    playing = null;
+  }
+  function next(claim) {
+    const wait = Number(claim.querySelector("select.speed").value);
+    playing.timer = setTimeout(() => {
+      show(claim, at(claim) + 1, true);
+      if (at(claim) === steps(claim).length - 1) stop(); else next(claim);
+    }, calm.matches ? Math.max(wait, 3000) : wait);
+  }
+  function play(claim) {
+    stop();
+    if (at(claim) === steps(claim).length - 1) show(claim, 0, true);
+    claim.querySelector("button.play").textContent = "pause";
+    claim.querySelector(".status").setAttribute("aria-live", "off");
+    playing = { claim: claim };
+    next(claim);
+  }
+  function toggle(claim) {
+    if (playing !== null && playing.claim === claim) stop(); else play(claim);
+  }
+  function go(claim, index) {
+    stop();
+    show(claim, index, true);
+  }
+
+  // Where the browser gives no clipboard, the link is there to be copied by hand.
+  async function copyLink(claim) {
+    stop();
+    show(claim, at(claim), true);
+    const line = claim.querySelector(".address");
+    const status = claim.querySelector(".status");
+    try {
+      await navigator.clipboard.writeText(location.href);
+      line.hidden = true;
+      status.textContent = "the link to step " + at(claim) + " is copied";
+    } catch (refusal) {
+      line.hidden = false;
+      line.querySelector("input").value = location.href;
+      line.querySelector("input").select();
+      status.textContent = "the link to step " + at(claim) + ", to be copied";
+    }
+  }
+
   function fromAddress() {
     const match = /^#([a-z][0-9]+)(?:\/s\/([0-9]+))?$/.exec(location.hash);
     const claim = match && document.getElementById(match[1]);
     if (!claim || !claim.classList.contains("claim")) return;
+    stop();
     show(claim, match[2] === undefined ? steps(claim).length - 1 : Number(match[2]), false);
     claim.scrollIntoView();
   }
   for (const claim of claims) {
     steps(claim).forEach((row, index) => {
       row.tabIndex = 0;
-      row.addEventListener("click", () => show(claim, index, true));
+      row.addEventListener("click", () => go(claim, index));
     });
     for (const figure of claim.querySelectorAll("figure[data-machine]"))
       figure.querySelector("svg").addEventListener("click", (event) => chosen(claim, figure, event.target));
@@ -99,18 +152,26 @@
       button.addEventListener("click", () => {
         const last = steps(claim).length - 1;
         const to = { first: 0, back: at(claim) - 1, next: at(claim) + 1, last: last };
-        show(claim, to[button.dataset.to], true);
+        go(claim, to[button.dataset.to]);
       });
+    claim.querySelector("button.play").addEventListener("click", () => toggle(claim));
+    claim.querySelector("button.link").addEventListener("click", () => copyLink(claim));
+    claim.querySelector("select.speed").addEventListener("change", () => {
+      if (playing === null || playing.claim !== claim) return;
+      clearTimeout(playing.timer);
+      next(claim);
+    });
     show(claim, steps(claim).length - 1, false);
   }
   current = claims.length > 0 ? claims[0] : null;
   document.addEventListener("keydown", (event) => {
-    if (!current || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!current || event.ctrlKey || event.altKey || event.metaKey || event.target.closest("select, input[type=text]")) return;
+    if (event.key === "p") return toggle(current);
     const to = { ArrowRight: at(current) + 1, j: at(current) + 1, ArrowLeft: at(current) - 1, k: at(current) - 1,
                  Home: 0, End: steps(current).length - 1 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
-    show(current, to, true);
+    go(current, to);
   });
   const only = document.getElementById("only");
   if (only)

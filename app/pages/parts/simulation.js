@@ -1,4 +1,3 @@
-"use strict";
 (function () {
   document.documentElement.classList.add("scripted");
   const source = document.getElementById("data");

@@ -1,6 +1,7 @@
 // Plays somebody at a page in Chromium: `node browser.mjs FILE [dark|noscript]`, a command a line on standard input.
 // `key NAME` presses a key, `click SELECTOR` clicks, `open HASH` changes the address, `back` goes back, `scheme dark` and
-// `scheme light` change the reader's colours, `print EXPRESSION` writes a value. What should not be is written at the end,
+// `scheme light` change the reader's colours, `calm` makes a reader who prefers less motion, `paper` shows the page as it
+// is printed by a reader who has dark colours, `print EXPRESSION` writes a value. What should not be is written at the end,
 // "problem: ..." each.
 import { readFileSync } from "node:fs";
 import { inChromium } from "../../browser/chromium.mjs";
@@ -20,6 +21,8 @@ async function play(tab) {
         open: (hash) => moved(`location.hash = ${JSON.stringify(hash)};`),
         back: () => moved("history.back();"),
         scheme: (value) => tab.scheme(value),
+        calm: () => tab.calm(),
+        paper: () => tab.scheme("dark", "print"),
         print: async (expression) => printed.push(JSON.stringify(await tab.evaluated(expression))),
     };
     if (how === "dark") await tab.scheme("dark");

@@ -111,6 +111,26 @@ TEST(Draw, ImagesAreMadeByRsvgConvert) {
     EXPECT_THAT(run({"draw", model, "AggregationFSM", "--format", "pdf"}).out, StartsWith("%PDF"));
 }
 
+/// Of every diagram of both case studies: chunks with their checksums, and the tree of objects.
+TEST(Draw, ImagesAreAcceptedByProgramsThatReadThem) {
+    for (const char* const program : {"rsvg-convert", "pngcheck", "pdfinfo"})
+        ROBOCHART_NEEDS(std::system(("command -v " + std::string(program) + " > /dev/null 2>&1").c_str()) == 0,
+                        std::string(program) + " (scripts/setup.sh installs it)");
+    for (const std::string study : {"aggregation", "swarm_taxis"}) {
+        const auto read = [&](const std::string& format, const std::string& reader) {
+            const auto ran =
+                testing::run_shell("\"$verify\" draw '" + repository("corpus/" + study) + "' --format " + format +
+                                   " --out made > drawn 2>&1\n" + "for each in made/*." + format + "; do " + reader +
+                                   " \"$each\" > said 2>&1 || cat said; done; "
+                                   "ls made | wc -l");
+            EXPECT_EQ(ran.err, "");
+            EXPECT_GE(std::atoi(ran.out.c_str()), 4) << ran.out;
+        };
+        read("png", "pngcheck");
+        read("pdf", "pdfinfo");
+    }
+}
+
 TEST(Draw, WithoutRsvgConvertItSaysWhatToInstall) {
     const auto ran = testing::run_shell("PATH=/nowhere \"$verify\" draw '" + repository("corpus/aggregation") +
                                         "' AggregationFSM --format png");

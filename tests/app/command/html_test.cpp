@@ -369,5 +369,84 @@ TEST_F(HtmlInABrowser, AClickOnTheDiagramGoesToItsStep) {
     EXPECT_EQ(lines[3], lines[2]) << "C is never marked";
 }
 
+/// A page with a counterexample that has some steps.
+const std::string reached_page =
+    "cat > m.rct <<'EOT'\npackage p stm S { event e initial i state A { } state B { }\n"
+    "transition t0 { from i to A } transition t1 { from A to B trigger e } }\nEOT\n"
+    "cat > m.assertions <<'EOT'\npackage q import p::* untimed assertion X : p::S::B is not reachable in p::S\n"
+    "untimed assertion A : p::S is deadlock-free\nuntimed assertion M : p::S::A is reachable in p::S\nEOT\n"
+    "(\"$verify\" check m.rct m.assertions --html page.html; true)";
+
+// The clock is the test's: `due` is what the page wants to be called behind so many milliseconds, `asked`.
+TEST_F(HtmlInABrowser, PlaysFromTheBeginningToTheEnd) {
+    const std::string look = "print [location.hash, document.querySelector('#a0 .play').textContent]\n";
+    const std::string clock =
+        "print void (window.setTimeout = (call, ms) => { window.due = call; window.asked = ms; })\n";
+    const std::string speed =
+        "print void (document.querySelector('#a0 .speed').value = '250')\nclick #a0 .play\nprint asked\n";
+    const auto lines =
+        played(reached_page, "open #a0/s/1\n" + clock + "click #a0 .play\n" + look + "print void due()\n" + look +
+                                 "key ArrowLeft\n" + look + "key p\n" + look + "key End\n" + look + speed + look +
+                                 "print void due()\nclick #a0 .play\ncalm\nclick #a0 .play\nprint asked\n" + look);
+    std::vector<std::string> values;
+    for (const std::string& each : lines)
+        if (each != "undefined") values.push_back(each);
+    ASSERT_EQ(values.size(), 9U) << ::testing::PrintToString(lines);
+    EXPECT_EQ(values[0], "[\"#a0/s/1\",\"pause\"]") << "it goes on from where it is";
+    EXPECT_EQ(values[1], "[\"#a0/s/2\",\"pause\"]");
+    EXPECT_EQ(values[2], "[\"#a0/s/1\",\"play\"]") << "a step chosen by hand ends it";
+    EXPECT_EQ(values[3], "[\"#a0/s/1\",\"pause\"]") << "the key p plays";
+    EXPECT_THAT(values[4], HasSubstr("\"play\""));
+    EXPECT_EQ(values[5], "250");
+    EXPECT_EQ(values[6], "[\"#a0/s/0\",\"pause\"]") << "behind the end it begins again";
+    EXPECT_EQ(values[7], "3000") << "for readers who prefer less motion";
+    EXPECT_EQ(values[8], "[\"#a0/s/1\",\"pause\"]");
+}
+
+TEST_F(HtmlInABrowser, CopiesALinkToAStep) {
+    const std::string clipboard =
+        "print void Object.defineProperty(navigator, 'clipboard', { configurable: true, value: { writeText: BODY } "
+        "})\n";
+    const auto with = [&](const char* body) { return std::regex_replace(clipboard, std::regex("BODY"), body); };
+    const std::string status = "print document.querySelector('#a0 .status').textContent\n";
+    const auto lines =
+        played(reached_page, "open #a0/s/1\n" + with("async (text) => { window.copied = text; }") +
+                                 "click #a0 .link\n" + status + "print copied.endsWith('page.html#a0/s/1')\n" +
+                                 with("() => Promise.reject(new Error())") + "click #a0 .link\n" + status +
+                                 "print document.querySelector('#a0 .address input').value === copied\n");
+    EXPECT_THAT(lines, ::testing::ElementsAre("undefined", "\"the link to step 1 is copied\"", "true", "undefined",
+                                              "\"the link to step 1, to be copied\"", "true"));
+}
+
+// By keyboard: upwards, downwards, as written. Without script the table is as written, without buttons.
+TEST_F(HtmlInABrowser, SortsTheVerdicts) {
+    const std::string claims =
+        "print Array.from(document.querySelectorAll('#verdicts tbody tr'), (row) => "
+        "row.cells[1].textContent[0]).join('')\n";
+    const std::string sorted = "print document.querySelector('#verdicts th:nth-child(2)').getAttribute('aria-sort')\n";
+    const auto lines =
+        played(reached_page,
+               claims + "print void document.querySelector('#verdicts th:nth-child(2) button').focus()\nkey  \n" +
+                   claims + sorted + "key  \n" + claims + sorted + "key  \n" + claims + sorted);
+    EXPECT_THAT(lines, ::testing::ElementsAre("\"XAM\"", "undefined", "\"AMX\"", "\"ascending\"", "\"XMA\"",
+                                              "\"descending\"", "\"XAM\"", "null"));
+    EXPECT_THAT(
+        played(reached_page, claims + "print document.querySelectorAll('#verdicts th button').length\n", "noscript"),
+        ::testing::ElementsAre("\"XAM\"", "0"));
+}
+
+// Dark readers print dark ink on white paper; what scrolls on the screen is there as a whole.
+TEST_F(HtmlInABrowser, IsPrintedWhole) {
+    const std::string style = "print getComputedStyle(document.querySelector('SELECTOR')).PROPERTY\n";
+    const auto of = [&](const char* selector, const char* property) {
+        return std::regex_replace(std::regex_replace(style, std::regex("SELECTOR"), selector), std::regex("PROPERTY"),
+                                  property);
+    };
+    const auto lines = played(reached_page, "paper\n" + of("body", "backgroundColor") + of("#a0 .controls", "display") +
+                                                of("#a0 .steps", "maxHeight") + of("#a0 svg .box", "fill"));
+    EXPECT_THAT(lines,
+                ::testing::ElementsAre("\"rgb(255, 255, 255)\"", "\"none\"", "\"none\"", "\"rgb(255, 255, 255)\""));
+}
+
 }  // namespace
 }  // namespace robochart::app::testing

@@ -11,6 +11,7 @@
 
 #include "diagnostics/cache/digest.hpp"
 #include "tests/app/command.hpp"
+#include "tests/needed.hpp"
 
 namespace robochart::app::testing {
 
@@ -64,8 +65,8 @@ std::vector<std::string> played(const std::string& written, const std::string& c
 
 void InABrowser::SetUp() {
     for (const char* const program : {"chromium", "node"})
-        if (std::system(fmt::format("command -v {} > /dev/null 2>&1", program).c_str()) != 0)
-            GTEST_SKIP() << program << " is not on PATH";
+        ROBOCHART_NEEDS(std::system(fmt::format("command -v {} > /dev/null 2>&1", program).c_str()) == 0,
+                        fmt::format("{} (scripts/setup.sh installs it)", program));
 }
 
 }  // namespace robochart::app::testing

@@ -24,7 +24,7 @@ void expect_closed(const std::string& page);
 [[nodiscard]] std::vector<std::string> played(const std::string& written, const std::string& commands,
                                               const std::string& how = "");
 
-/// Is skipped where there is no browser.
+/// Is skipped where there is no browser (tests/needed.hpp).
 class InABrowser : public ::testing::Test {
 protected:
     void SetUp() override;

@@ -56,6 +56,19 @@ private:
     nlohmann::json data_;
 };
 
+/// What a state's structure is, an operator with its operands in brackets.
+std::string structure(const nlohmann::json& data, std::size_t part) {
+    const auto text = [&](const nlohmann::json& number) {
+        return data["texts"].at(number.get<std::size_t>()).get<std::string>();
+    };
+    const auto& it = data["parts"].at(part);
+    std::string result = text(it[0]);
+    if (it.size() == 2) return result + " " + text(it[1]);
+    for (std::size_t i = 2; i < it.size(); ++i)
+        result += (i == 2 ? "(" : ", ") + structure(data, it[i].get<std::size_t>());
+    return result + ")";
+}
+
 using Files = std::vector<std::pair<std::string, std::string>>;
 
 /// A page of `step`, from files in a folder: "@NAME" is a file's path.
@@ -68,6 +81,15 @@ std::string page_of(const Files& files, std::vector<std::string> words) {
     const Ran ran = run(words);
     EXPECT_EQ(ran.exit, 0) << ran.err;
     return contents(folder / "page.html");
+}
+
+TEST(StepPage, EmbedsTheStructure) {
+    const std::string page = page_of({{"s.csp", "channel a, b\nP = a -> Q\nQ = b -> P\n"}}, {"@s.csp", "P ||| Q"});
+    const auto data =
+        nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"space\">", "</script>").at(0));
+    EXPECT_EQ(structure(data, data["structures"].at(0).get<std::size_t>()), "|||(P offers {a}, Q offers {b})");
+    EXPECT_THAT(page, HasSubstr("<details id=\"structure\" open>"));
+    EXPECT_THAT(page, HasSubstr("<li>P <small>offers {a}</small></li>")) << "without script";
 }
 
 // P is 0, Q is 1, STOP is 2.
@@ -292,6 +314,24 @@ TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
                    "print document.querySelectorAll('#offers button').length\n");
     EXPECT_THAT(lines, ElementsAre("\"offer 1: Enter takes it\"", "\"#1\"", "\"#1.3\"", "\"#1.3.12\"",
                                    "\"there is no offer 15\"", "\"#1.3.12\"", "12"));
+}
+
+// P has become Q; what is folded stays so.
+TEST_F(StepPageInABrowser, ShowsTheStructure) {
+    const std::string tree =
+        "print [Array.from(document.querySelectorAll('#tree li > mark, #tree li > span'), (each) => each.tagName + ' ' "
+        "+ "
+        "each.textContent), document.querySelector('#tree details').open]\n";
+    const auto lines = played(
+        "printf 'channel a, b\\nP = a -> Q\\nQ = b -> P\\n' > s.csp; \"$verify\" step s.csp 'P ||| Q' --html page.html",
+        tree + "key 1\n" + tree +
+            "print void (document.querySelector('#tree details').open = false)\n"
+            "print new Promise((done) => setTimeout(done))\nkey 1\n" +
+            tree);
+    ASSERT_EQ(lines.size(), 5U) << ::testing::PrintToString(lines);
+    EXPECT_EQ(lines[0], R"([["SPAN P","SPAN Q"],true])");
+    EXPECT_EQ(lines[1], R"([["MARK Q","SPAN Q"],true])");
+    EXPECT_THAT(lines[4], HasSubstr("false"));
 }
 
 // The way and the log of docs/step.md, "What was walked, kept".

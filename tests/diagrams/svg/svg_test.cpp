@@ -123,7 +123,7 @@ TEST(Svg, ThemesHaveTheirColours) {
     const auto loaded = random_models::load({{"m.rct", "stm M { }\n"}});
     const Elements elements(loaded->model);
     const std::string automatic = svg({}, elements);
-    EXPECT_THAT(automatic, HasSubstr("@media (prefers-color-scheme:dark)"));
+    EXPECT_THAT(automatic, HasSubstr("@media screen and (prefers-color-scheme:dark)"));
     EXPECT_THAT(automatic, HasSubstr("role=\"img\""));
     EXPECT_THAT(svg({}, elements, {Theme::light, ""}), Not(HasSubstr("#1e1e1e")));
     EXPECT_THAT(svg({}, elements, {Theme::dark, ""}), HasSubstr(".page{fill:#1e1e1e}"));
