@@ -236,7 +236,9 @@ std::string end_text(const runs::End& end) {
     for (const runs::Cause& each : end.causes)
         text += fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", xml_text(each.component), xml_text(each.text),
                             each.place ? " " + place_text(*each.place) : "");
-    return text.empty() ? "" : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
+    return text.empty()
+               ? ""
+               : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
 }
 
 /// What a component does in a step, and what it changes.
