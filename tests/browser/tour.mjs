@@ -1,6 +1,7 @@
 // Goes through every counterexample of a page by keyboard: `node tour.mjs PAGE JSON`. JSON: what `--format json` has printed
 // of the same run. Each step has to fill exactly the states that are active in its data; the page has to be quiet. Prints the
-// size of the page, how long it took to load, and how long a step takes in it. Faults are printed; exit code 1 if there are any.
+// size of the page, how long it took to load (and of that the CPU time of its main thread, in which other programs do not
+// count), and how long a step takes in it. Faults are printed; exit code 1 if there are any.
 import assert from "node:assert";
 import { readFileSync, statSync } from "node:fs";
 import { inChromium } from "./chromium.mjs";
@@ -45,9 +46,14 @@ function expected(machines, figures) {
 }
 
 await inChromium(async (tab) => {
+    await tab.ask("Performance.enable", { timeDomain: "threadTicks" });
+    const worked = async () =>
+        1000 * (await tab.ask("Performance.getMetrics")).metrics.find(({ name }) => name === "TaskDuration").value;
+    const before = await worked();
     const begin = performance.now();
     await tab.open(page);
     const loaded = performance.now() - begin;
+    const cpu = (await worked()) - before;
     let steps = 0;
     let longest = 0;
     for (const [i, { counterexample }] of report.assertions.entries()) {
@@ -67,5 +73,5 @@ await inChromium(async (tab) => {
     }
     assert.deepStrictEqual(tab.problems(), []);
     const size = Math.round(statSync(page).size / 1000);
-    console.log(`${size} kB, loaded in ${Math.round(loaded)} ms; ${steps} steps fill the states of their data, each in at most ${Math.round(longest)} ms`);
+    console.log(`${size} kB, loaded in ${Math.round(loaded)} ms (CPU: ${Math.round(cpu)} ms); ${steps} steps fill the states of their data, each in at most ${Math.round(longest)} ms`);
 });
