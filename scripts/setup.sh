@@ -11,8 +11,9 @@ packages=(
 )
 # For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.
 command -v npm >/dev/null || packages+=(nodejs npm)
-# For the tests of pages in a browser: 126 MB to fetch, 420 MB on disk, half a minute.
-packages+=(chromium)
+# For the tests of pages in a browser: 126 MB to fetch, 420 MB on disk, half a minute. Not in continuous integration, whose
+# run has no three minutes to spare for them on two cores; there they are skipped.
+[ -n "${CI:-}" ] || packages+=(chromium)
 # The embedded profile is compiled in continuous integration: 0.4 GB to fetch, 2.5 GB on disk.
 [ -z "${CI:-}" ] || packages+=(gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)
 
