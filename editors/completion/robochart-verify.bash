@@ -5,10 +5,10 @@ _robochart_verify_emitted='csp cpp prism monitor tests'
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
@@ -17,10 +17,10 @@ _robochart_verify_options() {
     'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
-    'rules') echo '--without-limit --as-sleec-tk --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
-    'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
+    'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
     'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
     'explain') echo '--color -h --help' ;;
     'lsp') echo '--stdio -h --help' ;;
@@ -41,7 +41,7 @@ _robochart_verify_argument() {
     'verify --epsilon' | 'check --epsilon' | 'prism --epsilon') echo '<value>' ;;
     'prism --sim') echo '<value>' ;;
     'prism --scheduler') echo 'uniform' ;;
-    'prism --seed') echo '<value>' ;;
+    'verify --seed' | 'check --seed' | 'prism --seed') echo '<value>' ;;
     'rules --without-limit') echo 'eventually now' ;;
     'prism --const') echo '<value>' ;;
     'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'rules --const' | 'step --const' | 'simulate --const') echo '<value>' ;;
@@ -61,6 +61,7 @@ _robochart_verify_argument() {
     'emit tests --extra-states') echo '<value>' ;;
     'simulate --trials') echo '<value>' ;;
     'simulate --seed') echo '<value>' ;;
+    'simulate --compare') echo '<file>' ;;
     'simulate --log') echo '<folder>' ;;
     'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit prism -o' | 'emit prism --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out') echo '<folder>' ;;
     'draw -o' | 'draw --out') echo '<folder>' ;;
