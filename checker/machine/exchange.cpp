@@ -62,11 +62,13 @@ std::optional<lts::EventPermutation> Exchange::verified(const std::function<void
     return events;
 }
 
-/// Condition 1: the numbers of states and events are an isomorphism of the components.
+/// Condition 1: the numbers of states and events are an isomorphism of the components. Fields of one width hold one's
+/// states as well as the other's; off is no state of a component that is never turned off.
 bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& poll) {
     const std::uint32_t image = this->slot(slot);
     const Component& from = *combined_.components[slot];
     const Component& to = *combined_.components[image];
+    if (combined_.fields[slot].mask != combined_.fields[image].mask) return false;
     if (from.size() != to.size() || from.alphabet().size() != to.alphabet().size()) return false;
     if (shapes_[slot].state.empty() || shapes_[image].state.empty()) return false;
     Places& events = component_events_[slot];

@@ -113,7 +113,7 @@ TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
     for (int i = 0; i < 10; ++i) claims += "assertion A" + std::to_string(i) + " : C is deterministic\n";
     const Hard hard{"", many_machines(30), "check"};
     const Ran ran = run_shell("cat > m.assertions <<'END'\n" + claims + "END\n" +
-                              in_time(hard, "--timeout 2 --untimed m.rct") + "");
+                              in_time(hard, "--timeout 2 --no-reduction --untimed m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("A0"), HasSubstr("A9"), HasSubstr("10 inconclusive")));
 }
@@ -124,7 +124,7 @@ TEST(RunLimits, WhatWasKnownBeforeIsReported) {
     const Ran ran = run_shell(
         "cat > m.assertions <<'END'\nassertion First : Small is deterministic\nassertion Second : C is "
         "deterministic\nEND\n" +
-        in_time(hard, "--timeout 3 --untimed m.rct"));
+        in_time(hard, "--timeout 3 --no-reduction --untimed m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        First"), HasSubstr("inconclusive Second")));
 }
@@ -133,7 +133,7 @@ TEST(RunLimits, WhatWasKnownBeforeIsReported) {
 TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
     const Ran ran = run_shell("cat > m.rct <<'END'\n" + many_machines(40) +
                               "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n ulimit -S -t 1; timeout -s KILL 60 "
-                              "\"$verify\" check --core m.rct; code=$?; ls tmp; exit $code");
+                              "\"$verify\" check --core --no-reduction m.rct; code=$?; ls tmp; exit $code");
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the run was interrupted"));
 }

@@ -312,7 +312,9 @@ constexpr const char* wide =
 TEST(Limits, AreInconclusiveWithFigures) {
     const TemporaryFile script("wide.csp", wide);
     for (const std::vector<std::string>& limit :
-         {std::vector<std::string>{"--max-states", "5000"}, {"--timeout", "0.2"}, {"--memory", "80MiB"}}) {
+         {std::vector<std::string>{"--no-reduction", "--max-states", "5000"},
+          {"--no-reduction", "--timeout", "0.2"},
+          {"--no-reduction", "--memory", "80MiB"}}) {
         const Json object = refines(script.path(), limit);
         const Json& result = object["results"][0];
         EXPECT_TRUE(result["result"].is_null()) << limit[0];
@@ -320,7 +322,7 @@ TEST(Limits, AreInconclusiveWithFigures) {
         EXPECT_THAT(result["errors"][0].get<std::string>(), HasSubstr("limit"));
         EXPECT_GT(result["visited_states"], 1000) << limit[0];
     }
-    EXPECT_EQ(run({"cspm", script.path(), "--max-states", "5000"}).exit, 3);
+    EXPECT_EQ(run({"cspm", script.path(), "--no-reduction", "--max-states", "5000"}).exit, 3);
 }
 
 // A sequential process with 10^8 states: it is all compiling.
@@ -357,7 +359,7 @@ class Signal : public ::testing::TestWithParam<std::tuple<const char*, int>> {};
 TEST_P(Signal, EndsWithWhatIsKnown) {
     const auto [text, signal] = GetParam();
     const TemporaryFile script("long.csp", text);
-    const Ran ran = run_and_signal({"cspm", script.path()}, signal);
+    const Ran ran = run_and_signal({"cspm", "--no-reduction", script.path()}, signal);
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("interrupted"));
 }
@@ -378,7 +380,7 @@ TEST(Limits, AddressSpaceThatIsNotThereIsNoCrash) {
 #endif
     for (const char* text : {wide, endless}) {
         const TemporaryFile script("large.csp", text);
-        const Ran ran = run_with_address_space({"cspm", script.path()}, std::uint64_t{120} << 20U);
+        const Ran ran = run_with_address_space({"cspm", "--no-reduction", script.path()}, std::uint64_t{120} << 20U);
         EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
         EXPECT_THAT(ran.out + ran.err, HasSubstr("memory"));
     }
@@ -386,7 +388,7 @@ TEST(Limits, AddressSpaceThatIsNotThereIsNoCrash) {
 
 TEST(Progress, JsonEventsTellBothPhases) {
     const TemporaryFile script("wide.csp", wide);
-    const Ran ran = run({"cspm", script.path(), "--progress", "json", "--timeout", "0.6"});
+    const Ran ran = run({"cspm", "--no-reduction", script.path(), "--progress", "json", "--timeout", "0.6"});
     const std::vector<Json> events = lines(ran.err);
     ASSERT_FALSE(events.empty());
     std::uint64_t states = 0;
@@ -405,7 +407,7 @@ TEST(Progress, JsonEventsTellBothPhases) {
     EXPECT_EQ(while_compiling.front()["phase"], "compiling");
     EXPECT_THAT(while_compiling.front()["part"].get<std::string>(), HasSubstr("a → …"));
     EXPECT_EQ(while_compiling.front()["components"], 2);
-    EXPECT_THAT(run({"cspm", script.path(), "--timeout", "0.3"}).err, IsEmpty()) << "no terminal, no progress";
+    EXPECT_THAT(run({"cspm", "--no-reduction", script.path(), "--timeout", "0.3"}).err, IsEmpty()) << "no terminal, no progress";
 }
 
 TEST(Progress, TheLineFitsTheTerminal) {

@@ -101,6 +101,17 @@ TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
     EXPECT_EQ(sets(s.over(Op::parallel, watched, {event(1, 1)})), Sets{2}) << "one that another one watches";
 }
 
+/// Found by the random checks: the packed state of what always runs had no room for another's being off.
+TEST_F(SymmetryTest, WhatMayBeOffIsNoReplicaOfWhatAlwaysRuns) {
+    const TermId never = s.over(Op::parallel, {s.stop(), s.stop()}, {});
+    const TermId first = s.op(Op::exception, {never, s.skip()}, static_cast<std::uint32_t>(s.set({})));
+    const auto system = compiled(s.over(Op::parallel, {first, s.skip()}, {}));
+    for (const bool reduction : {false, true})
+        EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits_of(reduction)).outcome,
+                  Outcome::fails);
+    EXPECT_EQ(sets(s.over(Op::parallel, {first, s.skip()}, {})), Sets{});
+}
+
 TEST_F(SymmetryTest, WhatIsAlikeIsFoundUnderPrioritiesAndInterrupts) {
     EXPECT_EQ(sets(s.prioritise(hidden_swarm(3, 2), {{"tock"}})), Sets{3});
     EXPECT_EQ(sets(s.op(Op::interrupt, {hidden_swarm(3, 2), s.prefix("stop", s.skip())})), Sets{3});

@@ -129,8 +129,12 @@ std::optional<std::string> Agreement::disagreement(const Case& asked, const Grap
     for (naive::Letter each : asked.trace) trace.push_back(translation.event(each));
     for (const Question& question : questions()) {
         const bool holds = expected(question, graphs, asked.trace);
-        const Verdict verdict =
-            ask(question, *systems[question.left], *systems[question.right], trace, limits_of(engine));
+        Verdict verdict;
+        try {
+            verdict = ask(question, *systems[question.left], *systems[question.right], trace, limits_of(engine));
+        } catch (const std::logic_error& internal) {
+            return assertion(question, asked.trace) + " is an internal error: " + internal.what();
+        }
         if (const auto wrong = fault(question, verdict, graphs, holds, compressing))
             return assertion(question, asked.trace) + " " + *wrong;
         if (!counted) continue;
