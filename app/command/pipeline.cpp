@@ -37,8 +37,11 @@ namespace robochart::app {
 namespace fs = std::filesystem;
 namespace {
 
+/// The name of the file or folder, of `.` and `..` too.
 std::string project_name(const std::string& input) {
-    const fs::path path = fs::path(input).lexically_normal();
+    std::error_code lost;
+    const fs::path whole = fs::absolute(input, lost);
+    const fs::path path = (lost ? fs::path(input) : whole).lexically_normal();
     const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
     const std::string stem = last.stem().string();
     return stem.empty() || stem == "." || stem == ".." ? "model" : stem;

@@ -114,6 +114,7 @@ private:
     [[nodiscard]] bool pseudo_state(DeclKind kind);
     [[nodiscard]] bool foreign_operator();
     void bracketed_guard(Transition& transition);
+    [[nodiscard]] bool called_reset(Transition& transition);
     void ends_by_arrow(Transition& transition);
     [[nodiscard]] bool at_foreign_statement() const;
     StmtPtr updating_statement();

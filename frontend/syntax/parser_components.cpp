@@ -170,6 +170,7 @@ std::unique_ptr<Connection> Parser::connection() {
     expect("to");
     connection_end(connection->to);
     if (accept("(")) {
+        (void)correct_word({"_async"});
         expect("_async");
         expect(")");
         connection->async = true;

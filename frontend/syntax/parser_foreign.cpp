@@ -138,6 +138,24 @@ void Parser::bracketed_guard(Transition& transition) {
     expect("]");
 }
 
+/// `reset(C)` as a clause.
+bool Parser::called_reset(Transition& transition) {
+    const bool called = at_word("reset") && peek(1).is("(") && peek(2).kind == TokenKind::identifier && peek(3).is(")");
+    if (!called) return false;
+    const Token clock = peek(2);
+    const Span span = diagnostics::join(peek().span, peek(3).span);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, span,
+               {fmt::format("reset({})", clock.text), fmt::format("a clock is reset by `#{}`", clock.text)});
+    if (finding != nullptr) finding->fixes.push_back({span, fmt::format("#{}", clock.text), "write"});
+    quiet_until_ = 0;
+    advance();
+    advance();
+    transition.resets.push_back({plain_name("the name of a clock"), nullptr});
+    advance();
+    return true;
+}
+
 /// `A -> B`
 void Parser::ends_by_arrow(Transition& transition) {
     const Span span = diagnostics::join(peek().span, peek(1).span);

@@ -192,6 +192,7 @@ int Parser::transition_clause(Transition& transition) {
         return 5;
     }
     if (at("[")) return bracketed_guard(transition), 4;
+    if (called_reset(transition)) return 2;
     if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
     if (correct_word({"trigger", "probability", "condition", "action"})) return transition_clause(transition);
     expected("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");

@@ -81,6 +81,16 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
     }
 }
 
+/// Files are called after the folder, however it is named.
+TEST(Cli, TheCurrentFolderHasItsOwnName) {
+    const Ran ran = run_shell(
+        "mkdir -p rover/empty && cd rover\n"
+        "echo 'stm S { initial i state A { } transition t { from i to A } }' > m.rct\n"
+        "\"$verify\" emit csp . -q --out here && ls here/csp-gen/rover.csp\n"
+        "cd empty && \"$verify\" emit csp .. -q --out there && ls there/csp-gen/rover.csp\n");
+    EXPECT_EQ(ran.out, "here/csp-gen/rover.csp\nthere/csp-gen/rover.csp\n") << ran.err;
+}
+
 TEST(Cli, AnUnknownComponentIsSaid) {
     const Ran ran = run({"conform", repository("corpus/aggregation"), "--component", "NoSuch"});
     EXPECT_EQ(ran.exit, 4);

@@ -127,6 +127,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
         {"state B { entry x ++ }", "`x = x + 1`", "x = x + 1"},
         {"state B { entry x += 2 }", "`x = x + ...`", "x = x +"},
         {"state B { entry C := 0 }", "reset by `#C`", "#C"},
+        {"transition t1 { from A to A trigger e reset(C) }", "reset by `#C`", "#C"},
         {"state B { entry / x = 1 }", "follows its word at once", ""},
         {"state B { entry if b { x = 1 } else { x = 2 } }", "if c then S else T end", ""},
         {"int y", "`var y : int`", "var y : int"},
@@ -166,10 +167,14 @@ TEST(ForeignForms, OfNumbersListsAndOrdersAreFixed) {
               "stm S { const k : real = 30.5 const n : nat = 3 }");
     EXPECT_EQ(fixed("stm S { transition t { from a to b condition x > 0 #C } }", "RC-P18"),
               "stm S { transition t { from a to b #C condition x > 0 } }");
+    EXPECT_EQ(fixed("stm S { transition t { from a to b trigger e reset( C ) } }", "RC-P34"),
+              "stm S { transition t { from a to b trigger e #C } }");
     EXPECT_EQ(fixed("stm S { transition t { from a to b condition x action skip trigger e } }", "RC-P18"),
               "stm S { transition t { from a to b trigger e condition x action skip } }");
     EXPECT_EQ(fixed("stm S { transition t { from a to b triger e conditon x } }", "RC-P01"),
               "stm S { transition t { from a to b trigger e condition x } }");
+    EXPECT_EQ(fixed("module M { connection r on e to c on e (async) }", "RC-P01"),
+              "module M { connection r on e to c on e (_async) }");
     EXPECT_EQ(fixed("assertion A : S is determinstic", "RC-P01"), "assertion A : S is deterministic");
     EXPECT_EQ(fixed("assertion A : S refines T in the failures-divergences model", "RC-P34"),
               "assertion A : S refines T in the failures divergences model");
