@@ -12,7 +12,7 @@
 #include "app/report/bounds.hpp"
 #include "app/report/element_at.hpp"
 #include "app/report/sizes.hpp"
-#include "app/verbs/rule_claims.hpp"
+#include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "diagnostics/escape.hpp"

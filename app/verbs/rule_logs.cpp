@@ -13,7 +13,7 @@
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
-#include "app/verbs/rule_claims.hpp"
+#include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "diagnostics/escape.hpp"

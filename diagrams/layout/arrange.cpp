@@ -118,8 +118,7 @@ constexpr std::size_t most_nodes_twice = 250;
 
 /// What was laid out before keeps its layers.
 bool may_turn_others(const Level& level, const Layered& found) {
-    return found.crossings > 0 && found.graph.nodes.size() <= most_nodes_twice &&
-           std::none_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return box.previous; });
+    return found.crossings > 0 && found.graph.nodes.size() <= most_nodes_twice;
 }
 
 Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* budget) {

@@ -170,7 +170,7 @@ TEST(NamesInEveryVerb, AreSuggested) {
     for (const std::string& verb : models) {
         commands.emplace_back(verb + " claimed --const sped=1", "did you mean 'speed'?");
         commands.emplace_back(verb + " claimed --range nta=0..1", "did you mean 'nat'?");
-        commands.emplace_back(verb + " claimed --allow RCW07", "did you mean 'RC-W07'?");
+        commands.emplace_back(verb + " claimed --allow RC-W077", "did you mean 'RC-W07'?");
         commands.emplace_back(verb + " claimed --format jsn", "did you mean 'json'?");
         commands.emplace_back(verb + " claimed --quite", "did you mean '--quiet'?");
     }
@@ -179,7 +179,7 @@ TEST(NamesInEveryVerb, AreSuggested) {
     for (const std::string verb : {"verify", "emit cpp", "emit monitor", "emit tests", "conform"})
         commands.emplace_back(verb + " claimed --component Walkr", "did you mean 'Walker'?");
     for (const std::string verb : {"validate claimed", "simulate 'CORPUS'"})
-        commands.emplace_back(verb + " --allow RCW07", "did you mean 'RC-W07'?");
+        commands.emplace_back(verb + " --allow RC-W077", "did you mean 'RC-W07'?");
     commands.emplace_back("simulate 'CORPUS' --const Turns=1", "--const Turns: the model has no constant");
     std::string script = files;
     for (const auto& [command, said] : commands) {

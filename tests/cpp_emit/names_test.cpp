@@ -123,8 +123,9 @@ bool numbered(const std::string& word, const std::string& stem) {
 }
 
 /// Functions outside of classes, which see no member: what they call their own things hides nothing.
-const std::set<std::string> apart = {"left", "i",    "open",    "line", "lines", "number",    "seconds",
-                                     "argc", "argv", "message", "next", "main",  "nodiscard", "maybe_unused"};
+const std::set<std::string> apart = {"left", "i",      "open",    "line", "lines", "number",    "seconds",
+                                     "argc", "argv",   "message", "next", "main",  "nodiscard", "maybe_unused",
+                                     "help", "helped", "out"};
 
 void expect_listed(const Emission& emission) {
     const std::set<std::string> types = own_type_names();

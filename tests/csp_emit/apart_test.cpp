@@ -179,7 +179,7 @@ TEST(Apart, FilesAreScopesOfTheirOwn) {
                                        "untimed assertion A1 : S equals Spec\n"},
                                       {"two.assertions",
                                        "untimed csp Spec csp-begin\nSpec = S::a.in -> STOP\ncsp-end\n"
-                                       "untimed assertion A1 : S equals Spec\n"}});
+                                       "untimed assertion A2 : S equals Spec\n"}});
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     EXPECT_THAT(m->codes(), IsEmpty());
     EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds", "fails"));

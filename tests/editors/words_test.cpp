@@ -72,7 +72,9 @@ TEST(GrammarWords, AssertionsAreTheWordsOfTheirParser) {
     // The RoboChart grammar, included there, colours the first two; the third is the title of a fix.
     for (const char* word : {"import", "package", "write"}) expected.erase(word);
     const auto scope = [](const std::string& name) { return starts_with_any(name, {"keyword", "storage", "support"}); };
-    EXPECT_EQ(parts(grammar_words(load_json("syntaxes/robochart-assertions.tmLanguage.json"), scope)), expected);
+    const Words coloured = parts(grammar_words(load_json("syntaxes/robochart-assertions.tmLanguage.json"), scope));
+    for (const std::string& word : expected) EXPECT_TRUE(coloured.contains(word)) << word;
+    for (const std::string& word : coloured) EXPECT_TRUE(expected.contains(word)) << word;
 }
 
 bool is_cspm_keyword(const std::string& scope) {

@@ -87,8 +87,8 @@ TEST(Mutations, GiveOneMessageOrTwo) {
                     count.mutations, 100 * count.share(count.above_one), 100 * count.share(count.above_two), count.most,
                     count.worst.c_str());
         EXPECT_LE(count.share(count.above_two), 0.02) << name;
-        // A reserved word put for the name of an event is wrong there, and the name in the five places that use it.
-        EXPECT_LE(count.most, 6U) << name << ": " << count.worst << "\n" << count.report;
+        // Where the name of a state or an event is lost, the five places that use it are wrong too.
+        EXPECT_LE(count.most, 7U) << name << ": " << count.worst << "\n" << count.report;
     }
     EXPECT_GT(deleted.mutations, 500U);
 }

@@ -36,6 +36,7 @@ constexpr std::array not_run = {
     NotRun{"", "build/", "a program of a build tree that is not built for these tests"},
     NotRun{"", "setarch -R build/", "needs ARGoS"},
     NotRun{"docs/cli.md", "robochart-verify ", "how each verb is called, with what it does behind it"},
+    NotRun{"docs/emergence.md", "robochart-verify simulate corpus/", "hundreds of trials"},
     NotRun{"docs/cpp.md", "$ build/M_console", "a conversation on a terminal"},
     NotRun{"editors/vscode/README.md", "code ", "needs VS Code"},
     NotRun{"editors/vscode/README.md", "ln -s", "needs VS Code"},

@@ -155,13 +155,13 @@ TEST_F(Occurrences, FollowReferencesAlongPathsInAssertions) {
 /// Words of assertion files that only some places reserve.
 bool is_assertion_word(std::string_view word) {
     static const std::set<std::string_view> words = {
-        "assertion", "csp",           "timed",       "untimed",    "associated", "deadlock",  "divergence",
-        "timelock",  "free",          "terminate",   "does",       "refine",     "refines",   "equals",
-        "equal",     "deterministic", "reachable",   "model",      "traces",     "failures",  "divergences",
-        "tick",      "tock",          "initialised", "with",       "constant",   "parameter", "of",
-        "set",       "value",         "assigned",    "and",        "missed",     "for",       "time",
-        "unit",      "units",         "prob",        "property",   "Prob",       "Reward",    "Finally",
-        "Reachable", "label",         "rewards",     "endrewards", "constants",  "by",        "step"};
+        "assertion", "csp",       "timed",     "untimed",  "associated",  "deadlock",   "divergence", "timelock",
+        "free",      "terminate", "does",      "refine",   "refines",     "equals",     "equal",      "deterministic",
+        "reachable", "model",     "traces",    "failures", "divergences", "tick",       "tock",       "initialised",
+        "with",      "constant",  "parameter", "of",       "set",         "value",      "assigned",   "and",
+        "missed",    "for",       "time",      "unit",     "units",       "prob",       "property",   "Prob",
+        "Reward",    "Finally",   "Reachable", "label",    "rewards",     "endrewards", "constants",  "by",
+        "step",      "sleec",     "conforms",  "conform"};
     return words.contains(word);
 }
 
@@ -175,6 +175,10 @@ std::string uncovered(const std::string& path) {
     std::string missing;
     for (const auto& file : model->files) {
         if (file->is_library || file->has_syntax_errors) continue;
+        // Rules in SLEEC are declared in files of their own.
+        for (const Assertion& assertion : file->assertions)
+            if (assertion.kind == AssertionKind::conforms)
+                for (const auto& span : assertion.other.spans) covered.insert({span.source, span.begin});
         diagnostics::Diagnostics ignored;
         Token before;
         const TokenStream stream = tokenize(sources, file->source, file->is_assertions, ignored);

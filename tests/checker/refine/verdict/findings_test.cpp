@@ -63,10 +63,10 @@ TEST(FindingsTest, OtherBytesAreNone) {
     EXPECT_FALSE(decode(bytes, named, width + 1));
     EXPECT_FALSE(decode(bytes, {0, 1, 7}, width)) << "an event without a name";
     std::string wrong_kind = bytes;
-    wrong_kind[5 * 8] = 99;
+    wrong_kind[7 * 8] = 99;  // behind seven figures: whether there is a violation
     EXPECT_FALSE(decode(wrong_kind, named, width));
     std::string endless = bytes;
-    for (std::size_t i = 9 * 8; i < 10 * 8; ++i) endless[i] = '\xff';
+    for (std::size_t i = 11 * 8; i < 12 * 8; ++i) endless[i] = '\xff';
     EXPECT_FALSE(decode(endless, named, width)) << "a run of so many steps";
 }
 

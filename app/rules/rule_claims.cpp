@@ -1,5 +1,5 @@
 // See rule_claims.hpp.
-#include "app/verbs/rule_claims.hpp"
+#include "app/rules/rule_claims.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "app/command/run.hpp"
-#include "app/verbs/model_rules.hpp"
+#include "app/rules/model_rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/spelling.hpp"

@@ -1,5 +1,5 @@
 // See model_rules.hpp.
-#include "app/verbs/model_rules.hpp"
+#include "app/rules/model_rules.hpp"
 
 #include <fmt/format.h>
 
