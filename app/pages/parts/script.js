@@ -37,6 +37,13 @@
     const after = part.getBoundingClientRect();
     if (after.bottom > view.bottom) panel.scrollTop += after.top - view.top - view.height / 3;
   }
+  // Rows that have not been in view have no height of their own yet: once they are drawn, the row is sought again.
+  function seek(panel, row, more) {
+    if (row.getAttribute("aria-current") !== "step") return;
+    if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
+      panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
+    if (more > 0) requestAnimationFrame(() => seek(panel, row, more - 1));
+  }
   function show(claim, index, move) {
     const rows = steps(claim);
     if (rows.length === 0) return;
@@ -50,9 +57,7 @@
     values(claim, rows, index);
     claim.querySelector(".status").textContent = "step " + index + " of " + (rows.length - 1) + ": " + row.dataset.text;
     current = claim;
-    const panel = claim.querySelector(".steps");
-    if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
-      panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
+    seek(claim.querySelector(".steps"), row, 4);
     bring(claim.querySelector(".drawn"), claim.querySelector(".drawn .fired"));
     if (move) {
       history.replaceState(null, "", "#" + claim.id + "/s/" + index);
@@ -138,9 +143,9 @@
     claim.scrollIntoView();
   }
   for (const claim of claims) {
-    steps(claim).forEach((row, index) => {
-      row.tabIndex = 0;
-      row.addEventListener("click", () => go(claim, index));
+    claim.querySelector(".steps").addEventListener("click", (event) => {
+      const row = event.target.closest("tr.step");
+      if (row && !event.target.closest("details")) go(claim, steps(claim).indexOf(row));
     });
     for (const figure of claim.querySelectorAll("figure[data-machine]"))
       figure.querySelector("svg").addEventListener("click", (event) => chosen(claim, figure, event.target));
