@@ -44,6 +44,21 @@
       panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
     if (more > 0) requestAnimationFrame(() => seek(panel, row, more - 1));
   }
+  // Browsers drop changes of the address beyond two hundred in ten seconds. After a hundred, the last of those within a
+  // fifth of a second counts.
+  const address = { text: "", timer: null, changes: 0 };
+  function writeAddress() {
+    clearTimeout(address.timer);
+    address.timer = null;
+    ++address.changes;
+    setTimeout(() => { --address.changes; }, 10000);
+    history.replaceState(null, "", address.text);
+  }
+  function addressIs(text) {
+    address.text = text;
+    if (address.changes < 100) writeAddress();
+    else if (address.timer === null) address.timer = setTimeout(writeAddress, 200);
+  }
   function show(claim, index, move) {
     const rows = steps(claim);
     if (rows.length === 0) return;
@@ -60,7 +75,7 @@
     seek(claim.querySelector(".steps"), row, 4);
     bring(claim.querySelector(".drawn"), claim.querySelector(".drawn .fired"));
     if (move) {
-      history.replaceState(null, "", "#" + claim.id + "/s/" + index);
+      addressIs("#" + claim.id + "/s/" + index);
       row.scrollIntoView({ block: "nearest" });
     }
   }
@@ -120,6 +135,7 @@
   async function copyLink(claim) {
     stop();
     show(claim, at(claim), true);
+    writeAddress();
     const line = claim.querySelector(".address");
     const status = claim.querySelector(".status");
     try {
