@@ -324,7 +324,17 @@ void ReportPage::row(std::size_t number, const runs::Step* step, const std::vect
                         step == nullptr ? "" : also_possible(*step));
 }
 
+/// Widths of the columns on screen, where each row is laid out alone: rows that are not in view cost nothing then.
+std::string column_style(const std::string& id, std::size_t lanes, bool timed) {
+    return fmt::format(
+        "<style>@media screen {{ #{0} .steps tr {{ grid-template-columns: {1} repeat({2}, minmax(8em, 4fr)) "
+        "minmax(7.5em, 1fr) minmax(11.5em, 1fr) minmax(4em, 1fr); }} "
+        "#{0} .steps table {{ min-width: {3}em; }} }}</style>\n",
+        id, timed ? "5em 4em" : "5em", lanes, 8 * lanes + 28 + (timed ? 4 : 0));
+}
+
 void ReportPage::steps(const std::string& id, const runs::Run& run) {
+    out_ += column_style(id, machines_.size(), timed_);
     out_ += fmt::format(
         "<div class=\"steps\" tabindex=\"0\" role=\"region\" aria-label=\"steps of {}\">\n<table><thead><tr>"
         "<th scope=\"col\">step</th>{}",

@@ -37,6 +37,28 @@
     const after = part.getBoundingClientRect();
     if (after.bottom > view.bottom) panel.scrollTop += after.top - view.top - view.height / 3;
   }
+  // Rows that have not been in view have no height of their own yet: once they are drawn, the row is sought again.
+  function seek(panel, row, more) {
+    if (row.getAttribute("aria-current") !== "step") return;
+    if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
+      panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
+    if (more > 0) requestAnimationFrame(() => seek(panel, row, more - 1));
+  }
+  // Browsers drop changes of the address beyond two hundred in ten seconds. After a hundred, the last of those within a
+  // fifth of a second counts.
+  const address = { text: "", timer: null, changes: 0 };
+  function writeAddress() {
+    clearTimeout(address.timer);
+    address.timer = null;
+    ++address.changes;
+    setTimeout(() => { --address.changes; }, 10000);
+    history.replaceState(null, "", address.text);
+  }
+  function addressIs(text) {
+    address.text = text;
+    if (address.changes < 100) writeAddress();
+    else if (address.timer === null) address.timer = setTimeout(writeAddress, 200);
+  }
   function show(claim, index, move) {
     const rows = steps(claim);
     if (rows.length === 0) return;
@@ -50,12 +72,10 @@
     values(claim, rows, index);
     claim.querySelector(".status").textContent = "step " + index + " of " + (rows.length - 1) + ": " + row.dataset.text;
     current = claim;
-    const panel = claim.querySelector(".steps");
-    if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
-      panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
+    seek(claim.querySelector(".steps"), row, 4);
     bring(claim.querySelector(".drawn"), claim.querySelector(".drawn .fired"));
     if (move) {
-      history.replaceState(null, "", "#" + claim.id + "/s/" + index);
+      addressIs("#" + claim.id + "/s/" + index);
       row.scrollIntoView({ block: "nearest" });
     }
   }
@@ -115,6 +135,7 @@
   async function copyLink(claim) {
     stop();
     show(claim, at(claim), true);
+    writeAddress();
     const line = claim.querySelector(".address");
     const status = claim.querySelector(".status");
     try {
@@ -138,9 +159,9 @@
     claim.scrollIntoView();
   }
   for (const claim of claims) {
-    steps(claim).forEach((row, index) => {
-      row.tabIndex = 0;
-      row.addEventListener("click", () => go(claim, index));
+    claim.querySelector(".steps").addEventListener("click", (event) => {
+      const row = event.target.closest("tr.step");
+      if (row && !event.target.closest("details")) go(claim, steps(claim).indexOf(row));
     });
     for (const figure of claim.querySelectorAll("figure[data-machine]"))
       figure.querySelector("svg").addEventListener("click", (event) => chosen(claim, figure, event.target));
