@@ -311,10 +311,9 @@ constexpr const char* wide =
 
 TEST(Limits, AreInconclusiveWithFigures) {
     const TemporaryFile script("wide.csp", wide);
-    for (const std::vector<std::string>& limit :
-         {std::vector<std::string>{"--no-reduction", "--max-states", "5000"},
-          {"--no-reduction", "--timeout", "0.2"},
-          {"--no-reduction", "--memory", "80MiB"}}) {
+    for (const std::vector<std::string>& limit : {std::vector<std::string>{"--no-reduction", "--max-states", "5000"},
+                                                  {"--no-reduction", "--timeout", "0.2"},
+                                                  {"--no-reduction", "--memory", "80MiB"}}) {
         const Json object = refines(script.path(), limit);
         const Json& result = object["results"][0];
         EXPECT_TRUE(result["result"].is_null()) << limit[0];
@@ -407,7 +406,8 @@ TEST(Progress, JsonEventsTellBothPhases) {
     EXPECT_EQ(while_compiling.front()["phase"], "compiling");
     EXPECT_THAT(while_compiling.front()["part"].get<std::string>(), HasSubstr("a → …"));
     EXPECT_EQ(while_compiling.front()["components"], 2);
-    EXPECT_THAT(run({"cspm", "--no-reduction", script.path(), "--timeout", "0.3"}).err, IsEmpty()) << "no terminal, no progress";
+    EXPECT_THAT(run({"cspm", "--no-reduction", script.path(), "--timeout", "0.3"}).err, IsEmpty())
+        << "no terminal, no progress";
 }
 
 TEST(Progress, TheLineFitsTheTerminal) {
