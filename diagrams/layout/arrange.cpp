@@ -95,41 +95,18 @@ std::vector<Part> parts_of(const Level& level) {
     return parts;
 }
 
-/// A graph whose layers are in order, and how many of its edges cross.
-struct Layered {
-    Graph graph;
-    std::size_t crossings = 0;
-};
-
-Layered layered(const Level& level, bool turned, Cycles cycles, diagnostics::Budget* budget) {
-    Layered result;
-    result.graph.level = &level;
-    result.graph.turned = turned;
-    result.graph.budget = budget;
-    break_cycles(result.graph, cycles);
-    assign_layers(result.graph);
-    make_nodes(result.graph);
-    result.crossings = order_layers(result.graph);
-    return result;
-}
-
-/// Larger ones are laid out once.
-constexpr std::size_t most_nodes_twice = 250;
-
-/// What was laid out before keeps its layers.
-bool may_turn_others(const Level& level, const Layered& found) {
-    return found.crossings > 0 && found.graph.nodes.size() <= most_nodes_twice;
-}
-
 Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* budget) {
-    Layered found = layered(level, turned, Cycles::text, budget);
-    if (may_turn_others(level, found)) {
-        Layered other = layered(level, turned, Cycles::few, budget);
-        if (other.crossings < found.crossings) found = std::move(other);
-    }
-    place_nodes(found.graph);
-    place_tracks(found.graph);
-    return placement_of(found.graph);
+    Graph graph;
+    graph.level = &level;
+    graph.turned = turned;
+    graph.budget = budget;
+    break_cycles(graph);
+    assign_layers(graph);
+    make_nodes(graph);
+    order_layers(graph);
+    place_nodes(graph);
+    place_tracks(graph);
+    return placement_of(graph);
 }
 
 /// Where a part goes.

@@ -77,19 +77,14 @@ struct Graph {
     }
 };
 
-/// How it is decided which edges of a cycle are drawn against their direction.
-enum class Cycles {
-    text,  ///< those that lead back in a search in depth, in the order of the text
-    few,   ///< few, by the greedy heuristic of Eades, Lin and Smyth
-};
 /// Decides which edges are drawn against their direction, so that none of the others are on a cycle.
-void break_cycles(Graph& graph, Cycles cycles);
+void break_cycles(Graph& graph);
 /// Gives each box its layer: each edge leads downwards.
 void assign_layers(Graph& graph);
 /// Makes the nodes and links of all edges, and decides on which side ports are. Throws TooLarge.
 void make_nodes(Graph& graph);
-/// Orders the nodes of each layer so that few edges cross; returns how many do.
-std::size_t order_layers(Graph& graph);
+/// Orders the nodes of each layer so that few edges cross.
+void order_layers(Graph& graph);
 /// Gives every node its x, and every link the x of its ends.
 void place_nodes(Graph& graph);
 /// Gives every layer its y, and every link its tracks.

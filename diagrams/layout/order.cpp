@@ -35,7 +35,7 @@ public:
         }
     }
 
-    std::size_t run() {
+    void run() {
         const Effort effort = effort_for(nodes_.size());
         Layers best;
         std::size_t fewest = SIZE_MAX;
@@ -50,7 +50,6 @@ public:
         }
         graph_.layers = best;
         number();
-        return crossings();
     }
 
 private:
@@ -276,8 +275,8 @@ private:
 
 }  // namespace
 
-std::size_t order_layers(Graph& graph) {
-    return Ordering(graph).run();
+void order_layers(Graph& graph) {
+    Ordering(graph).run();
 }
 
 }  // namespace robochart::diagrams::layout

@@ -101,7 +101,7 @@ TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
     EXPECT_EQ(sets(s.over(Op::parallel, watched, {event(1, 1)})), Sets{2}) << "one that another one watches";
 }
 
-/// Found by the random checks: the packed state of what always runs had no room for another's being off.
+/// Found by the random checks: the packed state of what always runs could not hold another's being off.
 TEST_F(SymmetryTest, WhatMayBeOffIsNoReplicaOfWhatAlwaysRuns) {
     const TermId never = s.over(Op::parallel, {s.stop(), s.stop()}, {});
     const TermId first = s.op(Op::exception, {never, s.skip()}, static_cast<std::uint32_t>(s.set({})));

@@ -137,28 +137,6 @@ TEST(Arrange, AChainIsStraight) {
     EXPECT_GT(placed.edges[2].label.x, placed.boxes[2].place.right());
 }
 
-/// From a state (1) a junction (2) leads to three states that all lead back: with the state above the junction each of
-/// these has two lines from above, and some cross; below them none do.
-TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
-    Level level;
-    level.boxes.resize(6);
-    for (layout::Box& box : level.boxes) box.size = {100, 40};
-    level.boxes[0].entry = true;
-    for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {2, 4}, {2, 5}, {3, 1}, {4, 1}, {5, 1}}) {
-        layout::Edge& edge = level.edges.emplace_back();
-        edge.from = static_cast<std::size_t>(from);
-        edge.to = static_cast<std::size_t>(to);
-    }
-    for (const Direction direction : {Direction::down, Direction::right}) {
-        level.direction = direction;
-        const Placement placed = arrange(level);
-        const Scene scene = scene_of(level, placed);
-        EXPECT_THAT(faults_of(scene), ::testing::IsEmpty());
-        EXPECT_EQ(crossings_of(scene), 0U);
-        EXPECT_TRUE(same(placed, arrange(remembering(level, placed))));
-    }
-}
-
 TEST(Arrange, NoBoxesNeedNoSpace) {
     EXPECT_EQ(arrange(Level()).size, (layout::Size{0, 0}));
 }
