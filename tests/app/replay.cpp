@@ -377,6 +377,7 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
     options.timeout_seconds = 2;
     options.max_states = 20'000;
     Run whole(options);
+    whole.finish();  // what goes on behind the limit is not cut short: it would end the tests
     options.run = &whole;
     const auto project = load(options);
     if (!project->diagnostics.ok()) return;
