@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "checker/lts/sink_in_use.hpp"
+
 namespace robochart::lts {
 
 SymmetricSystem::SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symmetry symmetry)
@@ -29,14 +31,8 @@ void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
         other->watch(poll_);
         return other->successors(state, sink);
     }
-    sink_ = &sink;
-    try {
-        system_->successors(state, *this);
-    } catch (...) {
-        sink_ = nullptr;
-        throw;
-    }
-    sink_ = nullptr;
+    const SinkInUse in_use(sink_, sink);
+    system_->successors(state, *this);
 }
 
 void SymmetricSystem::add(Event event, StateView target, Event revealed) {

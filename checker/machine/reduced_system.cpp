@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "checker/lts/sink_in_use.hpp"
+
 namespace robochart::machine {
 
 namespace {
@@ -58,14 +60,8 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
         other->watch(poll_);
         return other->successors(state, sink);
     }
-    sink_ = &sink;
-    try {
-        whole_->successors(state, *this);
-    } catch (...) {
-        sink_ = nullptr;
-        throw;
-    }
-    sink_ = nullptr;
+    const lts::SinkInUse in_use(sink_, sink);
+    whole_->successors(state, *this);
 }
 
 void ReducedSystem::add(Event event, lts::StateView target, Event revealed) {
