@@ -1,5 +1,7 @@
 #include "checker/machine/compiler.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <new>
 #include <unordered_map>
@@ -45,8 +47,8 @@ private:
 /// The states of a compiled process, breadth first, with the names of hidden events.
 class RowCollector final : private lts::SuccessorSink {
 public:
-    RowCollector(SupercombinatorSystem& system, TermId meaning)
-        : system_(system), meaning_(meaning), states_(system.width()) {}
+    RowCollector(lts::TransitionSystem& system, TermId meaning, std::size_t most_states)
+        : system_(system), meaning_(meaning), most_states_(most_states), states_(system.width()) {}
 
     ExplicitMachine run(const std::function<void()>& poll) {
         std::vector<lts::Word> initial(system_.width());
@@ -54,6 +56,8 @@ public:
         states_.insert(initial);
         for (lts::StateIndex state = 0; state < states_.size(); ++state) {
             if (poll) poll();
+            if (states_.size() > most_states_)
+                throw process::TooManyStates(fmt::format("more than {} states", most_states_));
             found_.meaning.push_back(meaning_);
             auto& row = found_.rows.emplace_back();
             system_.successors(states_[state], *this);
@@ -67,8 +71,9 @@ private:
         found_.rows.back().push_back({event, revealed, static_cast<Local>(states_.insert(target).index)});
     }
 
-    SupercombinatorSystem& system_;
+    lts::TransitionSystem& system_;
     TermId meaning_;
+    std::size_t most_states_;
     lts::StateStore states_;
     ExplicitMachine found_;
 };
@@ -169,6 +174,26 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, const s
     return result;
 }
 
+/// The skeleton without the compressions that turn out to be left out: each is tried before its term is a component.
+std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves,
+                                           const std::function<void()>& poll) {
+    constexpr int deepest_call = 100;
+    process::TermStore& terms = semantics_.terms();
+    for (;;) {
+        std::optional<Skeleton> result = skeleton_of(terms, term, leaves, semantics_.left_out(), poll);
+        const std::size_t before = semantics_.left_out().size();
+        const auto attempt = [&](TermId each) {
+            if (terms[each].op == Op::compress) semantics_.successors(each);
+        };
+        if (result) {
+            for (NodeId id : result->slots) attempt(result->nodes[id].term);
+        } else {
+            attempt(terms.unfolded(term, deepest_call));
+        }
+        if (semantics_.left_out().size() == before) return result;
+    }
+}
+
 /// The prioritised processes inside, outermost first, whose components together have few states.
 std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const {
     std::set<TermId> result;
@@ -188,19 +213,19 @@ ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
     const auto system = compile(term, poll);
     if (!system) throw NotCompiled("a process inside was not compiled");
-    return components_[term] = reduced(RowCollector(*system, term).run(poll), poll);
+    return components_[term] = reduced(RowCollector(*system, term, bounds_.compressed_states).run(poll), poll);
 }
 
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
     process::TermStore& terms = semantics_.terms();
     stage_ = {};
     try {
-        std::optional<Skeleton> skeleton = skeleton_of(terms, term, {}, poll);
+        std::optional<Skeleton> skeleton = this->skeleton(term, {}, poll);
         if (!skeleton) return nullptr;
         std::vector<ComponentPtr> components = this->components(*skeleton, poll);
         const std::set<TermId> regions = small_regions(*skeleton, components);
         for (TermId each : regions) region(each, poll);
-        if (auto simpler = skeleton_of(terms, term, regions, poll)) {
+        if (auto simpler = this->skeleton(term, regions, poll)) {
             skeleton = std::move(simpler);
             components = this->components(*skeleton, poll);
         }
@@ -220,14 +245,18 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
     }
 }
 
-std::optional<process::Machine> Compiler::explore(TermId term, const std::function<void()>& poll) {
+std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence up_to,
+                                                  const std::function<void()>& poll) {
     const auto system = compile(term, poll);
     if (!system) return std::nullopt;
-    return without_names(RowCollector(*system, term).run(poll));
+    const auto reduced = up_to == lts::Equivalence::strong ? nullptr : system->reduced(poll);
+    lts::TransitionSystem& explored = reduced ? static_cast<lts::TransitionSystem&>(*reduced) : *system;
+    return without_names(RowCollector(explored, term, bounds_.compressed_states).run(poll));
 }
 
-std::optional<process::Machine> MachineCompressor::explore(TermId operand, const std::function<void()>& poll) {
-    return compiler_ == nullptr ? std::nullopt : compiler_->explore(operand, poll);
+std::optional<process::Machine> MachineCompressor::explore(TermId operand, process::Compression kind,
+                                                           const std::function<void()>& poll) {
+    return compiler_ == nullptr ? std::nullopt : compiler_->explore(operand, process::equivalence_of(kind), poll);
 }
 
 }  // namespace robochart::machine

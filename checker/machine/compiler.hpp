@@ -26,6 +26,9 @@ struct Bounds {
     /// A prioritise inside whose components have fewer states together than this is explored to one component: most of
     /// what its operand offers it does not, and every state of the whole would have to find that out again.
     std::size_t region_states = 100'000;
+    /// A compression whose operand has more states, without those that confluent taus lead on from where the
+    /// compression allows it, is left out: the process is run without it.
+    std::size_t compressed_states = 2'000'000;
 };
 
 /// Keeps the components of one store's terms, so that equal ones are explored once.
@@ -44,13 +47,16 @@ public:
         std::size_t states = 0;          ///< of this component, so far
     };
     [[nodiscard]] const Stage& stage() const { return stage_; }
-    /// All states of the compiled process; none where compile gives none.
-    [[nodiscard]] std::optional<process::Machine> explore(TermId term, const std::function<void()>& poll);
+    /// A machine that is equal to the compiled process up to the equivalence: all of its states, or those alone that
+    /// confluent taus leave (reduced_system.hpp). None where compile gives none. Throws process::TooManyStates.
+    [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
+                                                          const std::function<void()>& poll);
 
 private:
     ComponentPtr component(TermId term, const std::function<void()>& poll);
     ComponentPtr explored(TermId term, const std::function<void()>& poll);
     ComponentPtr gate(const Node& node) const;
+    std::optional<Skeleton> skeleton(TermId term, const std::set<TermId>& leaves, const std::function<void()>& poll);
     std::vector<ComponentPtr> components(const Skeleton& skeleton, const std::function<void()>& poll);
     std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
     ComponentPtr region(TermId term, const std::function<void()>& poll);
@@ -69,7 +75,8 @@ private:
 class MachineCompressor final : public process::Compressor {
 public:
     void use(Compiler& compiler) { compiler_ = &compiler; }
-    std::optional<process::Machine> explore(TermId operand, const std::function<void()>& poll) override;
+    std::optional<process::Machine> explore(TermId operand, process::Compression kind,
+                                            const std::function<void()>& poll) override;
     process::Machine compress(const process::Machine& explored, process::Compression kind,
                               const std::function<void()>& poll) override {
         return compressor_.compress(explored, kind, poll);

@@ -28,9 +28,9 @@ public:
 class Builder {
 public:
     /// `through_prefixes`: whether prefixes are looked through.
-    Builder(process::TermStore& terms, const std::set<TermId>& leaves, bool through_prefixes,
-            const std::function<void()>& poll)
-        : terms_(terms), leaves_(leaves), through_prefixes_(through_prefixes), poll_(poll) {}
+    Builder(process::TermStore& terms, const std::set<TermId>& leaves, const std::set<TermId>& left_out,
+            bool through_prefixes, const std::function<void()>& poll)
+        : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), poll_(poll) {}
 
     Skeleton build(TermId term) {
         node(term, 0, {}, 0);
@@ -40,6 +40,7 @@ public:
     bool composite(TermId term, int depth = 0, int prefixes = 0);
 
 private:
+    TermId unfolded(TermId term);
     bool looks_composite(const Term& term, int depth, int prefixes);
     /// The nodes around of which control leaves nothing behind when it gets to a node...
     struct Tail {
@@ -57,6 +58,7 @@ private:
 
     process::TermStore& terms_;
     const std::set<TermId>& leaves_;
+    const std::set<TermId>& left_out_;
     bool through_prefixes_;
     const std::function<void()>& poll_;
     std::size_t prefixes_taken_ = 0;
@@ -65,10 +67,17 @@ private:
     std::map<std::pair<TermId, int>, bool> composite_;  // false while it is not known
 };
 
+/// Without calls and compressions that are left out.
+TermId Builder::unfolded(TermId term) {
+    for (term = terms_.unfolded(term, deepest_look); left_out_.contains(term);)
+        term = terms_.unfolded(terms_[term].children.front(), deepest_look);
+    return term;
+}
+
 bool Builder::composite(TermId id, int depth, int prefixes) {
     if (depth > deepest_look) return false;
     if (poll_) poll_();
-    id = terms_.unfolded(id, deepest_look);
+    id = unfolded(id);
     if (leaves_.contains(id)) return false;
     const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
     if (fresh) known->second = looks_composite(terms_[id], depth, prefixes);
@@ -127,7 +136,7 @@ void Builder::leaf(NodeId id) {
 
 NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
     if (poll_) poll_();
-    term = terms_.unfolded(term, deepest_look);
+    term = unfolded(term);
     const auto same = std::find_if(tail.at_once.begin(), tail.at_once.end(),
                                    [&](NodeId around) { return result_.nodes[around].term == term; });
     if (same != tail.at_once.end()) {
@@ -208,9 +217,9 @@ void Builder::operation(NodeId id, const Tail& tail, int depth) {
 }  // namespace
 
 std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term, const std::set<TermId>& leaves,
-                                    const std::function<void()>& poll) {
+                                    const std::set<TermId>& left_out, const std::function<void()>& poll) {
     for (const bool through_prefixes : {true, false}) {
-        Builder builder(terms, leaves, through_prefixes, poll);
+        Builder builder(terms, leaves, left_out, through_prefixes, poll);
         if (!builder.composite(term)) return std::nullopt;
         try {
             return builder.build(term);

@@ -40,13 +40,14 @@ struct Skeleton {
     std::vector<NodeId> slots;  ///< of each component, its node
 };
 
-/// Takes a term apart, down to the terms in `leaves` and those without operators that stay. Nothing if it has no
-/// parallel operator to take apart. May evaluate definitions and throw what they throw. `poll` may throw to stop.
+/// Takes a term apart, down to the terms in `leaves` and those without operators that stay; compressed terms in
+/// `left_out` are their operands. Nothing if it has no parallel operator to take apart. May evaluate definitions and throw what they throw. `poll` may throw to stop.
 ///
 /// Events before a parallel operator are looked through, so that a process can start its components or move between
 /// modes. Where that does not come back to where it began, as in COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B), it
 /// is given up for the whole term: what begins with an event is then one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
-                                                  const std::set<TermId>& leaves, const std::function<void()>& poll);
+                                                  const std::set<TermId>& leaves, const std::set<TermId>& left_out,
+                                                  const std::function<void()>& poll);
 
 }  // namespace robochart::machine

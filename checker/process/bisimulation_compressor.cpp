@@ -1,16 +1,16 @@
 // Machines of the semantics as graphs, minimised, and back.
 
 #include "checker/process/bisimulation_compressor.hpp"
-#include "checker/lts/bisimulation.hpp"
 
 namespace robochart::process {
-namespace {
 
 lts::Equivalence equivalence_of(Compression kind) {
     const bool strong =
         kind == Compression::sbisim || kind == Compression::explicate || kind == Compression::lazyenumerate;
     return strong ? lts::Equivalence::strong : lts::Equivalence::branching_with_divergence;
 }
+
+namespace {
 
 lts::Graph graph_of(const Machine& machine) {
     lts::Graph graph;

@@ -1,9 +1,13 @@
 // Compressions by bisimulation.
 #pragma once
 
+#include "checker/lts/bisimulation.hpp"
 #include "checker/process/compressor.hpp"
 
 namespace robochart::process {
+
+/// Up to which equivalence a compression keeps its operand.
+[[nodiscard]] lts::Equivalence equivalence_of(Compression kind);
 
 /// sbisim, explicate and lazyenumerate give the quotient by strong bisimilarity; normal, dbisim, wbisim, diamond,
 /// tau_loop_factor and model_compress that by divergence-respecting branching bisimilarity. The latter is finer than

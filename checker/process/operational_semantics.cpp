@@ -33,6 +33,7 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     std::uint32_t machine_states = 0;
     std::size_t states_explored = 0;
     int compressions_under_way = 0;
+    std::set<TermId> left_out;
     std::vector<Progress> progress;
     std::deque<std::vector<Transition>> transitions;
 
@@ -52,6 +53,7 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     void compute(TermId root);
     void compute_on(std::vector<TermId>& stack);
     bool compresses(TermId term) const { return compressor != nullptr && terms[term].op == Op::compress; }
+    std::optional<Machine> smaller(TermId term);
     std::vector<Transition> compressed(TermId term);
     Machine explored(TermId operand);
     void set(TermId term, std::vector<Transition> result);
@@ -128,18 +130,20 @@ Machine OperationalSemantics::Impl::explored(TermId operand) {
     return machine;
 }
 
-/// The transitions of the compressed machine's initial state; its other states become terms that are known at once.
-std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
+/// What the compression makes of its operand; none if the operand has too many states.
+std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
     constexpr int deepest = 200;
     refuse_unsupported(terms[term]);
     if (compressions_under_way >= deepest)
         throw SemanticsError(fmt::format("more than {} compressions inside each other", deepest));
     ++compressions_under_way;
-    Machine machine;
+    std::optional<Machine> result;
     try {
         const TermId operand = terms[term].children.front();
-        std::optional<Machine> fast = compressor->explore(operand, poll);
-        machine = compressor->compress(fast ? *fast : explored(operand), Compression{terms[term].payload}, poll);
+        const Compression kind{terms[term].payload};
+        const std::optional<Machine> fast = compressor->explore(operand, kind, poll);
+        result = compressor->compress(fast ? *fast : explored(operand), kind, poll);
+    } catch (const TooManyStates&) {
     } catch (...) {
         --compressions_under_way;
         states_explored = 0;
@@ -147,6 +151,20 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     }
     --compressions_under_way;
     states_explored = 0;
+    return result;
+}
+
+/// The transitions of the compressed machine's initial state; its other states become terms that are known at once.
+std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
+    const std::optional<Machine> made = smaller(term);
+    if (!made) {
+        const TermId operand = terms[term].children.front();
+        left_out.insert(term);
+        if (!knows(operand)) compute(operand);
+        const auto same = of(operand);
+        return {same.begin(), same.end()};
+    }
+    const Machine& machine = *made;
     // A state's children: a term it stands for, the compressed term, and the first state unless it is that.
     std::vector<TermId> states;
     for (TermId meaning : machine.meaning) {
@@ -176,6 +194,10 @@ std::span<const Transition> OperationalSemantics::successors(TermId term) {
 
 TermStore& OperationalSemantics::terms() const {
     return impl_->terms;
+}
+
+const std::set<TermId>& OperationalSemantics::left_out() const {
+    return impl_->left_out;
 }
 
 std::size_t OperationalSemantics::states_explored() const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -37,8 +38,8 @@ using Interrupted = diagnostics::LimitReached;
 class OperationalSemantics {
 public:
     /// With a compressor, a compressed term is explored as a whole when it is first stepped, and behaves as the machine
-    /// that the compressor makes of it; without one it behaves as its operand. Use one object for one store: states of
-    /// machines are terms that only the object knows that made them.
+    /// that the compressor makes of it; without one, and where the operand has too many states, it behaves as its
+    /// operand. Use one object for one store: states of machines are terms that only the object knows that made them.
     explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;
@@ -48,6 +49,8 @@ public:
     /// Valid until this object ends. Throws SemanticsError, and what the definitions throw.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
+    /// The compressed terms stepped so far whose operands have too many states.
+    [[nodiscard]] const std::set<TermId>& left_out() const;
     /// Called now and then while a compressed operand is explored; may throw to stop it. Empty: none.
     void watch(std::function<void()> poll);
     /// Of the compressed operand that is explored now, the states known so far; 0 where none is.

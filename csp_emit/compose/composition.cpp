@@ -282,13 +282,15 @@ void Definer::define() {
     const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
     define("D__", variant(large(c_) ? "O__" : "D__", Writes::provided));
     define("VS__", variant("VS__", Writes::provided));
-    define("O__", compressed(*c_.project, variant("O__", optimised), large(c_)));
+    // A large controller alone may be written to by everyone at any time; in the module the others are there, and the
+    // environment of a claim multiplies what is left.
+    define("O__", compressed(*c_.project, variant("O__", optimised), large(c_) && !c_.hides_termination));
     for (const char* name : {"FVS__", "FVS_C__"})
         if (c_.project->mentions(name)) define(name, variant(name, Writes::provided));
     if (c_.project->mentions("HUP__")) define("HUP__", b::call("O__", arguments));
     define("VS_O__", compressed(*c_.project, variant("VS_O__", Writes::provided), large(c_)));
     if (c_.hides_termination) {
-        define("AS_O__", compressed(*c_.project, variant("O__", Writes::all), large(c_)));
+        define("AS_O__", compressed(*c_.project, variant("O__", Writes::all)));
         return;
     }
     const ExprPtr closed = b::parallel(b::call("O__", arguments), b::name("shared_variable_events"), b::skip());

@@ -242,6 +242,42 @@ TEST_F(Compiled, ServesCompressions) {
     EXPECT_EQ(graph_of(*whole).size(), 4U);
 }
 
+// At most five states of an operand are held. dbisim may follow the hidden a's, which leaves the four states of b;
+// sbisim needs all ten.
+TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
+    MachineCompressor compressor;
+    process::OperationalSemantics compressing(s.store, &compressor);
+    Bounds bounds;
+    bounds.compressed_states = 5;
+    Compiler with(compressing, bounds);
+    compressor.use(with);
+    const TermId hidden = s.over(Op::hide, {pair()}, {"a"});
+    const auto compressed = [&](process::Compression kind) {
+        return s.op(Op::compress, {hidden}, static_cast<std::uint32_t>(kind));
+    };
+    const TermId branching = compressed(process::Compression::dbisim);
+    const TermId strong = compressed(process::Compression::sbisim);
+    const auto beside = [&](TermId operand) { return s.over(Op::parallel, {operand, twice("b")}, {"b"}); };
+
+    const auto small = with.compile(beside(branching), {});
+    ASSERT_NE(small, nullptr);
+    EXPECT_EQ(graph_of(*small).size(), 4U);
+    EXPECT_TRUE(compressing.left_out().empty());
+
+    const auto whole = with.compile(beside(strong), {});
+    ASSERT_NE(whole, nullptr);
+    EXPECT_EQ(compressing.left_out(), std::set<TermId>{strong});
+    process::TermSystem reference(semantics, beside(hidden));
+    EXPECT_TRUE(lts::bisimilar(graph_of(*whole), graph_of(reference)));
+    EXPECT_EQ(whole->combined().components.size(), 3U) << "the pair's two and the one beside it";
+
+    const auto alone = with.compile(strong, {});
+    ASSERT_NE(alone, nullptr) << "no compression, but a pair to take apart";
+    EXPECT_EQ(graph_of(*alone).size(), states_of_pair);
+    process::TermSystem stepped(compressing, strong);
+    EXPECT_EQ(graph_of(stepped).size(), states_of_pair);
+}
+
 /// Two random processes under one operator.
 process::TermId joined(refine::Translation& translation, const refine::naive::Script& script, unsigned how) {
     Scripted& s = translation.scripted();

@@ -109,7 +109,7 @@ TEST_F(Apart, SequentialProcessesStayWhole) {
 /// Knows the machine of its operand's states by number alone, as a faster engine does.
 class NumberingCompressor final : public Compressor {
 public:
-    std::optional<Machine> explore(TermId operand, const std::function<void()>&) override {
+    std::optional<Machine> explore(TermId operand, Compression, const std::function<void()>&) override {
         return Machine{{{{2, 1}}, {{3, 0}}}, {operand, operand}};
     }
     Machine compress(const Machine& explored, Compression, const std::function<void()>&) override { return explored; }
