@@ -35,20 +35,22 @@ Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::sha
         leading_[slot].resize(component(slot).alphabet().size());
         known_[slot].resize(component(slot).size());
     }
+    count_offers();
     list_tau_rules();
+}
+
+void Confluence::count_offers() {
+    for (std::uint32_t slot = 0; slot < known_.size(); ++slot) {
+        auto& shares = share_.emplace_back(component(slot).alphabet().size());
+        for (Local local = 0; local < component(slot).size(); ++local)
+            for (const Component::Edge& edge : component(slot).edges(local)) ++shares[edge.event];
+        for (double& each : shares) each /= static_cast<double>(component(slot).size());
+    }
 }
 
 /// Condition 1. A rule is looked for where the component is that can do its part in the fewest of its states.
 void Confluence::list_tau_rules() {
-    std::vector<std::vector<std::size_t>> offered;
-    for (std::uint32_t slot = 0; slot < known_.size(); ++slot) {
-        auto& counts = offered.emplace_back(component(slot).alphabet().size());
-        for (Local local = 0; local < component(slot).size(); ++local)
-            for (const Component::Edge& edge : component(slot).edges(local)) ++counts[edge.event];
-    }
-    const auto share = [&](const Part& part) {
-        return static_cast<double>(offered[part.slot][*part.event]) / static_cast<double>(component(part.slot).size());
-    };
+    const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
         const WholeRule& rule = rules_->rules[number];
         if (rule.event != tau || !rule.prevented.empty()) continue;
@@ -136,8 +138,36 @@ std::uint32_t Confluence::tracking(RuleNumber rule, std::vector<std::uint32_t> s
     if (number == no) return no;
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
-    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), {}});
+    const std::uint32_t list = asking(slots, has);
+    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), list, {}});
     return number;
+}
+
+/// Of the components in question that the rule asks for an event, the one that can do it in the fewest of its states.
+std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<char>& has) const {
+    const Part* rarest = nullptr;
+    for (const Part& part : rule.parts) {
+        if (!part.event || has[part.slot] == 0) continue;
+        if (rarest == nullptr || share_[part.slot][*part.event] < share_[rarest->slot][*rarest->event]) rarest = &part;
+    }
+    return rarest->slot;
+}
+
+/// The place of what lists the rules that ask these components.
+std::uint32_t Confluence::asking(const std::vector<std::uint32_t>& slots, const std::vector<char>& has) {
+    const auto [known, fresh] = asking_numbers_.emplace(slots, static_cast<std::uint32_t>(asking_.size()));
+    if (!fresh) return known->second;
+    Asking& made = asking_.emplace_back();
+    for (const std::uint32_t slot : slots) {
+        std::vector<ByEvent>& listed = made.emplace_back();
+        for (std::uint32_t event = 0; event < component(slot).alphabet().size(); ++event) {
+            std::vector<RuleNumber> rules;
+            for (const RuleNumber each : rules_->asking[slot][event])
+                if (listed_at(rules_->rules[each], has) == slot) rules.push_back(each);
+            if (!rules.empty()) listed.push_back({event, std::move(rules)});
+        }
+    }
+    return known->second;
 }
 
 /// What tracks the parts of the first of the other rules that has some which are not tracked, and not too many.
@@ -234,7 +264,8 @@ std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, std::
 }
 
 /// Conditions 2 to 4 in these states of the tracked components; nothing else of the state is looked at. `next`: the
-/// states of these components in which they have to hold too. `disturbing`: the rule for which they do not hold.
+/// states of these components in which they have to hold too. `disturbing`: the rule for which they do not hold. A rule
+/// that asks several of the components is looked at where one of them can do what is asked: elsewhere it cannot fire.
 bool Confluence::holds_now(const Tracked& tracked, const Locals& state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
@@ -249,13 +280,15 @@ bool Confluence::holds_now(const Tracked& tracked, const Locals& state, Outcomes
             return true;
         });
     };
-    for (const std::uint32_t slot : tracked.slots) {
+    for (std::size_t place = 0; place < tracked.slots.size(); ++place) {
+        const std::uint32_t slot = tracked.slots[place];
         const Local local = state[slot];
-        std::optional<std::uint32_t> before;
-        for (const Component::Edge& edge : component(slot).edges(local)) {
-            if (before == edge.event) continue;
-            before = edge.event;
-            if (!leave_it_possible(rules_->asking[slot][edge.event])) return false;
+        const Component::Edges edges = component(slot).edges(local);
+        auto edge = edges.begin();
+        for (const ByEvent& each : asking_[tracked.asking][place]) {
+            while (edge != edges.end() && edge->event < each.event) ++edge;
+            if (edge == edges.end()) break;
+            if (edge->event == each.event && !leave_it_possible(each.rules)) return false;
         }
         if (!leave_it_possible(rules_->assigning[slot])) return false;
         const Part* const part = rule.part(slot);

@@ -33,12 +33,21 @@ private:
     using RuleNumber = std::uint32_t;
     /// States of all components; only those of the tracked ones matter.
     using Locals = std::vector<Local>;
+    /// Rules that ask a component for an event.
+    struct ByEvent {
+        std::uint32_t event = 0;
+        std::vector<RuleNumber> rules;
+    };
+    /// The rules that ask some of a few components for an event, each once: with one that it asks, by the component's
+    /// place among them and by the event, ascending. It can fire only where that component can do the event.
+    using Asking = std::vector<std::vector<ByEvent>>;
     /// A rule with the components whose present states its proofs look at, and what these proofs gave.
     struct Tracked {
         RuleNumber rule = 0;
         std::vector<std::uint32_t> slots;    ///< ascending: the rule's parts, and components beside them
         std::vector<std::uint64_t> weights;  ///< of each one's state in keys
         std::vector<char> has;               ///< by slot, whether it is one of them
+        std::uint32_t asking = 0;            ///< a place in `asking_`
         std::unordered_map<std::uint64_t, std::uint32_t>
             answers;  ///< by key: `no`, `yes`, or the number of what to ask
     };
@@ -49,6 +58,7 @@ private:
     };
     class Closure;
 
+    void count_offers();
     void list_tau_rules();
     const std::vector<RuleNumber>& candidates(std::uint32_t slot, Local local);
     [[nodiscard]] std::vector<RuleNumber> made(std::uint32_t slot, Local local) const;
@@ -58,6 +68,8 @@ private:
     void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
     std::uint32_t tracking(RuleNumber rule, std::vector<std::uint32_t> slots);
     std::uint32_t tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others);
+    std::uint32_t asking(const std::vector<std::uint32_t>& slots, const std::vector<char>& has);
+    [[nodiscard]] std::uint32_t listed_at(const WholeRule& rule, const std::vector<char>& has) const;
     [[nodiscard]] static std::uint64_t key(const Tracked& tracked, std::span<const Local> state);
 
     [[nodiscard]] bool holds_now(const Tracked& tracked, const Locals& state, Outcomes& next,
@@ -72,10 +84,13 @@ private:
 
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
+    std::vector<std::vector<double>> share_;  // by slot and event, of the component's states that can do it
     std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event, the tau rules that begin there
     std::vector<std::vector<std::uint32_t>> known_;              // by slot and state, one more than a place in lists_
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;
+    std::deque<Asking> asking_;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> asking_numbers_;
     std::vector<std::uint32_t> first_;  // by rule, what tracks its parts alone
     std::map<std::pair<RuleNumber, std::vector<std::uint32_t>>, std::uint32_t> numbers_;  // of what tracks these
     std::size_t answers_ = 0;

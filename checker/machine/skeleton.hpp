@@ -41,7 +41,8 @@ struct Skeleton {
 };
 
 /// Takes a term apart, down to the terms in `leaves` and those without operators that stay; compressed terms in
-/// `left_out` are their operands. Nothing if it has no parallel operator to take apart. May evaluate definitions and throw what they throw. `poll` may throw to stop.
+/// `left_out` are their operands. Nothing if it has no parallel operator to take apart. May evaluate definitions and
+/// throw what they throw. `poll` may throw to stop.
 ///
 /// Events before a parallel operator are looked through, so that a process can start its components or move between
 /// modes. Where that does not come back to where it began, as in COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B), it

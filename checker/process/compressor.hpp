@@ -31,8 +31,8 @@ public:
 class Compressor {
 public:
     virtual ~Compressor() = default;
-    /// The operand explored by a faster engine than its terms, or a machine with fewer states that the compression makes
-    /// the same of; none if there is none for it. Throws TooManyStates. `poll` may throw to stop.
+    /// The operand explored by a faster engine than its terms, or a machine with fewer states that the compression
+    /// makes the same of; none if there is none for it. Throws TooManyStates. `poll` may throw to stop.
     virtual std::optional<Machine> explore(TermId /*operand*/, Compression /*kind*/,
                                            const std::function<void()>& /*poll*/) {
         return std::nullopt;
