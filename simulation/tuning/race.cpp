@@ -206,6 +206,7 @@ void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
         if (trials_ - begin + trials > share) break;
         look(alive, next);
         done.insert(done.end(), next.begin(), next.end());
+        if (!lead(alive, done)) break;
         const std::vector<std::size_t> kept = not_worse(alive, done);
         std::erase_if(alive, [&](std::size_t each) {
             const bool elite = std::find(elites_.begin(), elites_.end(), each) != elites_.end();
@@ -216,7 +217,10 @@ void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
     }
     iterations_.back().seeds = done.size();
     iterations_.back().left = alive.size();
-    if (!done.empty()) choose(ranked(std::move(alive), done));
+    if (alive.empty())
+        elites_.clear();
+    else if (!done.empty())
+        choose(ranked(std::move(alive), done));
 }
 
 std::vector<std::size_t> Race::ranked(std::vector<std::size_t> alive, const std::vector<std::uint64_t>& seeds) const {
@@ -245,17 +249,31 @@ std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
     return result;
 }
 
+/// Others leave because they are worse than the best, so that one must be admitted: those that are not leave before.
+/// False where none is left.
+bool Race::lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
+    for (const std::size_t each : ranked(alive, seeds)) {
+        if (is_admitted(each)) return true;
+        std::erase(alive, each);
+    }
+    return false;
+}
+
+bool Race::is_admitted(std::size_t candidate) {
+    if (!admitted_.contains(candidate) && !refused_.contains(candidate)) {
+        const bool good = subject_.admitted(entries_[candidate].candidate);
+        (good ? admitted_ : refused_).insert(candidate);
+        if (!good) ++iterations_.back().refused;
+    }
+    return admitted_.contains(candidate);
+}
+
 /// The best that are admitted.
 void Race::choose(const std::vector<std::size_t>& best) {
     std::vector<std::size_t> chosen;
     for (const std::size_t each : best) {
         if (chosen.size() == survivors()) break;
-        if (!admitted_.contains(each) && !refused_.contains(each)) {
-            const bool good = subject_.admitted(entries_[each].candidate);
-            (good ? admitted_ : refused_).insert(each);
-            if (!good) ++iterations_.back().refused;
-        }
-        if (admitted_.contains(each)) chosen.push_back(each);
+        if (is_admitted(each)) chosen.push_back(each);
     }
     elites_ = std::move(chosen);
 }

@@ -41,7 +41,7 @@ public:
     virtual ~RaceSubject() = default;
     /// Can trials of it be run? Asked once for each candidate, in the order of their numbers from 0.
     virtual bool usable(const Candidate&) = 0;
-    /// May it be among the best? Asked at most once for each, when it would be.
+    /// May it be among the best? Asked at most once for each, when it leads or would be among them.
     virtual bool admitted(const Candidate&) = 0;
     /// The costs of trials, in their order. Lower is better.
     virtual std::vector<double> costs(const std::vector<RaceTrial>&) = 0;
@@ -66,7 +66,7 @@ struct RaceIteration {
     std::uint64_t seeds = 0;     ///< on which those that were left have run
     std::uint64_t trials = 0;
     std::uint64_t left = 0;     ///< candidates
-    std::uint64_t refused = 0;  ///< of those that would have been among the best
+    std::uint64_t refused = 0;  ///< of those that led, or would have been among the best
 };
 
 class Race {
@@ -100,6 +100,8 @@ private:
                                                   const std::vector<std::uint64_t>& seeds) const;
     [[nodiscard]] std::vector<std::size_t> not_worse(const std::vector<std::size_t>& alive,
                                                      const std::vector<std::uint64_t>& seeds) const;
+    bool lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds);
+    bool is_admitted(std::size_t candidate);
     void choose(const std::vector<std::size_t>& best);
 
     const std::vector<Parameter>& parameters_;
