@@ -132,7 +132,9 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     if (!project.diagnostics.ok()) return false;
     if (found.interrupted) options.run->budget().check();  // throws what was reached
     evidence.scenario = scenario.name.text;
-    evidence.scenario_digest = content_digest(project.sources.text(simulation->scenario.name.span.source));
+    std::string texts(project.sources.text(simulation->scenario.name.span.source));
+    for (const std::string& drawing : simulation->scenario.drawings) texts += content_digest(drawing);
+    evidence.scenario_digest = content_digest(texts);
     evidence.seed = scenario.seed;
     for (std::size_t c = 0; c < found.claims.size(); ++c) {
         const simulation::ClaimResult& each = found.claims[c];
