@@ -18,8 +18,8 @@ namespace robochart::simulation {
 
 namespace {
 
-constexpr std::size_t most_corners = 10'000;
-constexpr double largest = 1e6;
+constexpr std::size_t most_drawn_corners = 10'000;
+constexpr double largest_number = 1e6;
 
 /// What is wrong with a drawing.
 class BadDrawing : public std::runtime_error {
@@ -50,7 +50,7 @@ public:
         if (rest_.starts_with('+')) rest_.remove_prefix(1);
         double value = 0;
         const auto [end, wrong] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-        if (wrong != std::errc() || !(std::abs(value) <= largest))
+        if (wrong != std::errc() || !(std::abs(value) <= largest_number))
             throw BadDrawing(fmt::format("a number up to a million is expected at '{}'", rest_.substr(0, 20)));
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         skip();
@@ -130,7 +130,8 @@ private:
                 throw BadDrawing(
                     fmt::format("a path has the command {}: only straight lines are read (M L H V Z)", command));
         }
-        if (corners_.size() >= most_corners) throw BadDrawing(fmt::format("it has more than {} corners", most_corners));
+        if (corners_.size() >= most_drawn_corners)
+            throw BadDrawing(fmt::format("it has more than {} corners", most_drawn_corners));
         corners_.push_back(at_);
     }
 
@@ -176,7 +177,7 @@ public:
             Polygon corners;
             while (!in.done()) {
                 corners.push_back(in.point());
-                if (corners.size() > most_corners) break;
+                if (corners.size() > most_drawn_corners) break;
             }
             add(std::move(corners));
         } else if (element == "rect") {
@@ -224,7 +225,8 @@ private:
     void add(Polygon polygon) {
         if (polygon.size() < 3) throw BadDrawing("an obstacle has at least three corners");
         corners_ += polygon.size();
-        if (corners_ > most_corners) throw BadDrawing(fmt::format("it has more than {} corners", most_corners));
+        if (corners_ > most_drawn_corners)
+            throw BadDrawing(fmt::format("it has more than {} corners", most_drawn_corners));
         polygons_.push_back(std::move(polygon));
     }
 
@@ -236,7 +238,7 @@ private:
 };
 
 /// Expat's callbacks must not throw.
-struct Reading {
+struct DrawingReader {
     XML_Parser parser = nullptr;
     Drawing drawing;
     std::exception_ptr thrown;
@@ -256,17 +258,17 @@ struct Reading {
 };
 
 void element_begins(void* reading, const XML_Char* name, const XML_Char** attributes) {
-    auto& to = *static_cast<Reading*>(reading);
+    auto& to = *static_cast<DrawingReader*>(reading);
     to.guarded([&] { to.drawing.begin(name, attributes); });
 }
 
 void element_ends(void* reading, const XML_Char* name) {
-    auto& to = *static_cast<Reading*>(reading);
+    auto& to = *static_cast<DrawingReader*>(reading);
     to.guarded([&] { to.drawing.end(name); });
 }
 
 void doctype_begins(void* reading, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-    auto& to = *static_cast<Reading*>(reading);
+    auto& to = *static_cast<DrawingReader*>(reading);
     to.guarded([] { throw BadDrawing("document types are not read: remove the DOCTYPE"); });
 }
 
@@ -280,7 +282,7 @@ std::vector<std::vector<Vector>> drawn_obstacles(std::string_view svg, std::stri
     const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(
         XML_ParserCreateNS(nullptr, '|'), &XML_ParserFree);
     if (!parser) throw std::bad_alloc();
-    Reading reading;
+    DrawingReader reading;
     reading.parser = parser.get();
     XML_SetUserData(parser.get(), &reading);
     XML_SetElementHandler(parser.get(), element_begins, element_ends);

@@ -21,7 +21,7 @@ using testing::run;
 using testing::run_shell;
 using tests::contents;
 
-/// A robot that drives along a curve, or spins. From (0, 0) to within 5 cm of a lamp at (100 cm, 0) it takes 95 cm
+/// A robot that drives along a curve, or spins. From (0, 0) to within 30 cm of a lamp at (100 cm, 0) it takes 70 cm
 /// straight on, so the best is no curve, no spinning, and the highest speed. Speeds above 8 reach the state Hasty.
 constexpr const char* model = R"(package aim
 interface Drive {
@@ -53,7 +53,7 @@ constexpr const char* world = R"(scenario Aim for aim::Robot {
 	actuator motors is differential_drive
 	drive motors by speeds(linear in cm/s, angular in rad/s)
 	measure way is distance(lamp)
-	accept probability way <= 5 cm within 30 s >= 90 % with confidence 95 %
+	accept probability way <= 30 cm within 30 s >= 90 % with confidence 95 %
 }
 )";
 
@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, std::string>> project(const std::string& asse
 
 std::vector<std::string> tuning(const Folder& folder, const std::vector<std::string>& more) {
     std::vector<std::string> words{
-        "tune",    folder / "aim/aim.scenario", "--const", "speed=1..10", "--const", "curve=-1.0..1.0",
+        "tune",    folder / "aim/aim.scenario", "--const", "speed=1..10", "--const", "curve=-0.2..0.2",
         "--const", "spinning=true,false",       "--out",   folder / "out"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
@@ -84,7 +84,8 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     const auto& winner = json.at("elites").at(0);
     EXPECT_LE(json.at("trials"), 400);
     EXPECT_GE(std::stod(constant(winner, "speed")), 8.0);
-    EXPECT_NEAR(std::stod(constant(winner, "curve")), 0, 0.1);
+    // A curve c leads c 100^2 / (2 v) cm past the lamp, roughly: 30 cm at 0.06 and the highest speed.
+    EXPECT_NEAR(std::stod(constant(winner, "curve")), 0, 0.06);
     EXPECT_EQ(constant(winner, "spinning"), "false");
     const auto& certificate = json.at("certificate");
     EXPECT_EQ(certificate.at("claims").at(0).at("answer"), "holds");
@@ -115,7 +116,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_EQ(diagnostics::replace_file(file, certificate_text(*forged)), "");
     const auto refuted = run(verify);
     EXPECT_EQ(refuted.exit, 1) << refuted.err;
-    EXPECT_THAT(refuted.out, HasSubstr("differs      claim: probability way <= 5 cm"));
+    EXPECT_THAT(refuted.out, HasSubstr("differs      claim: probability way <= 30 cm"));
 
     EXPECT_EQ(diagnostics::replace_file(file, text), "");
     EXPECT_EQ(diagnostics::replace_file(folder / "aim/aim.assertions", "// another\n" + std::string(harmless)), "");
@@ -141,7 +142,7 @@ TEST(Tune, TheSameForAnyNumberOfThreadsAndGoesOnWhereItWas) {
     const std::string scenario = folder / "aim/aim.scenario";
     const auto ran =
         run_shell("tune() { \"$verify\" tune " + scenario +
-                  " --const curve=-1.0..1.0 --const speed=4..8 --const spinning=false --budget 60 \"$@\"; }\n"
+                  " --const curve=-0.2..0.2 --const speed=4..8 --const spinning=false --budget 60 \"$@\"; }\n"
                   "tune --threads 1 --no-cache --out one > /dev/null\n"
                   "tune --threads 3 --out three > /dev/null\n"
                   "cmp one/tuning/Aim/certificate.json three/tuning/Aim/certificate.json && echo equal\n"
