@@ -382,7 +382,7 @@ private:
     /// What is known of a search that did not end.
     Exit interrupted(const simulation::Race& race) const {
         if (options_.format == Format::json) return print_json(race, "", Exit::inconclusive);
-        print("{}: the search is not finished; the same command goes on where it was\n", limit_);
+        print("{}: not finished; the same command goes on where it was\n", limit_);
         for (const std::size_t each : race.elites()) print("  {}\n", entry_text(race.entries()[each]));
         return Exit::inconclusive;
     }

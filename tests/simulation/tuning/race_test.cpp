@@ -175,12 +175,12 @@ TEST(Race, TheSameSeedFindsTheSame) {
 }
 
 TEST(Race, WhatWasFoundStaysWhereItIsEnded) {
-    Synthetic subject({parameter("0.0..1.0")});
-    subject.most_ = 1500;
+    Synthetic subject({parameter("0.000..1.000")});
+    subject.most_ = 1300;
     Race race(subject.parameters_, {2000, 1, Elimination::friedman}, subject);
     EXPECT_THROW(race.run(), std::runtime_error);
     ASSERT_FALSE(race.elites().empty());
-    EXPECT_LE(race.trials(), 1500U);
+    EXPECT_LE(race.trials(), 1300U);
     EXPECT_NEAR(subject.number(race.entries()[race.elites().front()].candidate, 0), 0.3, 0.3);
 }
 
