@@ -148,7 +148,8 @@ TEST(Tune, TheSameForAnyNumberOfThreadsAndGoesOnWhereItWas) {
                   "cmp one/tuning/Aim/certificate.json three/tuning/Aim/certificate.json && echo equal\n"
                   "tune --threads 2 --out three | grep known\n");
     EXPECT_THAT(ran.out, HasSubstr("equal\n")) << ran.err;
-    EXPECT_THAT(ran.out, ::testing::ContainsRegex("([0-9]+) of \\1 trials known from earlier runs")) << ran.err;
+    // A third of the budget suffices for three candidates on five seeds, and so many may survive.
+    EXPECT_THAT(ran.out, HasSubstr("15 of 15 trials known from earlier runs")) << ran.err;
 }
 
 TEST(Tune, ALimitLeavesWhatIsKnown) {
