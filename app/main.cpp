@@ -19,6 +19,7 @@ Exit run(const robochart::app::Options& options) {
     if (options.verb == Verb::rules) return robochart::app::run_rules(options);
     if (options.verb == Verb::simulate) return robochart::app::run_simulate(options);
     if (options.verb == Verb::step) return robochart::app::run_step(options);
+    if (options.verb == Verb::tune) return robochart::app::run_tune(options);
     if (options.verb == Verb::validate) return robochart::app::run_validate(options);
     return robochart::app::run_model(options);
 }

@@ -45,6 +45,9 @@ const std::vector<VerbRow>& verb_table() {
         {Verb::draw, "draw", "", "draw diagrams of a model, or of some of its components", "MODEL [COMPONENT...]"},
         {Verb::simulate, "simulate", "",
          "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
+        {Verb::tune, "tune", "",
+         "find values of constants with which a scenario's claims do best, check them, and certify what holds",
+         "SCENARIO"},
         {Verb::format, "format", "", "write model and assertion files in the standard layout, in place", "FILE..."},
         {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "[CODE...]"},
         {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
@@ -105,7 +108,7 @@ constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
 constexpr Verbs searching = models | of(Verb::cspm) | of(Verb::rules);
 constexpr Verbs limited = searching | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) |
-                          of(Verb::format) | of(Verb::simulate);
+                          of(Verb::format) | of(Verb::simulate) | of(Verb::tune);
 constexpr Verbs all_verbs =
     limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::init) | of(Verb::help) | of(Verb::version);
 
@@ -228,7 +231,10 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant the model leaves open",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
-        {"--range", Group::model, models | of(Verb::rules) | of(Verb::step), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
+        {"--const", Group::model, of(Verb::tune), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
+         "value of a constant, or values to try: LOW..HIGH, or several with commas",
+         [](Options& o, const std::string& word) { o.constants.push_back(word); }},
+        {"--range", Group::model, models | of(Verb::rules) | of(Verb::step) | of(Verb::tune), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
          "carrier of nat, int or real; lengths of Seq, times of clock, elements of given",
          [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
         {"--prefs", Group::model, checking | of(Verb::emit_prism), {.kind = Kind::file, .name = "FILE"},
@@ -237,10 +243,10 @@ const std::vector<OptionRow>& option_table() {
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::prism) | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate),
+        {"--allow", Group::model, models | of(Verb::prism) | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate) | of(Verb::tune),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
-        {"--deny-warnings", Group::model, models | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate), {},
+        {"--deny-warnings", Group::model, models | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate) | of(Verb::tune), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
         {"--component", Group::code, coding | of(Verb::emit_prism) | of(Verb::rules), {.kind = Kind::name, .name = "NAME"},
@@ -297,6 +303,21 @@ const std::vector<OptionRow>& option_table() {
         {"--seed", Group::simulation, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .most = any_number},
          "seed of the first trial, instead of the scenario's",
          [](Options& o, const std::string& word) { o.seed = number(word); }},
+        {"--budget", Group::simulation, of(Verb::tune),
+         {.kind = Kind::whole, .name = "N", .usual = "1000", .least = 1, .most = 100'000'000},
+         "trials of the search at most",
+         [](Options& o, const std::string& word) { o.tuning_trials = number(word); }},
+        {"--seed", Group::simulation, of(Verb::tune),
+         {.kind = Kind::whole, .name = "N", .usual = "1", .most = 1'000'000'000},
+         "seed of the search: of the values it tries and of its trials; claims are judged on the scenario's seeds",
+         [](Options& o, const std::string& word) { o.seed = number(word); }},
+        {"--test", Group::simulation, of(Verb::tune),
+         {.kind = Kind::choice, .name = "TEST", .usual = "friedman", .choices = "friedman,t-test"},
+         "the test by which values that do worse leave the search",
+         [](Options& o, const std::string& word) { o.elimination = word; }},
+        {"--verify-certificate", Group::simulation, of(Verb::tune), {.kind = Kind::file, .name = "FILE"},
+         "search nothing: decide anew what this certificate says, and compare",
+         [](Options& o, const std::string& word) { o.certificate = word; }},
         {"--compare", Group::simulation, of(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
          "compare the estimates of a sweep with a table of earlier trials, such as its sweep.csv",
          [](Options& o, const std::string& word) { o.compare = word; }},
@@ -325,7 +346,7 @@ const std::vector<OptionRow>& option_table() {
         {"--ros2", Group::files, of(Verb::init), {}, "with a mapping to messages of ROS 2 for `emit cpp --target ros2`",
          [](Options& o, const std::string&) { o.ros2 = true; }},
 
-        {"-o,--out", Group::output, models | of(Verb::simulate),
+        {"-o,--out", Group::output, models | of(Verb::simulate) | of(Verb::tune),
          {.kind = Kind::folder, .name = "DIR", .usual = "out"}, "folder for the files written",
          [](Options& o, const std::string& word) {
              o.out = word;
@@ -345,7 +366,7 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::choice, .name = "THEME", .usual = "auto", .choices = "auto,light,dark"},
          "colours of the diagrams; auto: as the reader's system prefers",
          [](Options& o, const std::string& word) { o.theme = word; }},
-        {"--format", Group::output, emitting | of(Verb::simulate), format_of("text,json"), "how the result is printed",
+        {"--format", Group::output, emitting | of(Verb::simulate) | of(Verb::tune), format_of("text,json"), "how the result is printed",
          take_format},
         {"--format", Group::output, checking, format_of("text,json,sarif,junit"), "how the result is printed",
          take_format},
@@ -376,7 +397,7 @@ const std::vector<OptionRow>& option_table() {
          [](Options& o, const std::string& word) {
              o.color = static_cast<Color>(index_of(word, "auto,always,never"));
          }},
-        {"-q,--quiet", Group::output, searching | of(Verb::simulate), {},
+        {"-q,--quiet", Group::output, searching | of(Verb::simulate) | of(Verb::tune), {},
          "print only what is wrong and the closing line", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::prism), {}, "print the answers, not the sizes", take_quiet},
         {"-q,--quiet", Group::output, of(Verb::validate), {}, "print only what is wrong", take_quiet},
@@ -401,7 +422,7 @@ const std::vector<OptionRow>& option_table() {
          "instead of answers, write the transitions, states or labels, a graph, or of one property the scheduler that "
          "attains its value, or the paths that violate its bound as a graph",
          [](Options& o, const std::string& word) { o.exported_space = word; }},
-        {"--progress", Group::output, searching | of(Verb::simulate),
+        {"--progress", Group::output, searching | of(Verb::simulate) | of(Verb::tune),
          {.kind = Kind::choice, .name = "HOW", .usual = "auto", .choices = "auto,json,never"},
          "how far the run has come, on standard error; auto: a line on a terminal, else one each half minute",
          [](Options& o, const std::string& word) {
@@ -422,23 +443,23 @@ const std::vector<OptionRow>& option_table() {
          [](Options& o, const std::string& word) { o.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
         {"--threads", Group::limits, searching, {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "threads of a check at most, used where its state space is wide; 0 for one for each core", take_threads},
-        {"--threads", Group::limits, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
+        {"--threads", Group::limits, of(Verb::simulate) | of(Verb::tune), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "parallel trials at most; 0 for one for each core", take_threads},
         {"--threads", Group::limits, of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "sets of constants, answers or random paths at once at most; 0 for one for each core", take_threads},
-        {"--no-reduction", Group::limits, searching, {},
+        {"--no-reduction", Group::limits, searching | of(Verb::tune), {},
          "search all states, also those that confluent hidden steps lead on from",
          [](Options& o, const std::string&) { o.reduction = false; }},
         {"--max-states", Group::limits, of(Verb::prism),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "bound on states of the model",
          [](Options& o, const std::string& word) { o.max_states = number(word); }},
-        {"--max-states", Group::limits, searching,
+        {"--max-states", Group::limits, searching | of(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "bound on states of a check",
          [](Options& o, const std::string& word) { o.max_states = number(word); }},
 
-        {"--no-cache", Group::general, searching | of(Verb::simulate), {},
+        {"--no-cache", Group::general, searching | of(Verb::simulate) | of(Verb::tune), {},
          "work out everything anew, and keep nothing for later runs",
          [](Options& o, const std::string&) { o.cache = false; }},
         {"--stdio", Group::general, of(Verb::lsp), {},

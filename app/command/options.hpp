@@ -46,6 +46,7 @@ enum class Verb {
     rules,
     simulate,
     step,
+    tune,
     validate,
     help,
     version
@@ -57,7 +58,8 @@ enum class Verb {
 /// Whether the result has nothing of assertions: files of them with errors are left out then.
 [[nodiscard]] constexpr bool leaves_assertions(Verb verb) {
     return verb == Verb::emit_cpp || verb == Verb::emit_monitor || verb == Verb::emit_tests || verb == Verb::conform ||
-           verb == Verb::draw || verb == Verb::rules || verb == Verb::simulate || verb == Verb::step;
+           verb == Verb::draw || verb == Verb::rules || verb == Verb::simulate || verb == Verb::step ||
+           verb == Verb::tune;
 }
 /// How results are printed.
 enum class Format { text, json, sarif, plain, framed_json, junit, csv };
@@ -130,12 +132,16 @@ struct Options {
     std::vector<std::string> ranges;     ///< TYPE=LOW..HIGH
     std::vector<std::string> allowed;    ///< codes of warnings not wanted
     std::uint32_t trials = 0;            ///< simulate: instead of the scenario's; 0: as it says
-    std::optional<std::uint64_t> seed;   ///< simulate: instead of the scenario's; prism: of the paths
-    std::string compare;                 ///< simulate: a table of earlier trials to compare a sweep with
-    bool pictures = true;                ///< simulate: write tables and pictures
-    bool monitor = false;                ///< simulate: a monitor beside every controller
-    std::string log;                     ///< simulate: folder for logs of every robot, "" for none
-    std::uint64_t walks = 200'000;       ///< conform: cycles of random walks where the whole is too large; 0: none
+    std::optional<std::uint64_t>
+        seed;  ///< simulate: instead of the scenario's; prism: of the paths; tune: of the search
+    std::uint64_t tuning_trials = 1000;    ///< tune: budget of the search
+    std::string elimination = "friedman";  ///< tune: the test by which candidates leave
+    std::string certificate;               ///< tune: the certificate to decide again; "": search
+    std::string compare;                   ///< simulate: a table of earlier trials to compare a sweep with
+    bool pictures = true;                  ///< simulate: write tables and pictures
+    bool monitor = false;                  ///< simulate: a monitor beside every controller
+    std::string log;                       ///< simulate: folder for logs of every robot, "" for none
+    std::uint64_t walks = 200'000;         ///< conform: cycles of random walks where the whole is too large; 0: none
     std::string relation = "failures-divergences";  ///< conform --model
     bool choices = false;                           ///< emit cpp --choices, conform --all-choices
     std::uint32_t extra_states = 0;                 ///< emit tests: that an implementation may have more than the model

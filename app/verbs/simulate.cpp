@@ -36,17 +36,17 @@ simulation::Scenario read_scenario_of(Project& project, const Options& options) 
     }
     simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
     if (options.trials > 0) scenario.set_trials(options.trials);
-    if (options.seed) scenario.seed = *options.seed;
+    if (options.seed && options.verb == Verb::simulate) scenario.seed = *options.seed;
     return scenario;
 }
-
-namespace {
 
 std::string model_of(const simulation::Scenario& scenario, const std::string& path) {
     const fs::path folder = fs::path(path).parent_path();
     const fs::path model = scenario.model.empty() ? folder : folder / scenario.model;
     return model.empty() ? "." : model.string();
 }
+
+namespace {
 
 void emit(Simulation& simulation, const std::string& model) {
     Project& project = *simulation.project;
@@ -188,7 +188,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     simulation->project = std::make_unique<Project>();
     simulation->scenario = read_scenario_of(*simulation->project, options);
     if (options.inputs.size() != 1)
-        simulation->project->diagnostics.report(rules::bad_option, {}, {"simulate takes one scenario at a time"});
+        simulation->project->diagnostics.report(rules::bad_option, {}, {"one scenario at a time"});
     if (!simulation->project->diagnostics.ok()) return simulation;
     Options model = options;
     model.inputs = {model_of(simulation->scenario, options.inputs.front())};

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/command/pipeline.hpp"
+#include "app/tune/certificate.hpp"
 #include "simulation/report/run.hpp"
 #include "simulation/scenario/plan.hpp"
 #include "simulation/trial/controller.hpp"
@@ -25,6 +26,17 @@ struct Simulation {
 [[nodiscard]] simulation::Scenario read_scenario_of(Project&, const Options&);
 /// Builds the controller; on failure null, and what is wrong is among the project's diagnostics.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
+
+/// The path of a scenario's model, where the scenario has this path.
+[[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path);
+
+/// What is decided with the constants of the options, added to the evidence: the assertions of the scenario's model and
+/// the digests of its files; whether the code that drives the robots conforms; the scenario's claims, of which false is
+/// returned where the scenario cannot be run: the diagnostics of the simulation's project say why. Throw
+/// diagnostics::LimitReached.
+void decide_assertions(const Options&, const simulation::Scenario&, Evidence&);
+void decide_conformance(const Options&, const simulation::Scenario&, Evidence&);
+[[nodiscard]] bool decide_claims(const Options&, Evidence&, std::unique_ptr<Simulation>&);
 
 /// Another simulator in place of the embedded world.
 struct OtherStage {

@@ -148,6 +148,7 @@ private:
         diagnostics::Hasher hasher;
         hasher.add("point of a sweep");
         hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
+        for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
         for (const auto& file : simulation.emission.files) {
             hasher.add(file.path);
             hasher.add(file.text);

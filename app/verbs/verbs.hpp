@@ -21,8 +21,9 @@ Exit run_draw(const Options&);
 Exit run_format(const Options&);
 Exit run_init(const Options&);
 Exit run_simulate(const Options&);  ///< in the embedded world
-Exit run_step(const Options&);      ///< reads its commands from standard input
-Exit run_lsp();                     ///< serves an editor on stdin and stdout until it leaves
+Exit run_tune(const Options&);
+Exit run_step(const Options&);  ///< reads its commands from standard input
+Exit run_lsp();                 ///< serves an editor on stdin and stdout until it leaves
 
 /// Decides the model's assertions in the times asked for.
 void check_assertions(Project&, const Options&, Report&);

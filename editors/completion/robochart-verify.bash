@@ -1,5 +1,5 @@
 # Completion of robochart-verify for bash, made by `robochart-verify help --generate bash`.
-_robochart_verify_verbs='verify init validate check emit conform cspm prism rules step draw simulate format explain lsp help version'
+_robochart_verify_verbs='verify init validate check emit conform cspm prism rules step draw simulate tune format explain lsp help version'
 _robochart_verify_emitted='csp cpp prism monitor tests'
 
 # The options of a verb.
@@ -21,6 +21,7 @@ _robochart_verify_options() {
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
     'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
+    'tune') echo '--const --range --allow --deny-warnings --budget --seed --test --verify-certificate -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
     'explain') echo '--color -h --help' ;;
     'lsp') echo '--stdio -h --help' ;;
@@ -45,10 +46,11 @@ _robochart_verify_argument() {
     'rules --without-limit') echo 'eventually now' ;;
     'prism --const') echo '<value>' ;;
     'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'rules --const' | 'step --const' | 'simulate --const') echo '<value>' ;;
-    'verify --range' | 'check --range' | 'emit csp --range' | 'emit cpp --range' | 'emit prism --range' | 'emit monitor --range' | 'emit tests --range' | 'conform --range' | 'rules --range' | 'step --range') echo '<value>' ;;
+    'tune --const') echo '<value>' ;;
+    'verify --range' | 'check --range' | 'emit csp --range' | 'emit cpp --range' | 'emit prism --range' | 'emit monitor --range' | 'emit tests --range' | 'conform --range' | 'rules --range' | 'step --range' | 'tune --range') echo '<value>' ;;
     'verify --prefs' | 'check --prefs' | 'emit prism --prefs') echo '<file>' ;;
     'verify --print' | 'check --print' | 'emit csp --print' | 'emit cpp --print' | 'emit prism --print' | 'emit monitor --print' | 'emit tests --print' | 'conform --print') echo 'ast model ir script timed-script' ;;
-    'verify --allow' | 'validate --allow' | 'check --allow' | 'emit csp --allow' | 'emit cpp --allow' | 'emit prism --allow' | 'emit monitor --allow' | 'emit tests --allow' | 'conform --allow' | 'prism --allow' | 'rules --allow' | 'step --allow' | 'draw --allow' | 'simulate --allow') echo '<value>' ;;
+    'verify --allow' | 'validate --allow' | 'check --allow' | 'emit csp --allow' | 'emit cpp --allow' | 'emit prism --allow' | 'emit monitor --allow' | 'emit tests --allow' | 'conform --allow' | 'prism --allow' | 'rules --allow' | 'step --allow' | 'draw --allow' | 'simulate --allow' | 'tune --allow') echo '<value>' ;;
     'verify --component' | 'emit cpp --component' | 'emit prism --component' | 'emit monitor --component' | 'emit tests --component' | 'conform --component' | 'rules --component') echo '<value>' ;;
     'verify --cycle' | 'emit cpp --cycle' | 'emit monitor --cycle' | 'emit tests --cycle' | 'conform --cycle') echo '<value>' ;;
     'emit cpp --target') echo 'library main ros2 enki argos' ;;
@@ -61,13 +63,17 @@ _robochart_verify_argument() {
     'emit tests --extra-states') echo '<value>' ;;
     'simulate --trials') echo '<value>' ;;
     'simulate --seed') echo '<value>' ;;
+    'tune --budget') echo '<value>' ;;
+    'tune --seed') echo '<value>' ;;
+    'tune --test') echo 'friedman t-test' ;;
+    'tune --verify-certificate') echo '<file>' ;;
     'simulate --compare') echo '<file>' ;;
     'simulate --log') echo '<folder>' ;;
-    'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit prism -o' | 'emit prism --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out') echo '<folder>' ;;
+    'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit prism -o' | 'emit prism --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out' | 'tune -o' | 'tune --out') echo '<folder>' ;;
     'draw -o' | 'draw --out') echo '<folder>' ;;
     'draw --format') echo 'svg png pdf mermaid dot' ;;
     'draw --theme') echo 'auto light dark' ;;
-    'emit csp --format' | 'emit cpp --format' | 'emit prism --format' | 'emit monitor --format' | 'emit tests --format' | 'simulate --format') echo 'text json' ;;
+    'emit csp --format' | 'emit cpp --format' | 'emit prism --format' | 'emit monitor --format' | 'emit tests --format' | 'simulate --format' | 'tune --format') echo 'text json' ;;
     'verify --format' | 'check --format') echo 'text json sarif junit' ;;
     'conform --format') echo 'text json junit' ;;
     'validate --format') echo 'text json sarif' ;;
@@ -78,18 +84,18 @@ _robochart_verify_argument() {
     'step --html') echo '<file>' ;;
     'simulate --html') echo '<file>' ;;
     'prism --plot') echo '<file>' ;;
-    'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit prism --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'prism --color' | 'rules --color' | 'step --color' | 'draw --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
+    'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit prism --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'prism --color' | 'rules --color' | 'step --color' | 'draw --color' | 'simulate --color' | 'tune --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
     'cspm --export') echo 'aut dot csp' ;;
     'prism --export') echo 'tra sta lab dot strategy counterexample' ;;
-    'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit prism --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'rules --progress' | 'simulate --progress') echo 'auto json never' ;;
+    'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit prism --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'rules --progress' | 'simulate --progress' | 'tune --progress') echo 'auto json never' ;;
     'help --generate') echo 'man bash zsh fish' ;;
-    'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'rules --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'format --memory') echo '<value>' ;;
-    'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'rules --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'format --timeout') echo '<value>' ;;
+    'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'rules --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'tune --memory' | 'format --memory') echo '<value>' ;;
+    'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'rules --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'tune --timeout' | 'format --timeout') echo '<value>' ;;
     'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads' | 'rules --threads') echo '<value>' ;;
-    'simulate --threads') echo '<value>' ;;
+    'simulate --threads' | 'tune --threads') echo '<value>' ;;
     'prism --threads') echo '<value>' ;;
     'prism --max-states') echo '<value>' ;;
-    'verify --max-states' | 'check --max-states' | 'emit csp --max-states' | 'emit cpp --max-states' | 'emit prism --max-states' | 'emit monitor --max-states' | 'emit tests --max-states' | 'conform --max-states' | 'cspm --max-states' | 'rules --max-states') echo '<value>' ;;
+    'verify --max-states' | 'check --max-states' | 'emit csp --max-states' | 'emit cpp --max-states' | 'emit prism --max-states' | 'emit monitor --max-states' | 'emit tests --max-states' | 'conform --max-states' | 'cspm --max-states' | 'rules --max-states' | 'tune --max-states') echo '<value>' ;;
   esac
 }
 

@@ -135,6 +135,8 @@ std::string placement_text(const Placement& place) {
             return fmt::format("at random around {} with {:g} cm2 per robot", point(place.pose.at), place.area);
         case Placement::Kind::arena:
             return "at random in the arena";
+        case Placement::Kind::linked:
+            return fmt::format("at random around {}, each within {:g} cm of another", point(place.pose.at), place.link);
         default:
             return fmt::format("at random in {} to {}", point(place.region.low), point(place.region.high));
     }

@@ -104,11 +104,12 @@ struct Light {
 };
 
 struct Placement {
-    enum class Kind { pose, region, square, arena };
+    enum class Kind { pose, region, square, arena, linked };
     Kind kind = Kind::pose;
-    Pose pose;        ///< of one robot; square: its centre
+    Pose pose;        ///< of one robot; square: its centre; linked: where the first one is
     Region region;    ///< at random in it
     double area = 0;  ///< square: of each robot
+    double link = 0;  ///< linked: each is at most this far, centre to centre, from one that was placed before
     diagnostics::Span span;
 };
 
@@ -192,7 +193,7 @@ struct Claim {
     diagnostics::Span span;
 };
 
-enum class Varied { robots, noise, constant, sensor };
+enum class Varied { robots, noise, constant, sensor, failed, mean_time };
 
 /// `vary robots in 1 to 30`.
 struct Variation {
@@ -228,6 +229,7 @@ struct Scenario {
     std::vector<Band> bands;
     std::vector<Claim> claims;
     std::vector<Variation> variations;  ///< at most two
+    std::vector<std::string> drawings;  ///< texts of the files that obstacles come from
     std::vector<double> pictures;       ///< times, s
     double record = 0.5;                ///< s between recorded positions
 

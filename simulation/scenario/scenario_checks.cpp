@@ -25,6 +25,16 @@ void ScenarioReader::check() {
     check_steps();
     check_places();
     check_lights();
+    for (const Variation& each : scenario_.variations) {
+        const auto varies = [&](const Failure& failure) {
+            return (failure.mean_time > 0) == (each.what == Varied::mean_time);
+        };
+        if ((each.what == Varied::failed || each.what == Varied::mean_time) &&
+            std::none_of(scenario_.failures.begin(), scenario_.failures.end(), varies))
+            in_.report(rules::missing, each.span,
+                       {each.what == Varied::failed ? "what fails (failure of KIND at TIME in N robots)"
+                                                    : "what fails (failure of KIND with mean time TIME)"});
+    }
     for (const auto& [time, span] : times_)
         if (said_.contains("duration") && time > scenario_.duration)
             in_.report(rules::out_of_range, span,
@@ -144,6 +154,12 @@ std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagno
     for (const Placement& placement : scenario.placements) {
         if (placement.kind == Placement::Kind::pose) continue;
         const std::size_t here = (left + regions - 1) / regions;
+        if (placement.kind == Placement::Kind::linked) {
+            if (!world.place_linked(here, placement.pose.at, placement.link)) return refuse(here, placement.span);
+            left -= here;
+            --regions;
+            continue;
+        }
         const Region region = region_of(placement, here, scenario.world.arena);
         if (is_beyond(region, scenario.world.arena)) {
             diagnostics.report(rules::out_of_range, placement.span, {"the place of robots lies outside the arena"});

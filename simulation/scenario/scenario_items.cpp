@@ -31,20 +31,33 @@ Scenario ScenarioReader::read() {
     return scenario_;
 }
 
-const std::array<ScenarioReader::ItemRow, 24>& ScenarioReader::items() {
-    static constexpr std::array<ItemRow, 24> table{{
-        {"model", true, &ScenarioReader::model},        {"step", true, &ScenarioReader::step},
-        {"physics", true, &ScenarioReader::physics},    {"unit", true, &ScenarioReader::time_unit},
-        {"duration", true, &ScenarioReader::duration},  {"trials", true, &ScenarioReader::trials},
-        {"seed", true, &ScenarioReader::seed},          {"arena", true, &ScenarioReader::arena},
-        {"wall", false, &ScenarioReader::wall},         {"light", false, &ScenarioReader::light},
-        {"robots", true, &ScenarioReader::robots},      {"sensor", false, &ScenarioReader::sensor},
-        {"actuator", false, &ScenarioReader::actuator}, {"feed", false, &ScenarioReader::feed},
-        {"drive", false, &ScenarioReader::drive},       {"stimulus", false, &ScenarioReader::stimulus},
-        {"measure", false, &ScenarioReader::measure},   {"accept", false, &ScenarioReader::accept},
-        {"pictures", true, &ScenarioReader::pictures},  {"record", true, &ScenarioReader::record},
-        {"vary", false, &ScenarioReader::vary},         {"estimate", false, &ScenarioReader::estimate},
-        {"failure", false, &ScenarioReader::failure},   {"obstacle", false, &ScenarioReader::obstacle},
+const std::array<ScenarioReader::ItemRow, 25>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 25> table{{
+        {"model", true, &ScenarioReader::model},
+        {"step", true, &ScenarioReader::step},
+        {"physics", true, &ScenarioReader::physics},
+        {"unit", true, &ScenarioReader::time_unit},
+        {"duration", true, &ScenarioReader::duration},
+        {"trials", true, &ScenarioReader::trials},
+        {"seed", true, &ScenarioReader::seed},
+        {"arena", true, &ScenarioReader::arena},
+        {"wall", false, &ScenarioReader::wall},
+        {"light", false, &ScenarioReader::light},
+        {"robots", true, &ScenarioReader::robots},
+        {"sensor", false, &ScenarioReader::sensor},
+        {"actuator", false, &ScenarioReader::actuator},
+        {"feed", false, &ScenarioReader::feed},
+        {"drive", false, &ScenarioReader::drive},
+        {"stimulus", false, &ScenarioReader::stimulus},
+        {"measure", false, &ScenarioReader::measure},
+        {"accept", false, &ScenarioReader::accept},
+        {"pictures", true, &ScenarioReader::pictures},
+        {"record", true, &ScenarioReader::record},
+        {"vary", false, &ScenarioReader::vary},
+        {"estimate", false, &ScenarioReader::estimate},
+        {"failure", false, &ScenarioReader::failure},
+        {"obstacle", false, &ScenarioReader::obstacle},
+        {"obstacles", false, &ScenarioReader::obstacles},
     }};
     return table;
 }
@@ -178,7 +191,13 @@ void ScenarioReader::place() {
     Placement placement;
     const diagnostics::Span begin = in_.last_span();
     using Kind = Placement::Kind;
-    if (!in_.take("random")) {
+    if (in_.take("linked")) {
+        placement.kind = Kind::linked;
+        in_.expect("around");
+        placement.pose.at = in_.point("a point");
+        in_.expect("within");
+        placement.link = in_.positive(Dimension::length, "how far linked robots are from each other");
+    } else if (!in_.take("random")) {
         in_.expect("at");
         placement.pose.at = in_.point("a point");
         in_.expect("heading");

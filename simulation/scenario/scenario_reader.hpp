@@ -19,7 +19,7 @@ class ScenarioReader {
 public:
     ScenarioReader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                    diagnostics::Diagnostics& diagnostics)
-        : in_(sources, source, diagnostics), whole_{source, 0, 0} {}
+        : path_(sources.path(source)), in_(sources, source, diagnostics), whole_{source, 0, 0} {}
 
     Scenario read();
 
@@ -39,7 +39,7 @@ private:
     };
 
     // scenario.cpp: times, the arena and who is in it
-    static const std::array<ItemRow, 24>& items();
+    static const std::array<ItemRow, 25>& items();
     void item();
     void model();
     void step();
@@ -85,6 +85,9 @@ private:
     // scenario_world.cpp: failures and obstacles
     void failure();
     void obstacle();
+    /// `obstacles "FILE.svg" with LENGTH per unit`.
+    void obstacles();
+    void add_obstacle(std::vector<Vector> corners, diagnostics::Span span);
 
     // scenario_bands.cpp: measures and bands
     void measure();
@@ -130,6 +133,7 @@ private:
     void check_places();
     void check_lights();
 
+    std::string path_;  ///< of the scenario
     Reader in_;
     Scenario scenario_;
     diagnostics::Span whole_;

@@ -24,6 +24,11 @@ void ScenarioReader::vary() {
         variation.constant = in_.qualified_name("a constant of the model").text;
     } else if (in_.take("noise")) {
         variation.what = Varied::noise;
+    } else if (in_.take("failures")) {
+        variation.what = Varied::failed;
+    } else if (in_.take("mean")) {
+        in_.expect("time");
+        variation.what = Varied::mean_time;
     } else if (!in_.take("robots")) {
         sensor_option(variation);
         if (in_.failed()) return;
@@ -51,7 +56,7 @@ void ScenarioReader::sensor_option(Variation& variation) {
     variation.what = Varied::sensor;
     const bool known = std::any_of(scenario_.sensors.begin(), scenario_.sensors.end(),
                                    [&](const Sensor& sensor) { return in_.at(sensor.name.text); });
-    if (!known) return in_.fail("'robots', 'noise', 'const' or a sensor");
+    if (!known) return in_.fail("'robots', 'noise', 'failures', 'mean time', 'const' or a sensor");
     variation.constant = in_.name("a sensor").text;
     in_.expect(".");
     const Name option = in_.name("an option of the sensor");
@@ -70,7 +75,8 @@ void ScenarioReader::values(Variation& variation) {
     if (in_.take("to")) {
         const double high = value_of(variation.what);
         double step = 1;
-        if (variation.what == Varied::robots ? in_.take("by") : (in_.expect("by"), true))
+        if (variation.what == Varied::robots || variation.what == Varied::failed ? in_.take("by")
+                                                                                 : (in_.expect("by"), true))
             step = value_of(variation.what);
         const double count = step > 0 ? std::floor((high - values[0]) / step + 1e-9) : -1;
         if (!in_.failed() && (count < 0 || count >= static_cast<double>(most_values)))
@@ -89,6 +95,10 @@ double ScenarioReader::value_of(Varied what) {
     switch (what) {
         case Varied::robots:
             return static_cast<double>(in_.count(1, most_robots_, "a number of robots"));
+        case Varied::failed:
+            return static_cast<double>(in_.count(0, most_robots_, "a number of robots that fail"));
+        case Varied::mean_time:
+            return in_.positive(Dimension::time, "a mean time to a failure");
         case Varied::sensor: {
             const double share = in_.not_negative(Dimension::share, "an option of a sensor");
             if (share > 1) in_.report(rules::out_of_range, in_.last_span(), {"it is more than 100 %"});

@@ -1,6 +1,10 @@
 // Reading scenarios: what goes wrong or stands in the way, failures of robots and obstacles.
 #include <fmt/format.h>
 
+#include <filesystem>
+
+#include "diagnostics/escape.hpp"
+#include "simulation/scenario/drawn_obstacles.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "simulation/scenario/scenario_reader.hpp"
 
@@ -43,6 +47,38 @@ void ScenarioReader::obstacle() {
     const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
     if (in_.failed()) return;
     if (corners.size() < 3) in_.report(rules::out_of_range, span, {"an obstacle has at least three corners"});
+    add_obstacle(std::move(corners), span);
+}
+
+void ScenarioReader::obstacles() {
+    const diagnostics::Span begin = in_.token().span;
+    const std::string name = in_.quoted("the path of a drawing in quotes");
+    in_.expect("with");
+    const double unit = in_.positive(Dimension::length, "the length of a unit of the drawing");
+    in_.expect("per");
+    in_.expect("unit");
+    if (in_.failed()) return;
+    const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
+    const std::filesystem::path path = std::filesystem::path(path_).parent_path() / name;
+    std::string error;
+    diagnostics::SourceManager drawings;
+    std::vector<std::vector<Vector>> found;
+    if (const auto drawing = drawings.load(path.string(), error)) {
+        scenario_.drawings.emplace_back(drawings.text(*drawing));
+        found = drawn_obstacles(scenario_.drawings.back(), error);
+    }
+    if (!error.empty())
+        in_.report(rules::out_of_range, span,
+                   {fmt::format("obstacles of {}: {}", diagnostics::shown(name), diagnostics::shown(error))});
+    else if (found.empty())
+        in_.report(rules::out_of_range, span, {fmt::format("there is no obstacle in {}", diagnostics::shown(name))});
+    for (std::vector<Vector>& corners : found) {
+        for (Vector& corner : corners) corner = unit * corner;
+        add_obstacle(std::move(corners), span);
+    }
+}
+
+void ScenarioReader::add_obstacle(std::vector<Vector> corners, diagnostics::Span span) {
     Arena& arena = scenario_.world.arena;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         arena.walls.push_back({corners[i], corners[(i + 1) % corners.size()]});

@@ -53,6 +53,10 @@ Scenario scenario_at(const Scenario& scenario, const Point& point) {
         const Varied what = scenario.variations[v].what;
         if (what == Varied::robots) result.set_robots(static_cast<std::uint32_t>(point[v]));
         if (what == Varied::noise) result.world.body.noise = point[v];
+        for (Failure& failure : result.failures) {
+            if (what == Varied::failed && failure.mean_time == 0) failure.robots = static_cast<std::uint32_t>(point[v]);
+            if (what == Varied::mean_time && failure.mean_time > 0) failure.mean_time = point[v];
+        }
         if (what == Varied::sensor) set_option(result, scenario.variations[v], point[v]);
     }
     return result;
@@ -73,6 +77,10 @@ std::string name_of(const Variation& variation) {
             return "robots";
         case Varied::noise:
             return "noise";
+        case Varied::failed:
+            return "failures";
+        case Varied::mean_time:
+            return "mean time";
         case Varied::sensor:
             return variation.constant + "." + variation.option;
         default:

@@ -64,31 +64,78 @@ void World::place(const Pose& pose) {
     listed_x_.clear();
 }
 
+/// Where a robot can stand: by itself, off walls and out of obstacles.
+class World::Free {
+public:
+    explicit Free(const World& world)
+        : arena_(world.options_.arena), radius_(world.options_.body.radius), places_(radius_) {
+        for (std::size_t i = 0; i < world.size(); ++i) places_.take(world.position(i));
+    }
+    void take(Vector at) { places_.take(at); }
+    [[nodiscard]] bool is_free(Vector at) const {
+        return places_.is_free(at) &&
+               std::all_of(arena_.walls.begin(), arena_.walls.end(),
+                           [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius_; }) &&
+               std::none_of(arena_.obstacles.begin(), arena_.obstacles.end(),
+                            [&](const std::vector<Vector>& obstacle) { return is_inside(obstacle, at); });
+    }
+    [[nodiscard]] bool in_arena(Vector at) const {
+        return !arena_.walled ||
+               (std::abs(at.x) <= arena_.width / 2 - radius_ && std::abs(at.y) <= arena_.height / 2 - radius_);
+    }
+
+private:
+    const Arena& arena_;
+    double radius_;
+    Places places_;
+};
+
+namespace {
+
+/// Throws in a row that find no place before it is given up.
+constexpr int most_tries = 2000;
+
+}  // namespace
+
 bool World::place_at_random(std::size_t count, const Region& region) {
     const double radius = options_.body.radius;
     const Vector low = region.low + Vector{radius, radius};
     const Vector high = region.high - Vector{radius, radius};
     if (low.x > high.x || low.y > high.y) return count == 0;
-    Places places(radius);
-    for (std::size_t i = 0; i < size(); ++i) places.take(position(i));
-    const auto off_walls = [&](Vector at) {
-        return std::all_of(options_.arena.walls.begin(), options_.arena.walls.end(),
-                           [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius; });
-    };
-    const auto in_obstacle = [&](Vector at) {
-        return std::any_of(options_.arena.obstacles.begin(), options_.arena.obstacles.end(),
-                           [&](const std::vector<Vector>& obstacle) { return is_inside(obstacle, at); });
-    };
-    constexpr int most_tries = 2000;
+    Free free(*this);
     int tries = 0;
     for (std::size_t placed = 0; placed < count;) {
         if (++tries > most_tries) return false;
         const double x = random_.uniform(low.x, high.x);
         const double y = random_.uniform(low.y, high.y);
-        if (!places.is_free({x, y}) || !off_walls({x, y}) || in_obstacle({x, y})) continue;
-        places.take({x, y});
+        if (!free.is_free({x, y})) continue;
+        free.take({x, y});
         place({{x, y}, random_.uniform(-std::numbers::pi, std::numbers::pi)});
         ++placed;
+        tries = 0;
+    }
+    return true;
+}
+
+bool World::place_linked(std::size_t count, Vector first, double link) {
+    const double nearest = 2 * options_.body.radius;
+    if (link < nearest) return false;
+    Free free(*this);
+    const std::size_t begin = size();
+    int tries = 0;
+    while (size() < begin + count) {
+        if (++tries > most_tries) return false;
+        Vector at = first;
+        if (size() > begin) {
+            const double ticket = random_.uniform() * static_cast<double>(size() - begin);
+            const double angle = random_.uniform(-std::numbers::pi, std::numbers::pi);
+            const double distance = random_.uniform(nearest, link);
+            at = position(begin + static_cast<std::size_t>(ticket)) +
+                 distance * Vector{std::cos(angle), std::sin(angle)};
+        }
+        if (!free.in_arena(at) || !free.is_free(at)) continue;
+        free.take(at);
+        place({at, random_.uniform(-std::numbers::pi, std::numbers::pi)});
         tries = 0;
     }
     return true;

@@ -64,6 +64,11 @@ public:
     /// found.
     [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
 
+    /// The first robot there, with a random heading, and each other at a random place at most `link` from one of them,
+    /// centre to centre: a random one, in a random direction, at a distance uniform from a diameter on. Without
+    /// overlap, and in the arena if it has walls. False if no free place was found, or `link` is less than a diameter.
+    [[nodiscard]] bool place_linked(std::size_t count, Vector first, double link);
+
     [[nodiscard]] std::size_t size() const { return x_.size(); }
     [[nodiscard]] Vector position(std::size_t robot) const { return {x_[robot], y_[robot]}; }
     [[nodiscard]] double heading(std::size_t robot) const { return heading_[robot]; }
@@ -83,6 +88,7 @@ public:
     [[nodiscard]] double overlap() const;
 
 private:
+    class Free;
     void begin_step();
     void move();
     void push_apart();

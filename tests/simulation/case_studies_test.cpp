@@ -7,6 +7,8 @@
 
 #include "harness.hpp"
 #include "simulation/report/report.hpp"
+#include "simulation/sweep/sweep.hpp"
+#include "statistics/binomial.hpp"
 #include "tests/needed.hpp"
 #include "tests/source_folder.hpp"
 
@@ -50,6 +52,35 @@ void expect_broken(const std::string& model, const std::string& scenario) {
 
 TEST(Aggregation, OneClusterInAllTenTrials) {
     expect_held(aggregation_model(), aggregation_scenario());
+}
+
+/// Trials of a scenario of the aggregation study at a point of what it varies.
+RunResult at_point(const std::string& name, double value, std::uint32_t trials) {
+    Experiment experiment(aggregation_model(), read_file(corpus + "aggregation/" + name));
+    experiment.scenario = scenario_at(experiment.scenario, {value});
+    experiment.scenario.set_trials(trials);
+    experiment.plan = bind(experiment.scenario, experiment.emission, experiment.diagnostics);
+    return experiment.run();
+}
+
+/// Daymude, Harasha, Richa and Yiu, SSS 2021: without errors no trial packs a symmetric ring, small errors free it.
+TEST(Aggregation, ASymmetricStartNeedsErrors) {
+    EXPECT_EQ(at_point("symmetric.scenario", 0, 1).claims.at(0).successes, 0U);
+    EXPECT_GE(at_point("symmetric.scenario", 0.1, 20).claims.at(0).successes, 15U);
+}
+
+/// Bjerknes and Winfield: at least nine of ten still work with p^10 + 10 p^9 (1 - p), jointly within the intervals.
+TEST(Aggregation, ReliabilityIsThatOfTheFormula) {
+    constexpr double error = 0.01 / 5;
+    for (const double mean : {60.0, 120.0, 240.0, 480.0, 960.0}) {
+        const RunResult result = at_point("reliability.scenario", mean, 300);
+        const ClaimResult& claim = result.claims.at(0);
+        ASSERT_EQ(claim.trials(), 300U);
+        const double expected = statistics::at_least(9, 10, std::exp(-20 / mean));
+        const auto interval = statistics::clopper_pearson(claim.successes, 300, error);
+        EXPECT_LE(interval.low, expected) << mean;
+        EXPECT_GE(interval.high, expected) << mean;
+    }
 }
 
 TEST(Aggregation, EventsSwappedFails) {

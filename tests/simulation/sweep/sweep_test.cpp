@@ -62,9 +62,28 @@ TEST(Vary, ReadsValues) {
     EXPECT_THAT(read.scenario.variations[1].values, ElementsAre(0.1, 0.25));
 }
 
+TEST(Vary, Failures) {
+    const std::string failing =
+        "failure of motors at 1 s in 2 robots failure of all with mean time 9 s vary failures in 0 to 3 "
+        "vary mean time in 5 s, 60 s";
+    std::string text = with(failing);
+    text.erase(text.find("\tvary const"), text.rfind('}') - text.find("\tvary const"));
+    const ReadScenario read(text);
+    EXPECT_EQ(read.findings, "");
+    const Scenario at = scenario_at(read.scenario, {3, 60});
+    EXPECT_EQ(at.failures.at(0).robots, 3U);
+    EXPECT_EQ(at.failures[0].mean_time, 0);
+    EXPECT_EQ(at.failures.at(1).mean_time, 60);
+    EXPECT_EQ(point_text(read.scenario, {0, 5}), "failures 0, mean time 5");
+    EXPECT_THAT(ReadScenario(with("vary failures in 0 to 3")).findings,
+                HasSubstr("RC-M04 the scenario does not say what fails"));
+    EXPECT_THAT(ReadScenario(with("vary mean time in 3 s")).findings,
+                HasSubstr("RC-M04 the scenario does not say what fails"));
+}
+
 TEST(Vary, Findings) {
     EXPECT_THAT(ReadScenario(with("vary wind in 1 to 4")).findings,
-                HasSubstr("RC-M01 expected 'robots', 'noise', 'const' or a sensor"));
+                HasSubstr("RC-M01 expected 'robots', 'noise', 'failures', 'mean time', 'const' or a sensor"));
     EXPECT_THAT(ReadScenario(with("vary robots in 4 to 1")).findings,
                 HasSubstr("RC-M03 a variation has from 1 to 1000 values"));
     EXPECT_THAT(ReadScenario(with("vary robots in 1 to 100000")).findings, HasSubstr("RC-M03 a variation has"));

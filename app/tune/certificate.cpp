@@ -1,0 +1,280 @@
+// See certificate.hpp. A certificate is read as what may have been changed by anybody.
+#include "app/tune/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "diagnostics/cache/digest.hpp"
+
+namespace robochart::app {
+
+using diagnostics::Json;
+
+std::string content_digest(std::string_view text) {
+    diagnostics::Hasher hasher;
+    hasher.add(text);
+    std::string hex;
+    for (const std::uint8_t byte : hasher.finish()) hex += fmt::format("{:02x}", byte);
+    return hex;
+}
+
+namespace {
+
+constexpr const char* schema = "robochart-verify/certificate/1";
+constexpr std::size_t most_bytes = 16U << 20U;
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+Json pairs_json(const Pairs& pairs, const char* first, const char* second) {
+    Json list = Json::array();
+    for (const auto& [one, other] : pairs) list.push_back({{first, one}, {second, other}});
+    return list;
+}
+
+Json items_json(const std::vector<DecidedItem>& items) {
+    Json list = Json::array();
+    for (const DecidedItem& each : items) list.push_back({{"subject", each.subject}, {"answer", each.answer}});
+    return list;
+}
+
+Json certificate_json(const Certificate& certificate) {
+    const SearchRecord& search = certificate.search;
+    const Evidence& evidence = certificate.evidence;
+    Json claims = Json::array();
+    for (const DecidedClaim& each : evidence.claims)
+        claims.push_back({{"claim", each.claim},
+                          {"answer", each.answer},
+                          {"trials", each.trials},
+                          {"successes", each.successes},
+                          {"low", each.low},
+                          {"high", each.high}});
+    return {{"schema", schema},
+            {"program", certificate.program},
+            {"build", certificate.build},
+            {"scenario", evidence.scenario},
+            {"scenarioDigest", evidence.scenario_digest},
+            {"model", pairs_json(evidence.model, "file", "digest")},
+            {"constants", pairs_json(certificate.constants, "name", "value")},
+            {"ranges", certificate.ranges},
+            {"search",
+             {{"parameters", pairs_json(search.parameters, "name", "values")},
+              {"budget", search.budget},
+              {"seed", search.seed},
+              {"test", search.test},
+              {"trials", search.trials},
+              {"candidates", search.candidates},
+              {"firstSeed", search.first_seed},
+              {"seeds", search.seeds},
+              {"cost", search.cost}}},
+            {"assertions", items_json(evidence.assertions)},
+            {"conformance", items_json(evidence.conformance)},
+            {"seed", evidence.seed},
+            {"claims", std::move(claims)}};
+}
+
+/// What is wrong with a certificate.
+class Malformed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// An object of which each field is asked for once, and of which none may be left.
+class Fields {
+public:
+    Fields(const Json& value, std::string where) : value_(value), where_(std::move(where)) {
+        if (!value.is_object()) throw Malformed(fmt::format("{} is no object", where_));
+    }
+
+    const Json& operator[](const char* name) {
+        const auto found = value_.find(name);
+        if (found == value_.end()) throw Malformed(fmt::format("{} has no {}", where_, name));
+        asked_.insert(name);
+        return *found;
+    }
+
+    std::string text(const char* name) { return checked(name, (*this)[name].is_string(), "text").get<std::string>(); }
+    std::uint64_t whole(const char* name) {
+        return checked(name, (*this)[name].is_number_unsigned(), "whole number").get<std::uint64_t>();
+    }
+    double number(const char* name) { return checked(name, (*this)[name].is_number(), "number").get<double>(); }
+
+    /// What `read` makes of each value of a list.
+    template <typename Read>
+    auto list(const char* name, Read read) {
+        const Json& values = checked(name, (*this)[name].is_array(), "list");
+        std::vector<decltype(read(values))> result;
+        for (const Json& each : values) result.push_back(read(each));
+        return result;
+    }
+
+    void end() const {
+        for (const auto& [name, value] : value_.items())
+            if (!asked_.contains(name)) throw Malformed(fmt::format("{} has '{}', which is unknown", where_, name));
+    }
+
+private:
+    const Json& checked(const char* name, bool good, const char* kind) {
+        if (!good) throw Malformed(fmt::format("{} of {} is no {}", name, where_, kind));
+        return (*this)[name];
+    }
+
+    const Json& value_;
+    std::string where_;
+    std::set<std::string> asked_;
+};
+
+Pairs read_pairs(Fields& from, const char* name, const char* first, const char* second) {
+    return from.list(name, [&](const Json& value) {
+        Fields fields(value, name);
+        std::pair<std::string, std::string> result{fields.text(first), fields.text(second)};
+        fields.end();
+        return result;
+    });
+}
+
+std::vector<DecidedItem> read_items(Fields& from, const char* name) {
+    return from.list(name, [&](const Json& value) {
+        Fields fields(value, name);
+        DecidedItem result{fields.text("subject"), fields.text("answer")};
+        fields.end();
+        return result;
+    });
+}
+
+DecidedClaim read_claim(const Json& value) {
+    Fields fields(value, "claims");
+    DecidedClaim result{fields.text("claim"),      fields.text("answer"), fields.whole("trials"),
+                        fields.whole("successes"), fields.number("low"),  fields.number("high")};
+    fields.end();
+    return result;
+}
+
+SearchRecord read_search(const Json& value) {
+    Fields fields(value, "search");
+    SearchRecord result;
+    result.parameters = read_pairs(fields, "parameters", "name", "values");
+    result.budget = fields.whole("budget");
+    result.seed = fields.whole("seed");
+    result.test = fields.text("test");
+    result.trials = fields.whole("trials");
+    result.candidates = fields.whole("candidates");
+    result.first_seed = fields.whole("firstSeed");
+    result.seeds = fields.whole("seeds");
+    result.cost = fields.number("cost");
+    fields.end();
+    return result;
+}
+
+Certificate read_fields(const Json& json) {
+    Fields fields(json, "the certificate");
+    if (fields.text("schema") != schema) throw Malformed(fmt::format("its schema is not {}", schema));
+    Certificate result;
+    result.program = fields.text("program");
+    result.build = fields.text("build");
+    result.evidence.scenario = fields.text("scenario");
+    result.evidence.scenario_digest = fields.text("scenarioDigest");
+    result.evidence.model = read_pairs(fields, "model", "file", "digest");
+    result.constants = read_pairs(fields, "constants", "name", "value");
+    result.ranges = fields.list("ranges", [](const Json& value) {
+        if (!value.is_string()) throw Malformed("a range is no text");
+        return value.get<std::string>();
+    });
+    result.search = read_search(fields["search"]);
+    result.evidence.assertions = read_items(fields, "assertions");
+    result.evidence.conformance = read_items(fields, "conformance");
+    result.evidence.seed = fields.whole("seed");
+    result.evidence.claims = fields.list("claims", read_claim);
+    const std::string digest = fields.text("digest");
+    fields.end();
+    if (digest != content_digest(diagnostics::json_text(certificate_json(result))))
+        throw Malformed("its digest is not that of its contents: it was changed");
+    return result;
+}
+
+void add_item_differences(const char* what, const std::vector<DecidedItem>& certified,
+                          const std::vector<DecidedItem>& found, std::vector<std::string>& lines) {
+    const auto without = [&](const DecidedItem& one, const std::vector<DecidedItem>& all) {
+        return std::none_of(all.begin(), all.end(),
+                            [&](const DecidedItem& other) { return other.subject == one.subject; });
+    };
+    for (const DecidedItem& one : certified) {
+        if (without(one, found)) lines.push_back(fmt::format("{}: {} is not there", what, one.subject));
+        for (const DecidedItem& other : found)
+            if (other.subject == one.subject && other.answer != one.answer)
+                lines.push_back(fmt::format("{}: {}: {}, certified: {}", what, one.subject, other.answer, one.answer));
+    }
+    for (const DecidedItem& other : found)
+        if (without(other, certified)) lines.push_back(fmt::format("{}: {} is not certified", what, other.subject));
+    if (certified.size() != found.size())
+        lines.push_back(fmt::format("{}: {} of them, certified: {}", what, found.size(), certified.size()));
+}
+
+std::string claim_text(const DecidedClaim& claim) {
+    return fmt::format("{} {} ({} of {} trials, between {} and {})", claim.claim, claim.answer, claim.successes,
+                       claim.trials, claim.low, claim.high);
+}
+
+}  // namespace
+
+std::string certificate_text(const Certificate& certificate) {
+    Json json = certificate_json(certificate);
+    json["digest"] = content_digest(diagnostics::json_text(json));
+    return diagnostics::json_text(json, 2) + "\n";
+}
+
+std::optional<Certificate> read_certificate(std::string_view text, std::string& error) {
+    if (text.size() > most_bytes) {
+        error = "it is longer than 16 MiB";
+        return std::nullopt;
+    }
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        error = "it is no JSON";
+        return std::nullopt;
+    }
+    try {
+        return read_fields(json);
+    } catch (const Malformed& wrong) {
+        error = wrong.what();
+        return std::nullopt;
+    }
+}
+
+std::vector<std::string> differences(const Evidence& certified, const Evidence& found) {
+    std::vector<std::string> lines;
+    if (certified.scenario != found.scenario)
+        lines.push_back(fmt::format("scenario: {}, certified: {}", found.scenario, certified.scenario));
+    if (certified.scenario_digest != found.scenario_digest)
+        lines.emplace_back("scenario: its text is not the one that is certified");
+    const auto in = [](const Evidence::Files& files, const std::string& name) {
+        return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == name; });
+    };
+    for (const auto& file : certified.model)
+        if (std::find(found.model.begin(), found.model.end(), file) == found.model.end())
+            lines.push_back(
+                fmt::format("model: {} {}", file.first,
+                            in(found.model, file.first) ? "is not the one that is certified" : "is not there"));
+    for (const auto& file : found.model)
+        if (!in(certified.model, file.first)) lines.push_back(fmt::format("model: {} is not certified", file.first));
+    if (certified.model.size() != found.model.size() && lines.empty())
+        lines.emplace_back("model: it has another number of files");
+    add_item_differences("assertion", certified.assertions, found.assertions, lines);
+    add_item_differences("conformance", certified.conformance, found.conformance, lines);
+    if (certified.seed != found.seed)
+        lines.push_back(fmt::format("claims: seed {}, certified: {}", found.seed, certified.seed));
+    if (certified.claims.size() != found.claims.size())
+        lines.push_back(fmt::format("claims: {} of them, certified: {}", found.claims.size(), certified.claims.size()));
+    for (std::size_t c = 0; c < std::min(certified.claims.size(), found.claims.size()); ++c)
+        if (certified.claims[c] != found.claims[c])
+            lines.push_back(
+                fmt::format("claim: {}, certified: {}", claim_text(found.claims[c]), claim_text(certified.claims[c])));
+    return lines;
+}
+
+}  // namespace robochart::app

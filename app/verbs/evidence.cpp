@@ -1,0 +1,147 @@
+// What is decided of a scenario's model with the constants of the options: its assertions, the code that drives the
+// scenario's robots, and the scenario's claims.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/command/run.hpp"
+#include "app/verbs/simulate.hpp"
+#include "app/verbs/verbs.hpp"
+
+namespace robochart::app {
+
+namespace {
+
+const char* answer_of(Answer answer) {
+    switch (answer) {
+        case Answer::holds:
+            return "holds";
+        case Answer::fails:
+            return "fails";
+        case Answer::inconclusive:
+            return "inconclusive";
+        case Answer::no_check:
+            return "no check";
+        case Answer::error:
+            return "error";
+        case Answer::unchecked:
+            return "not checked";
+        case Answer::computed:
+            return "value";
+    }
+    return "";
+}
+
+const char* outcome_of(conformance::Outcome outcome) {
+    switch (outcome) {
+        case conformance::Outcome::conforms:
+            return "conforms";
+        case conformance::Outcome::differs:
+            return "differs";
+        case conformance::Outcome::not_schedulable:
+            return "not schedulable";
+        case conformance::Outcome::not_generated:
+            return "not generated";
+        case conformance::Outcome::inconclusive:
+            return "inconclusive";
+    }
+    return "";
+}
+
+/// The texts of a model, but for libraries that come with the program, by the names of their files.
+Evidence::Files files_of(const Project& project) {
+    Evidence::Files files;
+    for (std::size_t i = 0; i < project.sources.size(); ++i) {
+        const auto source = static_cast<diagnostics::SourceId>(i);
+        const std::filesystem::path path = project.sources.path(source);
+        const std::string ending = path.extension().string();
+        if (std::filesystem::exists(path) && (ending == ".rct" || ending == ".assertions"))
+            files.emplace_back(path.filename().string(), content_digest(project.sources.text(source)));
+    }
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
+}
+
+Options over_the_model(const Options& options, const simulation::Scenario& scenario, Verb verb) {
+    Options wanted = options;
+    wanted.verb = verb;
+    wanted.inputs = {model_of(scenario, options.inputs.front())};
+    wanted.progress = ProgressMode::never;
+    wanted.seed.reset();
+    return wanted;
+}
+
+}  // namespace
+
+void decide_assertions(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
+    const Options wanted = over_the_model(options, scenario, Verb::check);
+    const std::vector<Part> parts = load_parts(wanted);
+    for (const Part& part : parts) {
+        Project& project = *part.project;
+        evidence.model = files_of(project);  // parts share their sources
+        Report report;
+        Options asked = wanted;
+        asked.core = core_wanted(part, wanted);
+        if (acceptable(project, wanted)) check_assertions(project, asked, report);
+        if (!acceptable(project, wanted)) {
+            for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+                if (each.rule->severity == diagnostics::Severity::error)
+                    evidence.assertions.push_back({fmt::format("{}: {}", project.name, each.message()), "error"});
+        }
+        for (const AssertionReport& each : report.assertions) {
+            if (each.core && each.core->information) continue;
+            std::string subject = each.title;
+            if (each.core) subject = fmt::format("{} of {}", each.core->property, each.core->component);
+            evidence.assertions.push_back({std::move(subject), answer_of(each.answer)});
+        }
+    }
+}
+
+void decide_conformance(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
+    Options wanted = over_the_model(options, scenario, Verb::conform);
+    wanted.component = scenario.component.text;
+    wanted.cycle = scenario.units_per_step;
+    wanted.cycle_given = true;
+    Report report;
+    for (const Part& part : load_parts(wanted))
+        if (acceptable(*part.project, wanted) && !part.again &&
+            !code_components(part.project->system, wanted.component).empty())
+            check_conformance(*part.project, wanted, report);
+    for (const ConformanceReport& each : report.conformance)
+        evidence.conformance.push_back({each.component, outcome_of(each.result.outcome)});
+    if (report.conformance.empty()) evidence.conformance.push_back({scenario.component.text, "error"});
+}
+
+bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<Simulation>& simulation) {
+    simulation = load_simulation(options);
+    Project& project = *simulation->project;
+    if (!acceptable(project, options)) return false;
+    const auto controller = build_controller(*simulation, options);
+    if (controller == nullptr || !project.diagnostics.ok()) return false;
+    simulation::Scenario scenario = simulation->scenario;
+    scenario.bands.clear();
+    simulation::Plan plan = simulation->plan;
+    plan.scenario = &scenario;
+    simulation::RunOptions wanted;
+    wanted.threads = options.threads;
+    wanted.record = false;
+    wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
+    const simulation::RunResult found = simulation::run(plan, controller->drive(), wanted, project.diagnostics);
+    if (!project.diagnostics.ok()) return false;
+    if (found.interrupted) options.run->budget().check();  // throws what was reached
+    evidence.scenario = scenario.name.text;
+    std::string texts(project.sources.text(simulation->scenario.name.span.source));
+    for (const std::string& drawing : simulation->scenario.drawings) texts += content_digest(drawing);
+    evidence.scenario_digest = content_digest(texts);
+    evidence.seed = scenario.seed;
+    for (std::size_t c = 0; c < found.claims.size(); ++c) {
+        const simulation::ClaimResult& each = found.claims[c];
+        evidence.claims.push_back({scenario.claims[c].text, simulation::verdict_word(each.verdict), each.trials(),
+                                   each.successes, each.interval.low, each.interval.high});
+    }
+    return true;
+}
+
+}  // namespace robochart::app

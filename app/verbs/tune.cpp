@@ -1,0 +1,557 @@
+// The verb `tune`: constants of a model for which a scenario's claims do best, by iterated racing; the best of them
+// checked, conforming, and judged on seeds that the search has not seen; and the certificate of that, decided again.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/command/output.hpp"
+#include "app/command/progress.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/simulate.hpp"
+#include "app/verbs/verbs.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "semantics/ir/query.hpp"
+#include "simulation/scenario/rules.hpp"
+#include "simulation/tuning/race.hpp"
+#include "simulation/tuning/trials.hpp"
+
+namespace robochart::app {
+
+namespace {
+
+using simulation::Candidate;
+using simulation::Parameter;
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+/// NAME and VALUE of `--const`; without `=` all of it is the name.
+std::pair<std::string, std::string> split(const std::string& option) {
+    const std::size_t equal = option.find('=');
+    return {option.substr(0, equal), equal == std::string::npos ? "" : option.substr(equal + 1)};
+}
+
+std::string with_constants(const Pairs& constants) {
+    std::vector<std::string> words;
+    for (const auto& [name, value] : constants) words.push_back(fmt::format("{}={}", name, value));
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+/// "12 of 13 hold"
+std::string counted(const std::vector<DecidedItem>& items, const std::string& good) {
+    const auto count =
+        std::count_if(items.begin(), items.end(), [&](const DecidedItem& each) { return each.answer == good; });
+    return fmt::format("{} of {}", count, items.size());
+}
+
+bool any(const std::vector<DecidedItem>& items, std::initializer_list<const char*> answers) {
+    return std::any_of(items.begin(), items.end(), [&](const DecidedItem& each) {
+        return std::find(answers.begin(), answers.end(), each.answer) != answers.end();
+    });
+}
+
+/// Whether everything that was decided is as it should be: 1 where something fails, 3 where something is open.
+Exit exit_of(const Evidence& evidence) {
+    const bool fails = any(evidence.assertions, {"fails", "error"}) ||
+                       any(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
+    const bool open = any(evidence.assertions, {"inconclusive"}) || any(evidence.conformance, {"inconclusive"});
+    const auto claim = [&](const char* answer) {
+        return std::any_of(evidence.claims.begin(), evidence.claims.end(),
+                           [&](const DecidedClaim& each) { return each.answer == answer; });
+    };
+    if (fails || claim("fails")) return Exit::failed;
+    return open || claim("open") ? Exit::inconclusive : Exit::success;
+}
+
+/// What is decided, line by line.
+std::string evidence_text(const Evidence& evidence) {
+    std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
+    for (const DecidedItem& each : evidence.assertions)
+        if (each.answer != "holds" && each.answer != "no check")
+            out += fmt::format("  {:<12} {}\n", each.answer, each.subject);
+    for (const DecidedItem& each : evidence.conformance) out += fmt::format("  {:<12} {}\n", each.answer, each.subject);
+    out += fmt::format("claims, on seeds from {} on\n", evidence.seed);
+    for (const DecidedClaim& each : evidence.claims)
+        out += fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
+                           each.claim, each.successes, each.trials, 100 * each.low, 100 * each.high);
+    return out;
+}
+
+/// The candidates of a search, with their controllers.
+class Subject final : public simulation::RaceSubject {
+public:
+    Subject(const Options& options, const std::vector<Parameter>& parameters, const simulation::Scenario& scenario,
+            std::uint64_t search)
+        : options_(options), parameters_(parameters), scenario_(scenario), search_(search) {}
+
+    bool usable(const Candidate& candidate) override {
+        options_.run->budget().check();
+        Built built;
+        const Options options = with(candidate);
+        built.simulation = load_simulation(options);
+        Project& project = *built.simulation->project;
+        if (acceptable(project, options)) built.controller = build_controller(*built.simulation, options);
+        const bool good = built.controller != nullptr && project.diagnostics.ok();
+        if (good && !shown_) show_diagnostics(project, options_);
+        shown_ = shown_ || good;
+        if (!good) note(candidate, project);
+        if (good) built.digest = digest_of(*built.simulation);
+        // All that is needed from now on is the plan: models would take much memory.
+        if (good) built.simulation->project.reset();
+        built_.push_back(good ? std::move(built) : Built{});
+        return good;
+    }
+
+    bool admitted(const Candidate& candidate) override {
+        Evidence found;
+        decide_assertions(with(candidate), scenario_, found);
+        const auto bad = std::find_if(found.assertions.begin(), found.assertions.end(), [](const DecidedItem& each) {
+            return each.answer == "fails" || each.answer == "error";
+        });
+        if (bad == found.assertions.end()) return true;
+        if (refusal_.empty())
+            refusal_ = fmt::format("{}: {}: {}", simulation::candidate_text(parameters_, candidate), bad->answer,
+                                   bad->subject);
+        return false;
+    }
+
+    std::vector<double> costs(const std::vector<simulation::RaceTrial>& wanted) override {
+        std::vector<double> result(wanted.size());
+        std::vector<std::size_t> missing;
+        std::vector<simulation::TuningTrial> trials;
+        for (std::size_t t = 0; t < wanted.size(); ++t) {
+            if (const auto known = earlier(wanted[t])) {
+                result[t] = *known;
+                continue;
+            }
+            const Built& built = built_.at(wanted[t].candidate);
+            missing.push_back(t);
+            trials.push_back({&built.simulation->plan, &built.controller->drive(), seed_of(wanted[t])});
+        }
+        // In portions, so that an interrupted search keeps what it has.
+        constexpr std::size_t portion = 64;
+        for (std::size_t begin = 0; begin < trials.size(); begin += portion) {
+            const std::size_t end = std::min(trials.size(), begin + portion);
+            redraw(fmt::format("{} trials", done_));
+            const std::vector<double> costs =
+                simulation::trial_costs({trials.begin() + static_cast<std::ptrdiff_t>(begin),
+                                         trials.begin() + static_cast<std::ptrdiff_t>(end)},
+                                        options_.threads, [&] { options_.run->budget().check(); });
+            for (std::size_t t = begin; t < end; ++t) {
+                result[missing[t]] = costs[t - begin];
+                keep(wanted[missing[t]], costs[t - begin]);
+            }
+        }
+        done_ += wanted.size();
+        redraw("");
+        return result;
+    }
+
+    /// Why a candidate could not be used; "" if all could.
+    [[nodiscard]] const std::string& unusable() const { return unusable_; }
+    /// Why one was refused though it was among the best; "".
+    [[nodiscard]] const std::string& refused() const { return refusal_; }
+    [[nodiscard]] std::uint64_t earlier_trials() const { return earlier_; }
+
+    [[nodiscard]] Options with(const Candidate& candidate) const {
+        Options options = options_;
+        for (const std::string& each : simulation::constants_of(parameters_, candidate))
+            options.constants.push_back(each);
+        return options;
+    }
+
+private:
+    struct Built {
+        std::unique_ptr<Simulation> simulation;
+        std::unique_ptr<simulation::Controller> controller;
+        diagnostics::Digest digest{};
+    };
+
+    void note(const Candidate& candidate, const Project& project) {
+        if (!unusable_.empty()) return;
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+            if (each.rule->severity == diagnostics::Severity::error && unusable_.empty())
+                unusable_ = fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), each.message());
+    }
+
+    /// All that a trial's cost depends on but its seed; the program itself is in the cache's own keys.
+    static diagnostics::Digest digest_of(const Simulation& simulation) {
+        diagnostics::Hasher hasher;
+        hasher.add("trial of a search");
+        hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
+        for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
+        for (const auto& file : simulation.emission.files) {
+            hasher.add(file.path);
+            hasher.add(file.text);
+        }
+        return hasher.finish();
+    }
+
+    [[nodiscard]] std::uint64_t seed_of(const simulation::RaceTrial& trial) const {
+        return simulation::tuning_seed(scenario_, search_, trial.seed);
+    }
+
+    [[nodiscard]] diagnostics::Digest key_of(const simulation::RaceTrial& trial) const {
+        diagnostics::Hasher hasher;
+        hasher.add(built_.at(trial.candidate).digest);
+        hasher.add(seed_of(trial));
+        return hasher.finish();
+    }
+
+    std::optional<double> earlier(const simulation::RaceTrial& trial) {
+        diagnostics::Cache* const cache = options_.run->cache();
+        const auto text = cache == nullptr ? std::nullopt : cache->find(key_of(trial));
+        if (!text) return std::nullopt;
+        const diagnostics::Json value = diagnostics::Json::parse(*text, nullptr, false);
+        if (!value.is_number()) return std::nullopt;
+        ++earlier_;
+        return value.get<double>();
+    }
+
+    void keep(const simulation::RaceTrial& trial, double cost) const {
+        if (diagnostics::Cache* const cache = options_.run->cache())
+            cache->keep(key_of(trial), diagnostics::json_text(diagnostics::Json(cost)));
+    }
+
+    void redraw(const std::string& line) const {
+        if (options_.progress != ProgressMode::json && progress_line_wanted(options_)) redraw_error_line(line);
+    }
+
+    const Options& options_;
+    const std::vector<Parameter>& parameters_;
+    const simulation::Scenario& scenario_;
+    std::uint64_t search_;
+    std::vector<Built> built_;
+    std::string unusable_, refusal_;
+    std::uint64_t earlier_ = 0;
+    std::uint64_t done_ = 0;
+    bool shown_ = false;
+};
+
+/// A run of the verb.
+class Tuning {
+public:
+    explicit Tuning(const Options& options) : asked_(options), options_(options) {
+        options_.constants.clear();
+        for (const std::string& each : options.constants) {
+            const auto [name, value] = split(each);
+            if (simulation::is_varied(value))
+                varied_.emplace_back(name, value);
+            else
+                options_.constants.push_back(each);
+        }
+    }
+
+    Exit run() {
+        if (!asked_.certificate.empty()) return verify();
+        if (!begin()) return refused();
+        const std::uint64_t search = options_.seed.value_or(1);
+        const simulation::RaceOptions wanted{
+            options_.tuning_trials, search,
+            options_.elimination == "t-test" ? simulation::Elimination::t_test : simulation::Elimination::friedman};
+        Subject subject(options_, parameters_, scenario_, search);
+        simulation::Race race(parameters_, wanted, subject);
+        if (!quiet()) print("{}", beginning(wanted));
+        try {
+            race.run([&](const simulation::Race& now) { show_iteration(now); });
+            if (!race.elites().empty()) decide(race, subject);
+        } catch (const diagnostics::LimitReached& limit) {
+            options_.run->finish();
+            limit_ = limit.what();
+        }
+        if (!limit_.empty()) return interrupted(race);
+        if (race.elites().empty()) return without_winner(race, subject);
+        if (!project_->diagnostics.ok()) return refused();
+        return finish(race, subject);
+    }
+
+private:
+    [[nodiscard]] bool quiet() const { return options_.quiet || options_.format == Format::json; }
+
+    Exit refused() const { return show_diagnostics(*project_, options_), refusal(*project_); }
+
+    void report(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
+
+    /// Reads everything but the candidates; false with diagnostics where something is wrong.
+    bool begin() {
+        // With a first value for each, the model itself says what is wrong with names and values.
+        Options first = options_;
+        for (const auto& [name, value] : varied_) {
+            const std::size_t end = std::min(value.find(".."), value.find(','));
+            first.constants.push_back(fmt::format("{}={}", name, value.substr(0, end)));
+        }
+        auto simulation = load_simulation(first);
+        scenario_ = simulation->scenario;
+        project_ = std::move(simulation->project);
+        if (!project_->diagnostics.ok()) return false;
+        if (varied_.empty()) report("tune takes constants with values to try: --const NAME=LOW..HIGH or NAME=A,B,C");
+        std::set<std::string> names;
+        for (const std::string& each : asked_.constants)
+            if (!names.insert(split(each).first).second)
+                report(fmt::format("--const {} is given twice", diagnostics::shown(split(each).first)));
+        if (!scenario_.variations.empty()) report("tune takes a scenario in which nothing varies");
+        if (scenario_.claims.empty())
+            project_->diagnostics.report(simulation::rules::missing, scenario_.name.span,
+                                         {"what is claimed (accept probability) or estimated (estimate probability)"});
+        for (const auto& [name, value] : varied_) add_parameter(name, value);
+        return project_->diagnostics.ok();
+    }
+
+    void add_parameter(const std::string& name, const std::string& value) {
+        std::string error;
+        auto parameter = simulation::read_parameter(name, value, kind_of(name), error);
+        if (parameter)
+            parameters_.push_back(std::move(*parameter));
+        else
+            report(fmt::format("--const {}={}: {}", diagnostics::shown(name), diagnostics::shown(value), error));
+    }
+
+    [[nodiscard]] simulation::ParameterKind kind_of(const std::string& name) const {
+        using simulation::ParameterKind;
+        for (const ir::NamedConstant& each : ir::named_constants(project_->system)) {
+            if (each.path != name && !each.path.ends_with("::" + name)) continue;
+            const ir::TypeKind kind = project_->system.type(each.type).kind;
+            return kind == ir::TypeKind::real                                   ? ParameterKind::real
+                   : kind == ir::TypeKind::nat || kind == ir::TypeKind::integer ? ParameterKind::whole
+                                                                                : ParameterKind::other;
+        }
+        return ParameterKind::other;
+    }
+
+    [[nodiscard]] std::string beginning(const simulation::RaceOptions& wanted) const {
+        std::string out = fmt::format("tuning of {}: at most {} trials, seed {}, {}\n", scenario_.name.text,
+                                      wanted.budget, wanted.seed, options_.elimination);
+        for (const Parameter& each : parameters_)
+            out += fmt::format("  {} in {}: {} values\n", each.name, each.text, each.size());
+        return out + "\n";
+    }
+
+    /// "farRadius=0.2: cost 412.3 in 15 trials"
+    [[nodiscard]] std::string entry_text(const simulation::RaceEntry& entry) const {
+        return fmt::format("{}: cost {:.1f} in {} trials", simulation::candidate_text(parameters_, entry.candidate),
+                           entry.mean(), entry.trials());
+    }
+
+    void show_iteration(const simulation::Race& race) const {
+        if (quiet()) return;
+        const simulation::RaceIteration& now = race.iterations().back();
+        print("iteration {}: {} new candidates, {} seeds, {} trials ({} in all), {} left{}{}\n",
+              race.iterations().size(), now.fresh, now.seeds, now.trials, race.trials(), now.left,
+              now.unusable > 0 ? fmt::format(", {} unusable", now.unusable) : "",
+              now.refused > 0 ? fmt::format(", {} refused by check", now.refused) : "");
+        if (!race.elites().empty()) print("  {}\n", entry_text(race.entries()[race.elites().front()]));
+    }
+
+    void decide(const simulation::Race& race, const Subject& subject) {
+        const Candidate& winner = race.entries()[race.elites().front()].candidate;
+        const Options options = subject.with(winner);
+        certificate_.program = fmt::format("robochart-verify {}", program_version);
+        certificate_.build =
+            diagnostics::program_identity().empty() ? "" : content_digest(diagnostics::program_identity());
+        for (std::size_t p = 0; p < parameters_.size(); ++p)
+            certificate_.constants.emplace_back(parameters_[p].name, parameters_[p].value(winner[p]));
+        for (const std::string& each : options_.constants) certificate_.constants.push_back(split(each));
+        certificate_.ranges = options_.ranges;
+        SearchRecord& search = certificate_.search;
+        search.parameters = varied_;
+        search.budget = options_.tuning_trials;
+        search.seed = options_.seed.value_or(1);
+        search.test = options_.elimination;
+        search.trials = race.trials();
+        search.candidates = race.entries().size();
+        search.first_seed = simulation::tuning_seed(scenario_, search.seed, 0);
+        search.seeds = race.seeds();
+        search.cost = race.entries()[race.elites().front()].mean();
+        decide_all(options);
+    }
+
+    /// The evidence of the certificate.
+    void decide_all(const Options& options) {
+        Evidence& evidence = certificate_.evidence;
+        decide_assertions(options, scenario_, evidence);
+        decide_conformance(options, scenario_, evidence);
+        std::unique_ptr<Simulation> simulation;
+        if (!decide_claims(options, evidence, simulation)) project_ = std::move(simulation->project);
+    }
+
+    /// What is known of a search that did not end.
+    Exit interrupted(const simulation::Race& race) const {
+        if (options_.format == Format::json) return print_json(race, "", Exit::inconclusive);
+        print("{}: not finished; the same command goes on where it was\n", limit_);
+        for (const std::size_t each : race.elites()) print("  {}\n", entry_text(race.entries()[each]));
+        return Exit::inconclusive;
+    }
+
+    Exit without_winner(const simulation::Race& race, const Subject& subject) const {
+        options_.run->finish();
+        const bool some = race.trials() > 0;
+        if (options_.format == Format::json) return print_json(race, "", some ? Exit::failed : Exit::bad_input);
+        if (!subject.refused().empty()) print("refused: {}\n", subject.refused());
+        if (!subject.unusable().empty()) print("unusable: {}\n", subject.unusable());
+        print("{}\n", some                         ? "no values were found with which the model's assertions hold"
+                      : subject.unusable().empty() ? "the trials do not suffice for a search: --budget takes more"
+                                                   : "no values were found with which the scenario can be run");
+        return some ? Exit::failed : Exit::bad_input;
+    }
+
+    Exit finish(const simulation::Race& race, const Subject& subject) {
+        const std::string folder = "tuning/" + scenario_.name.text + "/";
+        const std::string path = folder + "certificate.json";
+        write(path, certificate_text(certificate_));
+        write(folder + "candidates.csv", candidates_csv(race));
+        options_.run->finish();
+        if (!project_->diagnostics.ok()) return refused();
+        const Exit exit = exit_of(certificate_.evidence);
+        if (options_.format == Format::json) return print_json(race, options_.out + "/" + path, exit);
+        if (!options_.quiet) {
+            print("\nwinner: {}\n", with_constants(certificate_.constants));
+            if (subject.earlier_trials() > 0)
+                print("  {} of {} trials known from earlier runs\n", subject.earlier_trials(), race.trials());
+            if (!subject.refused().empty()) print("  refused by check, among others: {}\n", subject.refused());
+            print("{}in this world\n{}files\n  {}/{}\n  {}/{}candidates.csv\n\n", evidence_text(certificate_.evidence),
+                  simulation::world_text(scenario_), diagnostics::shown(options_.out), path,
+                  diagnostics::shown(options_.out), folder);
+        }
+        print("{}: {}\n", with_constants(certificate_.constants),
+              exit == Exit::success  ? "checked, conforming, and no claim fails"
+              : exit == Exit::failed ? "something fails"
+                                     : "something is open");
+        return exit;
+    }
+
+    void write(const std::string& path, const std::string& text) {
+        const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
+        if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
+    }
+
+    /// A row for each candidate, in the order in which they were drawn.
+    [[nodiscard]] std::string candidates_csv(const simulation::Race& race) const {
+        std::string out = "candidate";
+        for (const Parameter& each : parameters_) out += "," + each.name;
+        out += ",trials,cost,elite\n";
+        for (std::size_t c = 0; c < race.entries().size(); ++c) {
+            const simulation::RaceEntry& entry = race.entries()[c];
+            out += fmt::format("{}", c + 1);
+            for (std::size_t p = 0; p < parameters_.size(); ++p) out += "," + parameters_[p].value(entry.candidate[p]);
+            const auto rank = std::find(race.elites().begin(), race.elites().end(), c);
+            out += fmt::format(",{},{},{}\n", entry.trials(),
+                               entry.trials() > 0 ? fmt::format("{:.3f}", entry.mean()) : "",
+                               rank == race.elites().end() ? "" : fmt::format("{}", rank - race.elites().begin() + 1));
+        }
+        return out;
+    }
+
+    /// Schema "robochart-verify/tuning/1" (docs/cli.md).
+    Exit print_json(const simulation::Race& race, const std::string& certificate, Exit exit) const {
+        using diagnostics::Json;
+        Json elites = Json::array();
+        for (const std::size_t each : race.elites()) {
+            const simulation::RaceEntry& entry = race.entries()[each];
+            Json constants = Json::object();
+            for (std::size_t p = 0; p < parameters_.size(); ++p)
+                constants[parameters_[p].name] = parameters_[p].value(entry.candidate[p]);
+            elites.push_back({{"constants", constants}, {"trials", entry.trials()}, {"cost", entry.mean()}});
+        }
+        Json iterations = Json::array();
+        for (const simulation::RaceIteration& each : race.iterations())
+            iterations.push_back({{"fresh", each.fresh},
+                                  {"unusable", each.unusable},
+                                  {"seeds", each.seeds},
+                                  {"trials", each.trials},
+                                  {"left", each.left},
+                                  {"refused", each.refused}});
+        const Json decided = certificate.empty() ? Json() : Json::parse(certificate_text(certificate_));
+        print_exact(diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
+                                            {"scenario", scenario_.name.text},
+                                            {"trials", race.trials()},
+                                            {"seeds", race.seeds()},
+                                            {"iterations", iterations},
+                                            {"elites", elites},
+                                            {"limit", limit_},
+                                            {"file", certificate},
+                                            {"certificate", decided},
+                                            {"exit", static_cast<int>(exit)}}) +
+                    "\n");
+        return exit;
+    }
+
+    // ------------------------------------------------------------ --verify-certificate
+
+    Exit verify() {
+        project_ = std::make_unique<Project>();
+        std::string error;
+        const auto source = project_->sources.load(asked_.certificate, error);
+        std::optional<Certificate> certified;
+        if (source) certified = read_certificate(project_->sources.text(*source), error);
+        if (!certified)
+            report(fmt::format("--verify-certificate {}: {}", diagnostics::shown(asked_.certificate), error));
+        if (!asked_.constants.empty()) report("the constants are those of the certificate: no --const beside it");
+        scenario_ = read_scenario_of(*project_, options_);
+        if (!project_->diagnostics.ok()) return refused();
+        for (const auto& [name, value] : certified->constants)
+            options_.constants.push_back(fmt::format("{}={}", name, value));
+        options_.ranges = certified->ranges;
+        decide_all(options_);
+        if (!project_->diagnostics.ok()) return refused();
+        options_.run->finish();
+        return print_comparison(*certified);
+    }
+
+    Exit print_comparison(const Certificate& certified) const {
+        const std::vector<std::string> lines = differences(certified.evidence, certificate_.evidence);
+        const Exit exit = lines.empty() ? Exit::success : Exit::failed;
+        if (options_.format == Format::json) {
+            print_exact(diagnostics::json_text({{"schema", "robochart-verify/certified/1"},
+                                                {"scenario", scenario_.name.text},
+                                                {"program", certified.program},
+                                                {"differences", lines},
+                                                {"exit", static_cast<int>(exit)}}) +
+                        "\n");
+            return exit;
+        }
+        if (!options_.quiet) {
+            print("certificate of {}: {}\n", scenario_.name.text, with_constants(certified.constants));
+            print("{}\n", evidence_text(certificate_.evidence));
+        }
+        for (const std::string& line : lines) print("  differs      {}\n", line);
+        print("{}\n", lines.empty() ? "the certificate says what is decided here"
+                                    : "the certificate does not say what is decided here");
+        return exit;
+    }
+
+    const Options& asked_;
+    Options options_;  ///< without the constants that vary
+    Pairs varied_;
+    std::unique_ptr<Project> project_;
+    simulation::Scenario scenario_;
+    std::vector<Parameter> parameters_;
+    Certificate certificate_;
+    std::string limit_;
+};
+
+}  // namespace
+
+Exit run_tune(const Options& options) {
+    options.run->last_word([&options](const std::string& why) {
+        if (options.format == Format::json)
+            print_exact(diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
+                                                {"limit", why},
+                                                {"exit", static_cast<int>(Exit::inconclusive)}}) +
+                        "\n");
+        else
+            print_text(why + "\n");
+        return Exit::inconclusive;
+    });
+    try {
+        return Tuning(options).run();
+    } catch (const cpp_emit::NoCompiler& missing) {
+        return options.run->stopped(missing.what());
+    }
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Tunes swarm taxis beside the values of the paper and, where it is installed, beside irace at the same budget
+# (docs/emergence.md, "Tuning"): builds our command in release form and nothing else. Arguments are passed on:
+# --budget N --repetitions N --fresh N.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release > /dev/null
+cmake --build --preset release --target robochart-verify
+exec python3 benchmarks/tune_taxis.py "$@"

@@ -1,0 +1,281 @@
+// See race.hpp. Numbers of candidates, trials and seeds follow sections 3.1 to 3.3 of the paper.
+#include "simulation/tuning/race.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "statistics/blocks.hpp"
+
+namespace robochart::simulation {
+
+namespace {
+
+/// Of each test by which candidates leave.
+constexpr double elimination_error = 0.05;
+
+/// Costs of candidates on seeds, a block for each seed.
+std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, const std::vector<std::size_t>& alive,
+                                         const std::vector<std::uint64_t>& seeds) {
+    std::vector<statistics::Block> blocks;
+    for (const std::uint64_t seed : seeds) {
+        blocks.emplace_back();
+        for (const std::size_t each : alive) blocks.back().push_back(entries[each].costs[seed].value());
+    }
+    return blocks;
+}
+
+/// Of each candidate: the sum of its ranks, or of its costs.
+std::vector<double> totals(const std::vector<statistics::Block>& blocks, bool by_ranks) {
+    std::vector<double> sums(blocks.front().size());
+    for (const statistics::Block& block : blocks) {
+        const std::vector<double> values = by_ranks ? statistics::ranks(block) : block;
+        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += values[c];
+    }
+    return sums;
+}
+
+std::vector<double> differences(const std::vector<statistics::Block>& blocks, std::size_t one, std::size_t other) {
+    std::vector<double> result;
+    for (const statistics::Block& block : blocks) result.push_back(block[one] - block[other]);
+    return result;
+}
+
+/// Which of the candidates are as good as the best, as far as the test can tell.
+std::vector<bool> kept_by_ranks(const std::vector<statistics::Block>& blocks) {
+    const std::size_t candidates = blocks.front().size();
+    const statistics::Friedman found = statistics::friedman(blocks);
+    std::vector<bool> kept(candidates, true);
+    const auto best =
+        static_cast<std::size_t>(std::min_element(found.sums.begin(), found.sums.end()) - found.sums.begin());
+    if (candidates == 2) {
+        kept[1 - best] = statistics::signed_rank(differences(blocks, 1 - best, best)) >= elimination_error;
+        return kept;
+    }
+    if (found.chance >= elimination_error) return kept;
+    const double most = found.difference(elimination_error);
+    for (std::size_t c = 0; c < candidates; ++c) kept[c] = found.sums[c] - found.sums[best] <= most;
+    return kept;
+}
+
+std::vector<bool> kept_by_means(const std::vector<statistics::Block>& blocks) {
+    const std::vector<double> sums = totals(blocks, false);
+    const auto best = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
+    std::vector<bool> kept(sums.size(), true);
+    for (std::size_t c = 0; c < sums.size(); ++c)
+        kept[c] = c == best || statistics::paired_t(differences(blocks, c, best)) >= elimination_error;
+    return kept;
+}
+
+}  // namespace
+
+std::uint64_t RaceEntry::trials() const {
+    return static_cast<std::uint64_t>(
+        std::count_if(costs.begin(), costs.end(), [](const auto& cost) { return cost.has_value(); }));
+}
+
+double RaceEntry::mean() const {
+    double sum = 0;
+    for (const auto& cost : costs) sum += cost.value_or(0);
+    return sum / static_cast<double>(std::max<std::uint64_t>(1, trials()));
+}
+
+Race::Race(const std::vector<Parameter>& parameters, const RaceOptions& options, RaceSubject& subject)
+    : parameters_(parameters), options_(options), subject_(subject), random_(options.seed) {}
+
+std::uint64_t Race::planned_iterations() const {
+    return 2 + static_cast<std::uint64_t>(std::bit_width(parameters_.size()) - 1);
+}
+
+std::uint64_t Race::survivors() const {
+    return planned_iterations();  // both are 2 + log2 of the number of parameters
+}
+
+void Race::run(const std::function<void(const Race&)>& watch) {
+    while (iterate())
+        if (watch) watch(*this);
+}
+
+/// One iteration; false where there is none.
+bool Race::iterate() {
+    const std::uint64_t left = options_.budget - std::min(trials_, options_.budget);
+    const std::uint64_t number = iterations_.size() + 1;
+    const std::uint64_t planned = planned_iterations();
+    const std::uint64_t share = left / (number < planned ? planned - number + 1 : 1);
+    const std::uint64_t wanted = share / (first_test + std::min<std::uint64_t>(first_test, number));
+    const std::uint64_t elites = elites_.size();
+    // A race that begins with as many as may survive it has no use.
+    if (wanted <= std::max(elites, number == 1 ? std::uint64_t{1} : survivors())) return false;
+    const double progress = std::min(1.0, static_cast<double>(number - 1) / static_cast<double>(planned));
+    RaceIteration now;
+    const std::vector<std::size_t> fresh = sample(wanted - elites, progress);
+    now.fresh = fresh.size();
+    iterations_.push_back(now);
+    std::vector<std::size_t> alive = elites_;
+    for (const std::size_t each : fresh) {
+        entries_[each].usable = subject_.usable(entries_[each].candidate);
+        if (entries_[each].usable)
+            alive.push_back(each);
+        else
+            ++iterations_.back().unusable;
+    }
+    if (fresh.empty()) iterations_.pop_back();
+    if (alive.size() == elites_.size()) return false;
+    compete(std::move(alive), share);
+    return true;
+}
+
+/// New candidates, none drawn before: anything at first, then near those that were best. Where nothing new is found
+/// near them, farther away; fewer, where there are no more.
+std::vector<std::size_t> Race::sample(std::uint64_t fresh, double progress) {
+    for (const std::size_t elite : elites_)
+        narrow(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
+    constexpr int most_repeats = 100;
+    constexpr int most_widenings = 20;
+    std::vector<std::size_t> result;
+    int repeats = 0;
+    int widenings = 0;
+    while (result.size() < fresh) {
+        RaceEntry entry = elites_.empty() ? RaceEntry{drawn(parameters_, random_), whole_space(parameters_), true, {}}
+                                          : near_an_elite();
+        if (!drawn_.insert(entry.candidate).second) {
+            if (++repeats < most_repeats) continue;
+            repeats = 0;
+            for (const std::size_t elite : elites_) widen(entries_[elite].near, parameters_);
+            if (++widenings == most_widenings) break;
+            continue;
+        }
+        repeats = 0;
+        result.push_back(entries_.size());
+        entries_.push_back(std::move(entry));
+    }
+    return result;
+}
+
+/// Near the elite of rank r of n with probability (n - r + 1) / (n (n + 1) / 2).
+RaceEntry Race::near_an_elite() {
+    const std::uint64_t n = elites_.size();
+    auto ticket = static_cast<std::uint64_t>(random_.uniform() * static_cast<double>(n * (n + 1) / 2));
+    std::uint64_t rank = 0;
+    for (; rank + 1 < n && ticket >= n - rank; ++rank) ticket -= n - rank;
+    const RaceEntry& parent = entries_[elites_[rank]];
+    return {drawn_near(parameters_, parent.candidate, parent.near, random_), parent.near, true, {}};
+}
+
+std::uint64_t Race::missing(const std::vector<std::size_t>& alive, std::uint64_t seed) const {
+    return static_cast<std::uint64_t>(std::count_if(alive.begin(), alive.end(), [&](std::size_t each) {
+        const auto& costs = entries_[each].costs;
+        return seed >= costs.size() || !costs[seed];
+    }));
+}
+
+/// Runs what has not run yet.
+void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
+    std::vector<RaceTrial> trials;
+    for (const std::uint64_t seed : seeds) {
+        seeds_ = std::max(seeds_, seed + 1);
+        for (const std::size_t each : alive) {
+            entries_[each].costs.resize(std::max<std::size_t>(entries_[each].costs.size(), seed + 1));
+            if (!entries_[each].costs[seed]) trials.push_back({each, seed});
+        }
+    }
+    const std::vector<double> costs = subject_.costs(trials);
+    for (std::size_t t = 0; t < trials.size(); ++t) entries_[trials[t].candidate].costs[trials[t].seed] = costs.at(t);
+    trials_ += trials.size();
+    iterations_.back().trials += trials.size();
+}
+
+/// The race of one iteration, within its share of the budget. Seeds: a new one, so that what was best is tested on it
+/// as the others are, then those that it has seen, then new ones.
+void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
+    const std::uint64_t known = elites_.empty() ? 0 : seeds_;
+    const std::uint64_t begin = trials_;
+    std::vector<std::uint64_t> done;
+    const auto seed_at = [&](std::uint64_t place) {
+        if (known == 0 || place > known) return place;
+        return place == 0 ? known : place - 1;
+    };
+    while (true) {
+        const std::uint64_t step = done.empty() ? first_test : 1;
+        std::vector<std::uint64_t> next;
+        std::uint64_t trials = 0;
+        for (std::uint64_t i = 0; i < step; ++i) {
+            next.push_back(seed_at(done.size() + i));
+            trials += missing(alive, next.back());
+        }
+        if (trials_ - begin + trials > share) break;
+        look(alive, next);
+        done.insert(done.end(), next.begin(), next.end());
+        if (!lead(alive, done)) break;
+        const std::vector<std::size_t> kept = not_worse(alive, done);
+        std::erase_if(alive, [&](std::size_t each) {
+            const bool elite = std::find(elites_.begin(), elites_.end(), each) != elites_.end();
+            const bool shielded = elite && done.size() <= known;
+            return !shielded && std::find(kept.begin(), kept.end(), each) == kept.end();
+        });
+        if (alive.size() <= survivors()) break;
+    }
+    iterations_.back().seeds = done.size();
+    iterations_.back().left = alive.size();
+    if (alive.empty())
+        elites_.clear();
+    else if (!done.empty())
+        choose(ranked(std::move(alive), done));
+}
+
+std::vector<std::size_t> Race::ranked(std::vector<std::size_t> alive, const std::vector<std::uint64_t>& seeds) const {
+    const std::vector<statistics::Block> blocks = blocks_of(entries_, alive, seeds);
+    const std::vector<double> by_rank = totals(blocks, options_.elimination == Elimination::friedman);
+    const std::vector<double> by_cost = totals(blocks, false);
+    std::vector<std::size_t> order(alive.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return by_rank[a] != by_rank[b] ? by_rank[a] < by_rank[b] : by_cost[a] < by_cost[b];
+    });
+    std::vector<std::size_t> result;
+    for (const std::size_t place : order) result.push_back(alive[place]);
+    return result;
+}
+
+std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
+                                         const std::vector<std::uint64_t>& seeds) const {
+    if (alive.size() < 2) return alive;
+    const std::vector<statistics::Block> blocks = blocks_of(entries_, alive, seeds);
+    const std::vector<bool> kept =
+        options_.elimination == Elimination::friedman ? kept_by_ranks(blocks) : kept_by_means(blocks);
+    std::vector<std::size_t> result;
+    for (std::size_t c = 0; c < alive.size(); ++c)
+        if (kept[c]) result.push_back(alive[c]);
+    return result;
+}
+
+/// Others leave because they are worse than the best, so that one must be admitted: those that are not leave before.
+/// False where none is left.
+bool Race::lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
+    for (const std::size_t each : ranked(alive, seeds)) {
+        if (is_admitted(each)) return true;
+        std::erase(alive, each);
+    }
+    return false;
+}
+
+bool Race::is_admitted(std::size_t candidate) {
+    if (!admitted_.contains(candidate) && !refused_.contains(candidate)) {
+        const bool good = subject_.admitted(entries_[candidate].candidate);
+        (good ? admitted_ : refused_).insert(candidate);
+        if (!good) ++iterations_.back().refused;
+    }
+    return admitted_.contains(candidate);
+}
+
+/// The best that are admitted.
+void Race::choose(const std::vector<std::size_t>& best) {
+    std::vector<std::size_t> chosen;
+    for (const std::size_t each : best) {
+        if (chosen.size() == survivors()) break;
+        if (is_admitted(each)) chosen.push_back(each);
+    }
+    elites_ = std::move(chosen);
+}
+
+}  // namespace robochart::simulation
