@@ -115,11 +115,13 @@ def published(options, folder, values, limit, most):
     script.write_text(timed.read_text() + text)
     number = len(re.findall(r"^assert", script.read_text(), re.MULTILINE))
     child = measured.run([options.program, "cspm", "published.csp", "--assertion", str(number), "--brief", "--no-cache",
-                          "--max-states", str(options.limit), "--memory", "7GiB"], folder)
+                          "--progress", "never", "--max-states", str(options.limit), "--memory", "7GiB"], folder)
     said = " ".join(child.said().split())
+    reached = re.search(r"the limit of (\d+) states was reached", said)
+    if reached:
+        return "not decided", f"more than {int(reached.group(1)):,}", child
     states = re.search(r"([\d,]+) states", said)
-    word = {0: "refines", 1: "does not refine"}.get(child.exit, said)
-    return word, states.group(1) if states else "?", child
+    return {0: "refines", 1: "does not refine"}.get(child.exit, said), states.group(1) if states else "?", child
 
 
 def line(what, values, word, states, child):

@@ -230,7 +230,7 @@ private:
         out_ += fmt::format(
             "/// event() for each event, with the values of the measures at it; second() at the end of each second. "
             "`report`\n"
-            "/// is called with each robochart::RuleViolation. lost(): duties that there was no room for, which are "
+            "/// is called with each robochart::RuleViolation. lost(): duties beyond the most that it keeps, which are "
             "not "
             "followed.\n"
             "class Monitor {{\npublic:\n"

@@ -13,7 +13,7 @@
 
 namespace robochart::sleec {
 
-/// Most duties of one rule, and of one file, that a generated monitor has room for.
+/// Most duties of one rule, and of one file, that a generated monitor keeps at once.
 inline constexpr std::size_t most_open = 256;
 inline constexpr std::size_t most_open_of_file = 4096;
 

@@ -294,7 +294,7 @@ TEST(MonitorFile, ComputesLikeTheRules) {
         }
 }
 
-/// What there is no room for is counted, and not followed.
+/// What is more than it keeps is counted, and not followed.
 TEST(MonitorFile, CountsWhatItCannotFollow) {
     Read read(with_definitions("R when Go then Stop within [600, 700] seconds"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
