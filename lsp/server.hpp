@@ -11,6 +11,7 @@
 #include "diagnostics/budget.hpp"
 #include "lsp/cspm/scripts.hpp"
 #include "lsp/protocol/interruption.hpp"
+#include "lsp/sleec/rule_texts.hpp"
 #include "lsp/workspace/session.hpp"
 
 namespace robochart::lsp {
@@ -57,6 +58,7 @@ private:
     diagnostics::Budget budget_;  ///< ends what `interruption_` says should end
     Session session_;
     Scripts scripts_;
+    RuleTexts rules_;
     std::deque<Message> queue_;
     Phase phase_ = Phase::fresh;
     std::optional<int> exit_code_;

@@ -140,6 +140,7 @@ struct Options {
     std::string compare;                   ///< simulate: a table of earlier trials to compare a sweep with
     bool pictures = true;                  ///< simulate: write tables and pictures
     bool monitor = false;                  ///< simulate: a monitor beside every controller
+    std::string guarding_rules;            ///< simulate --monitor: these rules instead of the model; "": none
     std::string log;                       ///< simulate: folder for logs of every robot, "" for none
     std::uint64_t walks = 200'000;         ///< conform: cycles of random walks where the whole is too large; 0: none
     std::string relation = "failures-divergences";  ///< conform --model

@@ -42,6 +42,22 @@ std::string redundant_text(const RulesReport& report, std::size_t rule, std::siz
                        report.rules[rule].place, report.rules[by].place);
 }
 
+std::string property_text(const RulesReport& report, const RuleProperty& property) {
+    const char* const what = property.concern ? "concern" : "purpose";
+    if (!property.decided)
+        return fmt::format("not decided: {} {}: {} ({})\n", what, property.name, property.reason, property.place);
+    if (!property.concern) {
+        const std::string by = property.excluded.empty() ? "nothing can bring it about"
+                               : property.excluded.size() == 1
+                                   ? names(report, property.excluded) + " excludes it"
+                                   : names(report, property.excluded) + " together exclude it";
+        return fmt::format("purpose blocked: {}: {} ({})\n", property.name, by, property.place);
+    }
+    std::string text = fmt::format("concern raised: {}: the rules allow it ({})\n", property.name, property.place);
+    for (const std::string& line : property.lines) text += fmt::format("  {}\n", line);
+    return text;
+}
+
 std::string pair_text(const RulesReport& report, const ComparedPair& pair) {
     std::string text;
     const std::string both = names(report, {pair.first, pair.second});
@@ -71,6 +87,10 @@ std::string closing_text(const RulesReport& report) {
     std::string text =
         fmt::format("{}: {}, {}", number_of(report.rules.size(), "rule"), number_of(conflicts, "conflict"),
                     redundant == 1 ? "1 redundancy" : fmt::format("{} redundancies", redundant));
+    std::size_t raised = 0, blocked = 0;
+    for (const RuleProperty& each : report.properties) ++(!each.decided ? undecided : each.concern ? raised : blocked);
+    if (report.concerns > 0) text += fmt::format(", {} of {} raised", raised, number_of(report.concerns, "concern"));
+    if (report.purposes > 0) text += fmt::format(", {} of {} blocked", blocked, number_of(report.purposes, "purpose"));
     if (undecided > 0) text += fmt::format(", {} not decided", undecided);
     return text + "\n";
 }
@@ -145,6 +165,22 @@ Json conflict_json(const RulesReport& report, const RuleConflict& conflict) {
     return json;
 }
 
+Json property_json(const RulesReport& report, const RuleProperty& property) {
+    Json json{{"kind", property.concern ? "concern" : "purpose"},
+              {"name", property.name},
+              {"place", property.place},
+              {"verdict", !property.decided  ? "not decided"
+                          : property.concern ? "raised"
+                                             : "blocked"}};
+    if (!property.decided) json["reason"] = property.reason;
+    if (!property.lines.empty()) json["history"] = property.lines;
+    if (property.decided && !property.concern) {
+        json["excludedBy"] = Json::array();
+        for (const std::size_t rule : property.excluded) json["excludedBy"].push_back(report.rules[rule].name);
+    }
+    return json;
+}
+
 }  // namespace
 
 Exit exit_of(const RulesReport& report) {
@@ -156,6 +192,7 @@ Exit exit_of(const RulesReport& report) {
         undecided = undecided || each.kind == RuleVerdict::Kind::not_decided;
     }
     for (const RuleConflict& each : report.conflicts) (each.decided ? failed : undecided) = true;
+    for (const RuleProperty& each : report.properties) (each.decided ? failed : undecided) = true;
     for (const ComparedPair& each : report.pairs) {
         failed = failed || in_conflict(each);
         undecided = undecided || open(each);
@@ -177,6 +214,7 @@ std::string rules_text(const RulesReport& report, const Options& options) {
     for (const std::size_t rule : report.asking_nothing)
         text += fmt::format("asks for nothing: {}, whatever the measures are ({})\n", report.rules[rule].name,
                             report.rules[rule].place);
+    for (const RuleProperty& each : report.properties) text += property_text(report, each);
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     return text + closing_text(report);
 }
@@ -206,6 +244,10 @@ std::string rules_json(const RulesReport& report) {
             json["redundant"].push_back({{"rule", report.rules[each.rule].name}, {"by", report.rules[each.by].name}});
         json["askingNothing"] = Json::array();
         for (const std::size_t rule : report.asking_nothing) json["askingNothing"].push_back(report.rules[rule].name);
+        json["concerns"] = report.concerns;
+        json["purposes"] = report.purposes;
+        json["properties"] = Json::array();
+        for (const RuleProperty& each : report.properties) json["properties"].push_back(property_json(report, each));
     }
     if (!report.errors.empty()) json["errors"] = report.errors;
     if (!report.limit.empty()) json["limit"] = report.limit;

@@ -31,6 +31,16 @@ struct RedundantRule {
     std::size_t rule = 0, by = 0;
 };
 
+/// A concern that the rules allow, a purpose that they exclude, or one that is not decided.
+struct RuleProperty {
+    bool concern = false;
+    std::string name, place;
+    bool decided = true;
+    std::string reason;                 ///< not decided: why
+    std::vector<std::string> lines;     ///< of a concern: a history that keeps the rules
+    std::vector<std::size_t> excluded;  ///< of a purpose: rules that exclude it together
+};
+
 /// A pair as SLEEC-TK sees it: four answers; nothing where one is not decided.
 struct ComparedPair {
     std::size_t first = 0, second = 0;
@@ -60,6 +70,8 @@ struct RulesReport {
     std::vector<RuleConflict> conflicts;
     std::vector<RedundantRule> redundant;
     std::vector<std::size_t> asking_nothing;  ///< rules that never ask for anything
+    std::size_t concerns = 0, purposes = 0;   ///< asked about
+    std::vector<RuleProperty> properties;     ///< those that are raised, blocked, or not decided
     std::vector<std::string> ranges;          ///< as SLEEC-TK: the values of numeric measures
     std::vector<ComparedPair> pairs;          ///< as SLEEC-TK
     std::vector<std::string> not_read;        ///< as SLEEC-TK: rules that it would not read, with the reason
@@ -67,7 +79,8 @@ struct RulesReport {
     std::string limit;  ///< what ended the run; "" if nothing did
 };
 
-/// 2 where a file is wrong, 1 where there is a conflict or a rule is broken, 3 where something is not decided.
+/// 2 where a file is wrong, 1 where there is a conflict, a rule is broken, a concern raised or a purpose blocked, 3
+/// where something is not decided.
 [[nodiscard]] Exit exit_of(const RulesReport& report);
 [[nodiscard]] std::string rules_text(const RulesReport& report, const Options& options);
 [[nodiscard]] std::string rules_json(const RulesReport& report);

@@ -9,6 +9,7 @@
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "checker/cspm/syntax/build.hpp"
+#include "checker/refine/verdict/counterexample.hpp"
 #include "csp_emit/assertion_forms.hpp"
 #include "runs/interpreter.hpp"
 #include "sleec/analysis/explain.hpp"
@@ -104,7 +105,7 @@ public:
         if (found.outcome == refine::Outcome::fails)
             broken(*found.counterexample, judged);
         else if (watch_.has_demand_without_limit())
-            wait(verdict);
+            wait(judged);
         return verdict.kind != RuleVerdict::Kind::not_decided;
     }
 
@@ -134,6 +135,11 @@ private:
         judged.verdict.kind = RuleVerdict::Kind::broken;
         judged.verdict.lines = reading.asked();
         judged.verdict.lines.push_back(reading.how(place_in_model(reading.breaking_event())));
+        draw(run, judged);
+    }
+
+    /// The run in terms of the model; the verdict has its lines.
+    void draw(const refine::Counterexample& run, JudgedRule& judged) {
         csp_emit::Obligation claim;
         claim.kind = ir::PropertyKind::conforms;
         claim.time = csp_emit::Time::timed;
@@ -141,14 +147,20 @@ private:
                                       of_.project_.sources, *session_},
                                      claim, run);
         // What the rule's process says of itself is no step of the model.
-        std::erase_if(judged.run->steps, [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); });
+        const auto own = [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); };
+        if (std::optional<std::size_t>& loop = judged.run->loop_start) {
+            const auto begin = judged.run->steps.begin();
+            *loop -= static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(*loop), own));
+        }
+        std::erase_if(judged.run->steps, own);
         std::erase_if(judged.run->end.allowed, [](const runs::Event& each) { return each.text.starts_with("sleec_"); });
         judged.run->end.event.reset();
         judged.run->end.why = judged.verdict.lines.back();
     }
 
     /// What has no limit comes at last, unless some run goes on without it for ever.
-    void wait(RuleVerdict& verdict) {
+    void wait(JudgedRule& judged) {
+        RuleVerdict& verdict = judged.verdict;
         const refine::Limits bounds = limits(of_.options_);
         try {
             const auto system = session_->system(watch_.waiting_process(), bounds);
@@ -159,7 +171,9 @@ private:
                                                         throw process::Interrupted("max-states");
                                                     verdict.states = std::max<std::uint64_t>(verdict.states, states);
                                                 });
-            if (run) endless(*run, verdict);
+            if (!run) return;
+            endless(*run, verdict);
+            draw_endless(*system, *run, judged);
         } catch (const process::Interrupted& limit) {
             verdict.kind = RuleVerdict::Kind::not_decided;
             verdict.reason = limit.what();
@@ -169,12 +183,12 @@ private:
     void endless(const sleec::EndlessRun& run, RuleVerdict& verdict) {
         BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
         const auto name = [&](lts::Event event) { return session_->event_table().name(event); };
-        for (const lts::Event each : run.steps) reading.take(name(each));
+        for (const sleec::EndlessStep& each : run.steps) reading.take(name(each.revealed));
         const std::int64_t from = reading.now();
         std::string between;
-        for (const lts::Event each : run.loop) {
-            reading.take(name(each));
-            if (const auto event = reading.event_of(name(each)))
+        for (const sleec::EndlessStep& each : run.loop) {
+            reading.take(name(each.revealed));
+            if (const auto event = reading.event_of(name(each.revealed)))
                 between += (between.empty() ? ", with " : ", ") + of_.of_.rules.event(*event);
         }
         verdict.kind = RuleVerdict::Kind::broken;
@@ -185,6 +199,28 @@ private:
             seconds == 1 && between.empty()
                 ? ""
                 : fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between)));
+    }
+
+    /// The same steps in the terms that the system was compiled from. Without terms, or where a state stands for
+    /// several of them, there is no run to draw.
+    void draw_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, JudgedRule& judged) {
+        if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
+        refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
+        for (const auto* steps : {&run.steps, &run.loop})
+            for (const sleec::EndlessStep& each : *steps)
+                violation.run.steps.push_back({each.event, each.revealed, {}});
+        const refine::Limits bounds = limits(of_.options_);
+        refine::Budget budget(bounds);
+        refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
+        if (again.run.steps.size() != violation.run.steps.size()) return;
+        refine::Counterexample drawn = refine::tell({std::move(again), system.reference(), true});
+        const auto stem = static_cast<std::ptrdiff_t>(run.steps.size());
+        drawn.loop.assign(drawn.steps.begin() + stem, drawn.steps.end());
+        drawn.steps.resize(run.steps.size());
+        drawn.loop_terms.assign(drawn.terms.begin() + stem, drawn.terms.end());
+        drawn.terms.resize(run.steps.size() + 1);
+        drawn.kind = refine::ViolationKind::divergence;
+        draw(drawn, judged);
     }
 
     /// " (model.rct:12)": where the event, or the operation, is declared.

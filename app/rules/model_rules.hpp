@@ -24,7 +24,7 @@ struct RulesOf {
 /// A verdict, and of a rule that is broken the run of the model.
 struct JudgedRule {
     RuleVerdict verdict;
-    std::optional<runs::Run> run;  ///< none: a rule that waits without end
+    std::optional<runs::Run> run;  ///< none: it could not be found in terms of the model
 };
 
 /// One component and the rules of a file, in the timed semantics. Refers to what it is made from.

@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
+#include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/rules/model_rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "diagnostics/render.hpp"
 #include "diagnostics/spelling.hpp"
 #include "sleec/checks/check.hpp"
 #include "sleec/syntax/reader.hpp"
@@ -46,6 +49,12 @@ void load_rules(const std::string& path, LoadedRules& loaded) {
     }
     const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
     if (loaded.diagnostics.ok()) loaded.rules = sleec::check(file, loaded.diagnostics);
+}
+
+void show_rule_findings(const LoadedRules& loaded, const Options& options) {
+    diagnostics::TextStyle style;
+    style.color = color_wanted(options.color, STDERR_FILENO);
+    print_error_styled(diagnostics::render_text(loaded.sources, loaded.diagnostics, style));
 }
 
 RuleClaims::RuleClaims(const Project& project, const csp_emit::Emission& emission, const Options& options)

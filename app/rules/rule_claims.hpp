@@ -23,6 +23,8 @@ struct LoadedRules {
 };
 /// Reads a file of rules; "-" is standard input.
 void load_rules(const std::string& path, LoadedRules& loaded);
+/// Prints the findings about it, to standard error.
+void show_rule_findings(const LoadedRules& loaded, const Options& options);
 
 /// Decides the claims of one model. Every file is read once. Refers to what it is made from.
 class RuleClaims {

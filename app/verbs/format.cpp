@@ -18,6 +18,7 @@
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "sleec/syntax/format.hpp"
 
 namespace robochart::app {
 namespace {
@@ -25,8 +26,14 @@ namespace {
 namespace fs = std::filesystem;
 namespace syntax = frontend::syntax;
 
-bool is_assertions(const fs::path& path) {
-    return path.extension() == ".assertions";
+/// What a text is written in.
+enum class Language { model, assertions, rules };
+
+std::optional<Language> language_of(const fs::path& path) {
+    if (path.extension() == ".rct") return Language::model;
+    if (path.extension() == ".assertions") return Language::assertions;
+    if (path.extension() == ".sleec") return Language::rules;
+    return std::nullopt;
 }
 
 /// One run of the verb.
@@ -43,7 +50,7 @@ private:
     void changed(const fs::path& path, std::string_view before, const std::string& after);
     void report(const diagnostics::Rule& rule, std::vector<std::string> arguments);
     /// The formatted text; nothing, after its errors are shown, if it has syntax errors.
-    std::optional<std::string> format(diagnostics::SourceId source, bool assertions);
+    std::optional<std::string> format(diagnostics::SourceId source, Language language);
     void show(const diagnostics::Diagnostics& diagnostics) const;
     [[nodiscard]] std::string closing() const;
 
@@ -68,10 +75,12 @@ void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> 
     failed_ = true;
 }
 
-std::optional<std::string> Formatting::format(diagnostics::SourceId source, bool assertions) {
+std::optional<std::string> Formatting::format(diagnostics::SourceId source, Language language) {
     diagnostics::Diagnostics diagnostics;
     diagnostics.within(&options_.run->budget());
-    auto result = frontend::format(sources_, source, assertions, diagnostics);
+    auto result = language == Language::rules
+                      ? sleec::format(sources_, source, diagnostics)
+                      : frontend::format(sources_, source, language == Language::assertions, diagnostics);
     if (result) return result;
     show(diagnostics);
     failed_ = true;
@@ -83,7 +92,7 @@ void Formatting::standard_input() {
     std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
     if (!error.empty()) return report(syntax::unreadable, {"-", error});
     const auto source = sources_.add("<stdin>", std::move(text));
-    const auto result = format(source, options_.assertions);
+    const auto result = format(source, options_.assertions ? Language::assertions : Language::model);
     if (!result) return;
     ++files_;
     const std::string_view before = sources_.text(source);
@@ -112,7 +121,7 @@ void Formatting::file(const fs::path& path) {
     const auto source = sources_.load(path.string(), error);
     if (!source) return report(syntax::unreadable, {path.string(), error});
     ++files_;
-    const auto result = format(*source, is_assertions(path));
+    const auto result = format(*source, language_of(path).value_or(Language::model));
     if (result && *result != sources_.text(*source)) changed(path, sources_.text(*source), *result);
 }
 
@@ -124,7 +133,7 @@ void Formatting::input(const std::string& path) {
     for (const auto& [folder, cause] : found.unreadable) report(syntax::unreadable, {folder, cause});
     std::size_t ours = 0;
     for (const fs::path each : found.files) {
-        if (each.extension() != ".rct" && !is_assertions(each)) continue;
+        if (!language_of(each)) continue;
         ++ours;
         file(each);
     }

@@ -11,10 +11,14 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/rule_guard.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/process/term.hpp"
+#include "diagnostics/escape.hpp"
+#include "sleec/emit/monitor_file.hpp"
+#include "sleec/obligations/samples.hpp"
 
 namespace robochart::app {
 namespace {
@@ -128,6 +132,54 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
     const auto components = code_components(simulation.project->system, simulation.scenario.component.text);
     auto made = build(*simulation.project, options, components.front(), simulation.scenario.units_per_step);
     return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
+}
+
+std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Options& options) {
+    if (!options.monitor) return nullptr;
+    if (options.guarding_rules.empty()) return make_monitors(simulation, options);
+    std::string error;
+    auto guard = make_rule_guard(options.guarding_rules, simulation.emission, simulation.scenario.units_per_step,
+                                 options, error);
+    if (guard == nullptr)
+        simulation.project->diagnostics.report(
+            rules::bad_option, {},
+            {fmt::format("--monitor {}: {}", diagnostics::shown(options.guarding_rules), error)});
+    return guard;
+}
+
+namespace {
+
+/// Monitors of one file of rules; false, with what is wrong printed, where there are none.
+bool write_rule_monitor(const std::string& file, Project& output, const Options& options, Report& report) {
+    LoadedRules loaded;
+    loaded.diagnostics.within(&options.run->budget());
+    for (const std::string& code : options.allowed) loaded.diagnostics.allow(code);
+    load_rules(file, loaded);
+    show_rule_findings(loaded, options);
+    if (!loaded.rules || (options.deny_warnings && loaded.diagnostics.warnings() > 0)) return false;
+    try {
+        const std::string below = fmt::format("monitor/{}/", sleec::monitor_name(file));
+        const auto files = sleec::monitor_files(*loaded.rules, file, loaded.sources, sleec::WithoutLimit::eventually);
+        return write_all(below, files, report.monitor_files, options, output);
+    } catch (const sleec::NotDecided& error) {
+        output.diagnostics.report(rules::bad_option, {},
+                                  {fmt::format("{}: {}", diagnostics::shown(file), error.what())});
+        return false;
+    }
+}
+
+}  // namespace
+
+bool write_rule_monitors(const Options& options, Report& report) {
+    if (!options.component.empty() || options.cycle_given || !options.print.empty())
+        throw UsageError("--component, --cycle and --print are about models, not about rules");
+    Project output;
+    output.diagnostics.within(&options.run->budget());
+    bool written = true;
+    for (const std::string& file : options.inputs)
+        written = write_rule_monitor(file, output, options, report) && written;
+    show_findings(output, options);
+    return written;
 }
 
 bool write_monitors(Project& project, const Options& options, Report& report) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,16 +13,12 @@
 
 namespace robochart::app {
 
-class Monitors {
+class Monitors final : public simulation::Guard {
 public:
-    using Maker = std::function<std::unique_ptr<simulation::Trace>(std::uint32_t trial)>;
-
     Monitors(std::unique_ptr<conformance::MonitorBuild> build, const cpp_emit::DriveEmission& emission)
         : build_(std::move(build)), emission_(emission) {}
-    /// A trace that watches, and tells `other` as well if it makes any.
-    [[nodiscard]] Maker beside(Maker other);
-    /// How much was watched, in a line.
-    [[nodiscard]] std::string note() const;
+    [[nodiscard]] Maker beside(Maker other) override;
+    [[nodiscard]] std::string note() const override;
 
 private:
     class Watch;
@@ -42,5 +37,8 @@ private:
 
 /// Null, with a diagnostic, where the model has none.
 [[nodiscard]] std::unique_ptr<Monitors> make_monitors(Simulation&, const Options&);
+/// What `--monitor` asks for: the model's monitors, or those of a file of rules. Null without it, and, with a
+/// diagnostic, where there are none.
+[[nodiscard]] std::unique_ptr<simulation::Guard> make_guard(Simulation&, const Options&);
 
 }  // namespace robochart::app

@@ -3,10 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -14,14 +12,12 @@
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/rules/rule_claims.hpp"
+#include "app/rules/rule_run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/json.hpp"
-#include "diagnostics/render.hpp"
-#include "sleec/analysis/explain.hpp"
-#include "sleec/monitor/rule_monitor.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/rules.hpp"
 
@@ -45,139 +41,11 @@ struct RuleLogReport {
 };
 constexpr std::size_t most_reported = 100;
 
-/// Words of a log as events and measures of a file of rules. Equal names are linked, unless `map` says otherwise.
-class RuleWords {
-public:
-    explicit RuleWords(const sleec::CheckedRules& rules) : rules_(rules) {
-        for (std::size_t i = 0; i < rules.file->events.size(); ++i) events_.emplace(model_name(rules.event(i)), i);
-        for (std::size_t i = 0; i < rules.file->measures.size(); ++i)
-            measures_.emplace(model_name(rules.measure(i).name.text), i);
-    }
-
-    /// The name in front of `?` or `!`.
-    static std::string_view name(std::string_view word) { return word.substr(0, word.find_first_of("?!")); }
-    [[nodiscard]] std::vector<std::size_t> events(std::string_view word) const {
-        return all(events_, std::string(name(word)));
-    }
-    [[nodiscard]] std::vector<std::size_t> measures(std::string_view word) const {
-        return all(measures_, std::string(name(word)));
-    }
-
-    /// The value in the word; nothing where the rules cannot say it: a fraction, a literal that they do not have.
-    [[nodiscard]] std::optional<std::int64_t> value(std::size_t measure, std::string_view word) const {
-        const std::size_t mark = word.find_first_of("?!");
-        const std::string_view text = mark == std::string_view::npos ? std::string_view() : word.substr(mark + 1);
-        const sleec::Measure& of = rules_.measure(measure);
-        if (of.type == sleec::MeasureType::boolean)
-            return text == "true"    ? std::optional<std::int64_t>(1)
-                   : text == "false" ? std::optional<std::int64_t>(0)
-                                     : std::nullopt;
-        if (of.type == sleec::MeasureType::scale) {
-            for (std::size_t i = 0; i < of.literals.size(); ++i)
-                if (of.literals[i].text == text) return static_cast<std::int64_t>(i);
-            return std::nullopt;
-        }
-        std::int64_t number = 0;
-        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-        const bool whole = code == std::errc() && end == text.data() + text.size() && !text.empty();
-        return whole ? std::optional(number) : std::nullopt;
-    }
-
-private:
-    using Names = std::multimap<std::string, std::size_t>;
-    static std::vector<std::size_t> all(const Names& names, const std::string& name) {
-        std::vector<std::size_t> result;
-        const auto [from, to] = names.equal_range(name);
-        for (auto at = from; at != to; ++at) result.push_back(at->second);
-        return result;
-    }
-    [[nodiscard]] std::string model_name(const std::string& name) const {
-        for (const sleec::Mapping& each : rules_.file->mappings)
-            if (each.name.text == name) return each.element.text.substr(each.element.text.rfind(':') + 1);
-        return name;
-    }
-
-    const sleec::CheckedRules& rules_;
-    Names events_, measures_;
-};
-
-/// One run: the words of an instant are taken together, since a measure may be read behind a trigger.
-class RuleRun {
-public:
-    RuleRun(const LoadedRules& of, const RuleWords& words, sleec::WithoutLimit without)
-        : of_(of), words_(words), monitor_(*of.rules, without) {}
-
-    void word(std::string_view word, std::uint64_t line) {
-        if (word != "tock") {
-            instant_.emplace_back(word);
-            lines_.push_back(line);
-            return;
-        }
-        end_instant();
-        monitor_.second();
-        note(line);
-    }
-    void forget() {
-        instant_.clear();
-        lines_.clear();
-        monitor_.forget();
-    }
-    /// The log ends here, which may be in the middle of an instant.
-    void end() { end_instant(); }
-
-    [[nodiscard]] bool broken() const { return !text_.empty(); }
-    [[nodiscard]] std::uint64_t line() const { return line_; }
-    [[nodiscard]] const std::vector<std::string>& text() const { return text_; }
-    [[nodiscard]] const std::vector<std::size_t>& open() const { return monitor_.open_triggers(); }
-    [[nodiscard]] std::int64_t seconds() const { return monitor_.now(); }
-
-private:
-    void end_instant() {
-        sleec::MeasureReadings readings(of_.rules->file->measures.size());
-        std::vector<bool> read(readings.size(), false);
-        for (const std::string& each : instant_)
-            for (const std::size_t measure : words_.measures(each)) {
-                const auto value = words_.value(measure, each);
-                readings[measure] = read[measure] && readings[measure] != value ? std::nullopt : value;
-                read[measure] = true;
-            }
-        for (std::size_t i = 0; i < instant_.size(); ++i)
-            for (const std::size_t event : words_.events(instant_[i])) {
-                monitor_.event(event, readings);
-                note(lines_[i]);
-            }
-        instant_.clear();
-        lines_.clear();
-    }
-
-    /// The first violation is shown.
-    void note(std::uint64_t line) {
-        for (const sleec::Violation& each : monitor_.take()) {
-            if (broken()) return;
-            line_ = line;
-            for (const sleec::Demand& demand : each.obligation.any)
-                text_.push_back(
-                    sleec::side_text({each.rule, each.began, each.values, demand}, *of_.rules, of_.sources));
-            text_.push_back(each.event
-                                ? fmt::format("{} comes at second {}", of_.rules->event(*each.event), each.second)
-                                : fmt::format("second {} ends without it", each.second));
-        }
-    }
-
-    const LoadedRules& of_;
-    const RuleWords& words_;
-    sleec::RuleMonitor monitor_;
-    std::vector<std::string> instant_;
-    std::vector<std::uint64_t> lines_;
-    std::vector<std::string> text_;
-    std::uint64_t line_ = 0;
-};
-
 /// One log and one file of rules.
 class RuleLog {
 public:
     RuleLog(const LoadedRules& of, std::string path, RuleLogReport& report, const Options& options)
-        : of_(of), words_(*of.rules), path_(std::move(path)), report_(report), options_(options) {}
+        : of_{*of.rules, of.sources}, words_(*of.rules), path_(std::move(path)), report_(report), options_(options) {}
 
     void read(std::istream& in) {
         conformance::LineReader lines(in);
@@ -220,13 +88,18 @@ private:
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
-        run_.emplace(of_, words_,
-                     options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually);
+        run_.emplace(of_, options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually);
     }
 
     void take(const std::vector<TraceToken>& tokens, std::uint64_t line) {
         if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost")) return run_->forget();
-        for (const TraceToken& each : tokens) run_->word(each.text, line);
+        for (const TraceToken& each : tokens) word(each.text, line);
+    }
+
+    void word(std::string_view word, std::uint64_t line) {
+        if (word == "tock") return run_->second(line);
+        for (const std::size_t measure : words_.measures(word)) run_->read(measure, words_.value(measure, word));
+        for (const std::size_t event : words_.events(word)) run_->happen(event, line);
     }
 
     void end() {
@@ -245,13 +118,13 @@ private:
             for (const std::size_t rule : run_->open())
                 if (open)
                     entry.lines.push_back(fmt::format(
-                        "{} begins while a measure that decides what it asks for is not read", of_.rules->name(rule)));
+                        "{} begins while a measure that decides what it asks for is not read", of_.rules.name(rule)));
             report_.reported.push_back(std::move(entry));
         }
         run_.reset();
     }
 
-    const LoadedRules& of_;
+    RulesOf of_;
     RuleWords words_;
     std::string path_;
     RuleLogReport& report_;
@@ -342,8 +215,7 @@ Exit conform_rules(const Options& options) {
         LoadedRules loaded;
         loaded.diagnostics.within(&options.run->budget());
         load_rules(file, loaded);
-        diagnostics::TextStyle style;
-        print_error_styled(diagnostics::render_text(loaded.sources, loaded.diagnostics, style));
+        show_rule_findings(loaded, options);
         if (!loaded.rules) {
             report.errors.push_back(fmt::format("{} cannot be read", diagnostics::shown(file)));
             continue;

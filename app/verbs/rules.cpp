@@ -1,7 +1,6 @@
 // The verb `rules`: conflicts and redundancies of rules in SLEEC, and whether a model obeys them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -15,8 +14,8 @@
 #include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
-#include "diagnostics/render.hpp"
 #include "sleec/analysis/explain.hpp"
+#include "sleec/analysis/properties.hpp"
 #include "sleec/analysis/suggest.hpp"
 #include "sleec/published/encoding.hpp"
 
@@ -42,7 +41,7 @@ public:
     Exit operator()() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
         load_rules(options_.inputs.front(), loaded_);
-        show_findings();
+        show_rule_findings(loaded_, options_);
         if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warnings() > 0)) return refused();
         describe();
         if (options_.inputs.size() > 1) {
@@ -57,12 +56,6 @@ public:
     }
 
 private:
-    void show_findings() {
-        diagnostics::TextStyle style;
-        style.color = color_wanted(options_.color, STDERR_FILENO);
-        print_error_styled(diagnostics::render_text(loaded_.sources, loaded_.diagnostics, style));
-    }
-
     Exit refused() {
         options_.run->finish();
         for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted())
@@ -92,6 +85,28 @@ private:
         sleec::for_each_question(rules(), analysis,
                                  [&](const sleec::ConflictAnswer& answer) { note(answer, analysis); });
         redundancies(analysis);
+        for (const sleec::CheckedProperty& each : rules().concerns) ask(each, true, analysis);
+        for (const sleec::CheckedProperty& each : rules().purposes) ask(each, false, analysis);
+    }
+
+    /// A concern must be impossible while the rules are kept, a purpose possible.
+    void ask(const sleec::CheckedProperty& property, bool concern, const sleec::AnalysisOptions& analysis) {
+        const sleec::PropertyAnswer answer = sleec::possible(rules(), property, analysis);
+        const sleec::Answer wanted = concern ? sleec::Answer::no : sleec::Answer::yes;
+        RuleProperty found{concern,
+                           property.written->name.text,
+                           loaded_.sources.place(property.written->span),
+                           answer.possible != sleec::Answer::not_decided,
+                           answer.reason,
+                           {},
+                           {}};
+        if (found.decided && answer.possible != wanted && concern)
+            found.lines = sleec::history_lines(answer.history, property, rules());
+        if (found.decided && answer.possible != wanted && !concern)
+            found.excluded = sleec::excluding(rules(), property, analysis);
+        const auto edit = options_.run->edit();
+        ++(concern ? report_->concerns : report_->purposes);
+        if (answer.possible != wanted) report_->properties.push_back(std::move(found));
     }
 
     void note(const sleec::ConflictAnswer& answer, const sleec::AnalysisOptions& analysis) {

@@ -227,7 +227,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     wanted.record = options.pictures || !options.html.empty();
     LogFailure failure;
     if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
-    const auto monitors = options.monitor ? make_monitors(*simulation, options) : nullptr;
+    const auto monitors = make_guard(*simulation, options);
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
     wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
@@ -256,10 +256,25 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     return exit;
 }
 
+/// A file of rules among the inputs is what guards the trials.
+Options with_guarding_rules(Options options) {
+    const auto is_rules = [](const std::string& input) { return input.ends_with(".sleec"); };
+    for (const std::string& input : options.inputs) {
+        if (!is_rules(input)) continue;
+        if (!options.monitor) throw UsageError("rules guard trials with --monitor: it is not given");
+        if (!options.guarding_rules.empty()) throw UsageError("--monitor takes one file of rules");
+        options.guarding_rules = input;
+    }
+    std::erase_if(options.inputs, is_rules);
+    if (options.inputs.empty()) throw UsageError("simulate what? a scenario is wanted");
+    return options;
+}
+
 }  // namespace
 
-Exit run_simulate(const Options& options, const OtherStage& stage) {
-    options.run->last_word([&options](const std::string& why) { return before_trials(options, why); });
+Exit run_simulate(const Options& given, const OtherStage& stage) {
+    const Options options = with_guarding_rules(given);
+    options.run->last_word([options](const std::string& why) { return before_trials(options, why); });
     try {
         return simulate(options, stage);
     } catch (const cpp_emit::NoCompiler& missing) {

@@ -28,7 +28,7 @@ struct Prepared {
     std::vector<std::string> constants;
     std::unique_ptr<Simulation> simulation;
     std::unique_ptr<simulation::Controller> controller;
-    std::unique_ptr<Monitors> monitors;
+    std::unique_ptr<simulation::Guard> monitors;
 };
 
 class Sweep {
@@ -64,6 +64,7 @@ private:
                                           [](const simulation::Claim& claim) { return claim.estimate; }))
             missing("what is to be proved (accept probability)");
         if (!options_.compare.empty()) read_table();
+        if (!options_.guarding_rules.empty()) read_rules();
         std::size_t points = 1;
         for (const simulation::Variation& each : scenario_.variations) points *= each.values.size();
         if (points > most_points)
@@ -85,6 +86,13 @@ private:
         if (!error.empty())
             project_->diagnostics.report(
                 rules::bad_option, {}, {fmt::format("--compare {}: {}", diagnostics::shown(options_.compare), error)});
+    }
+
+    /// What is wrong with the file is said where it is used.
+    void read_rules() {
+        std::string error;
+        if (const auto source = project_->sources.load(options_.guarding_rules, error))
+            rules_text_ = project_->sources.text(*source);
     }
 
     Exit refused(Project& project) const { return show_diagnostics(project, options_), refusal(project); }
@@ -136,8 +144,7 @@ private:
         if (!shown_) show_diagnostics(project, options);
         shown_ = true;
         prepared_.controller = build_controller(*prepared_.simulation, options);
-        if (prepared_.controller != nullptr && options.monitor)
-            prepared_.monitors = make_monitors(*prepared_.simulation, options);
+        if (prepared_.controller != nullptr) prepared_.monitors = make_guard(*prepared_.simulation, options);
         if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
         return std::nullopt;
     }
@@ -159,6 +166,7 @@ private:
         hasher.add(simulation.scenario.trials);
         hasher.add(result_.points.size());
         hasher.add(std::uint64_t{options_.monitor ? 1U : 0U});
+        hasher.add(rules_text_);
         hasher.add(stage_.name);
         return hasher.finish();
     }
@@ -258,6 +266,7 @@ private:
     simulation::Scenario scenario_;
     Prepared prepared_;
     bool shown_ = false;
+    std::string rules_text_;                   ///< of `--monitor RULES.sleec`
     std::vector<simulation::TableRow> table_;  ///< of `--compare`
     std::vector<simulation::Compared> compared_;
     simulation::SweepResult result_;

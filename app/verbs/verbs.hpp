@@ -48,5 +48,7 @@ void check_conformance(Project&, const Options&, Report&);
 Exit conform_traces(const std::vector<Part>&, const Options&);
 /// conform RULES.sleec --traces: logs of runs against rules.
 Exit conform_rules(const Options&);
+/// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; false where a file is wrong.
+[[nodiscard]] bool write_rule_monitors(const Options&, Report&);
 
 }  // namespace robochart::app

@@ -563,6 +563,12 @@ Exit run_model(const Options& options) {
         report->limit = why;
         return print_report(*report, options);
     });
+    if (options.verb == Verb::emit_monitor && rules) {
+        const bool written = write_rule_monitors(options, *report);
+        options.run->finish();
+        const Exit exit = print_report(*report, options);
+        return written ? exit : Exit::bad_input;
+    }
     std::vector<Part> parts;
     try {
         return run_verb(options, *report, parts);

@@ -55,6 +55,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string explore_header();
 [[nodiscard]] std::string drive_header();
 [[nodiscard]] std::string monitor_header();
+[[nodiscard]] std::string rules_header();
 [[nodiscard]] std::string trace_helpers();
 [[nodiscard]] std::string trace_files();
 [[nodiscard]] std::string adaptive_header();

@@ -19,28 +19,6 @@ std::string_view uri_in(View params) {
     return uri.is_text() ? uri.text() : params["item"]["uri"].text();
 }
 
-// ---------------------------------------------------------------- texts
-
-void script_changes(const Session& session, Scripts& scripts, ScriptDocument& document, View params) {
-    for (const View change : params["contentChanges"].items()) {
-        if (!change["text"].is_text()) continue;
-        std::string text = change["text"].text();
-        if (change.has("range")) {
-            const Span span = span_of(document.texts, document.source, change["range"], session.client.encoding);
-            text = std::string(document.texts.text(document.source)).replace(span.begin, span.end - span.begin, text);
-        }
-        scripts.change(document, std::move(text));
-    }
-    const View version = params["textDocument"]["version"];
-    if (version.is_number()) document.version = version.number();
-}
-
-void script_opened(Scripts& scripts, View params) {
-    const View given = params["textDocument"];
-    ScriptDocument& document = scripts.open(given["uri"].text(), given["text"].text());
-    if (given["version"].is_number()) document.version = given["version"].number();
-}
-
 // ---------------------------------------------------------------- findings
 
 Json script_location(const Session& session, const Scripts& scripts, const ScriptReading& reading, Span span) {
@@ -66,14 +44,6 @@ std::map<std::string, Json> script_findings(const Session& session, Scripts& scr
                         diagnostic(reading->sources, each, session.client.encoding, locate));
     }
     return result;
-}
-
-Json script_diagnostic(const Session& session, Scripts& scripts, ScriptDocument& document) {
-    std::map<std::string, Json> found = script_findings(session, scripts);
-    const auto own = found.find(document.uri);
-    Json items = own != found.end() ? std::move(own->second) : Json::array();
-    document.pulled = text_of_findings(items);
-    return Json::object({{"kind", "full"}, {"items", std::move(items)}});
 }
 
 // ---------------------------------------------------------------- names
@@ -135,11 +105,15 @@ bool notify_script(const Session& session, Scripts& scripts, std::string_view me
     ScriptDocument* const known = scripts.find(uri);
     if (method == "textDocument/didOpen") {
         if (uri.empty() || !is_script(uri, document["languageId"].text())) return false;
-        script_opened(scripts, params);
+        take_opened(params, [&](const std::string& at, std::string text) -> OpenText& {
+            return scripts.open(at, std::move(text));
+        });
         return true;
     }
     if (known == nullptr) return false;
-    if (method == "textDocument/didChange") script_changes(session, scripts, *known, params);
+    if (method == "textDocument/didChange")
+        take_changes(*known, params, session.client.encoding,
+                     [&](std::string text) { scripts.change(*known, std::move(text)); });
     if (method == "textDocument/didClose") scripts.close(uri);
     return true;
 }
@@ -153,7 +127,7 @@ Json answer_for_script(const Session& session, Scripts& scripts, std::string_vie
     const std::string_view uri = uri_in(params);
     ScriptDocument* const document = scripts.find(uri);
     if (document == nullptr) throw Refusal(ErrorCode::invalid_params, fmt::format("no such document: {}", uri));
-    if (method == "textDocument/diagnostic") return script_diagnostic(session, scripts, *document);
+    if (method == "textDocument/diagnostic") return pulled_findings(*document, script_findings(session, scripts));
     if (method == "textDocument/documentSymbol") return script_outline(session, scripts, *document);
     if (method == "textDocument/hover") return script_hover(session, scripts, *document, params);
     if (method == "textDocument/definition" || method == "textDocument/declaration")
@@ -161,27 +135,10 @@ Json answer_for_script(const Session& session, Scripts& scripts, std::string_vie
     return nullptr;
 }
 
-/// Of open documents nothing is pushed to an editor that asks for their diagnostics: it would show them twice.
 void publish_scripts(Session& session, Scripts& scripts) {
     if (!scripts.has_news()) return;
-    std::map<std::string, Json> found = script_findings(session, scripts);
-    for (const auto& [uri, text] : scripts.published) found.emplace(uri, Json::array());
-    bool refresh = false;
-    for (auto& [uri, list] : found) {
-        const ScriptDocument* const document = scripts.find(uri);
-        std::string text = text_of_findings(list);
-        if (session.client.pulls_diagnostics && document != nullptr) {
-            refresh = refresh || text != document->pulled;
-            list = Json::array();
-            text.clear();
-        }
-        std::string& before = scripts.published[uri];
-        if (text == before) continue;
-        before = std::move(text);
-        session.send(publication(uri, document != nullptr ? document->version : std::nullopt, std::move(list)));
-    }
-    std::erase_if(scripts.published, [](const auto& entry) { return entry.second.empty(); });
-    if (refresh && session.client.refreshes_diagnostics) session.send(refresh_request(++session.refreshes));
+    scripts.published.send(session, script_findings(session, scripts),
+                           [&](const std::string& uri) { return scripts.find(uri); });
     scripts.settle_news();
 }
 

@@ -14,6 +14,7 @@
 #include "checker/cspm/types/type_check.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "lsp/protocol/positions.hpp"
+#include "lsp/workspace/open_text.hpp"
 
 namespace robochart::lsp {
 
@@ -32,15 +33,9 @@ struct ScriptReading {
     bool typed = false;                  ///< types have been checked, or cannot be as reading has failed
 };
 
-/// An open document.
-struct ScriptDocument {
-    std::string uri;
-    std::string path;  ///< as in the URI
-    std::string file;  ///< the file that is meant, whichever links lead to it
-    SourceManager texts;
-    SourceId source = SourceId::none;
-    std::optional<std::int64_t> version;
-    std::string pulled;                      ///< the diagnostics last asked for
+/// An open script.
+struct ScriptDocument : OpenText {
+    std::string file;                        ///< the file that is meant, whichever links lead to it
     std::unique_ptr<ScriptReading> reading;  ///< of the document with what it includes; null after a change
 };
 
@@ -67,7 +62,7 @@ public:
     [[nodiscard]] bool has_news() const { return news_; }
     void settle_news() { news_ = false; }
 
-    std::map<std::string, std::string> published;  ///< the diagnostics last sent, by URI
+    Published published;
 
 private:
     void forget(const std::string& file);

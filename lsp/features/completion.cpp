@@ -42,6 +42,7 @@ public:
           model_(target.project.model()),
           file_(target.project.tree(target.document)),
           sources_(target.project.sources()),
+          source_(target.document.source),
           context_(context_at(sources_, target.document.source, target.document.is_assertions, target.offset)) {
         edit_range_ = range(sources_, context_.prefix, session.client.encoding);
         for (const Enclosing& each : context_.enclosing) {
@@ -170,7 +171,17 @@ private:
                 return packages();
             case Wanted::property:
                 return words(property_words());
+            case Wanted::rule:
+                return rules();
         }
+    }
+
+    /// Those of the files beside the assertions.
+    void rules() {
+        constexpr int function = 3;
+        const std::string& path = sources_.path(source_);
+        const std::string folder = path.substr(0, std::min(path.rfind('/'), path.size()));
+        for (const auto& [rule, file] : session_.rule_names(folder)) add(rule, function, Rank::scope, file, rule);
     }
 
     void member() {
@@ -321,6 +332,7 @@ private:
     const Model& model_;
     const File& file_;
     const SourceManager& sources_;
+    SourceId source_;
     CompletionContext context_;
     Json edit_range_;
     const Declaration* scope_ = nullptr;      ///< the component or function around the place

@@ -310,7 +310,7 @@ private:
         if (word(token, {"timed", "untimed"})) return Wanted::member;
         if (token.is(":") || word(token, {"in", "refines", "refine", "equals", "of", "clock", "constant", "parameter"}))
             return Wanted::component;
-        if (word(token, {"to"}) && word(last(end, 2), {"conforms", "conform"})) return Wanted::nothing;
+        if (word(token, {"to"}) && word(last(end, 2), {"conforms", "conform"})) return Wanted::rule;
         if (word(token, {"to"}) && word(last(end, 2), {"associated", "equal"})) return Wanted::component;
         if (word(token, {"is", "not", "does"})) return Wanted::property;
         if (token.is(",") && !has_associated(end)) return Wanted::expression;

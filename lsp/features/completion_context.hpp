@@ -56,6 +56,7 @@ enum class Wanted {
     import,
     component,  ///< in an assertion
     property,   ///< after `is` in an assertion
+    rule,       ///< after `conforms to` in an assertion
 };
 
 /// One step from a value to a part of it: a field's name, or "" for an index.

@@ -8,7 +8,7 @@ namespace robochart::lsp {
 /// Files that are not open may change too: asks the editor to tell.
 void did_initialize(Session& session, View) {
     if (!session.client.watches_files) return;
-    const Json watchers = Json::array({Json::object({{"globPattern", "**/*.{rct,assertions,csp,cspm,fdr3}"}})});
+    const Json watchers = Json::array({Json::object({{"globPattern", "**/*.{rct,assertions,csp,cspm,fdr3,sleec}"}})});
     const Json registration = Json::object({{"id", "files"},
                                             {"method", "workspace/didChangeWatchedFiles"},
                                             {"registerOptions", Json::object({{"watchers", watchers}})}});

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lsp/protocol/json.hpp"
 #include "lsp/workspace/workspace.hpp"
@@ -59,6 +61,8 @@ struct Session {
     std::shared_ptr<KeptDiagrams> diagrams;  ///< made when one is asked for first (lsp/features/diagram.hpp)
     std::int64_t refreshes = 0;              ///< requests to ask for diagnostics again, so far
     std::function<void(const Json&)> send;   ///< messages to the editor
+    /// The rules in SLEEC of a folder, each with the name of its file; empty: nobody knows.
+    std::function<std::vector<std::pair<std::string, std::string>>(const std::string& folder)> rule_names;
 };
 
 /// A place in a document that a request is about.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,17 @@ public:
                        rc_drive_result result) = 0;
     /// Asked after each cycle; null: go on.
     [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
+};
+
+/// Watches all trials of a run.
+class Guard {
+public:
+    using Maker = std::function<std::unique_ptr<Trace>(std::uint32_t trial)>;
+    virtual ~Guard() = default;
+    /// Makes what watches a trial, and passes all on to what `other` makes, if it makes any.
+    [[nodiscard]] virtual Maker beside(Maker other) = 0;
+    /// How much was watched, in lines.
+    [[nodiscard]] virtual std::string note() const = 0;
 };
 
 /// A controller that could not go on.

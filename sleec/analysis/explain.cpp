@@ -54,6 +54,24 @@ std::string demand_text(const CheckedRules& rules, const Demand& demand, std::in
     return text + fmt::format("{} second {}", demand.begin > 0 ? " to" : " up to", began + demand.end);
 }
 
+std::vector<std::string> history_lines(const std::vector<Happening>& history, const CheckedProperty& property,
+                                       const CheckedRules& rules) {
+    constexpr std::size_t most = 7;
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < std::min(most, history.size()); ++i) {
+        const Happening& each = history[i];
+        const bool during = property.during == each.event && each.event != property.trigger;
+        const auto& condition = during ? property.during_condition : property.condition;
+        std::string values;
+        if (each.named && condition)
+            for (const std::size_t measure : measures_of({0, condition, nullptr, false, nullptr}))
+                values += (values.empty() ? " with " : ", ") + value_text(rules.measure(measure), each.values[measure]);
+        lines.push_back(fmt::format("{} at second {}{}", rules.event(each.event), each.second, values));
+    }
+    if (history.size() > most) lines.push_back(fmt::format("and {} more events", history.size() - most));
+    return lines;
+}
+
 std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& rules,
                                  const diagnostics::SourceManager& sources) {
     std::vector<const Side*> sides;

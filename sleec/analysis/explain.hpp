@@ -6,6 +6,7 @@
 
 #include "diagnostics/source.hpp"
 #include "sleec/analysis/conflicts.hpp"
+#include "sleec/analysis/properties.hpp"
 
 namespace robochart::sleec {
 
@@ -16,6 +17,10 @@ namespace robochart::sleec {
 /// "R begins at second 3 with Go, near: it asks for Stop up to second 5 (rules.sleec:7)".
 [[nodiscard]] std::string side_text(const Side& side, const CheckedRules& rules,
                                     const diagnostics::SourceManager& sources);
+/// "Go at second 0 with near, load = high": what comes in a history, the first few. Values are shown where the property
+/// is about the occurrence, of the measures in its conditions.
+[[nodiscard]] std::vector<std::string> history_lines(const std::vector<Happening>& history,
+                                                     const CheckedProperty& property, const CheckedRules& rules);
 /// At most eight lines.
 [[nodiscard]] std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& rules,
                                                const diagnostics::SourceManager& sources);

@@ -59,7 +59,7 @@ std::int64_t evaluate(const Condition& condition, const Valuation& values) {
         case Op::add:
             return sum(part(0), part(1));
         case Op::subtract:
-            return sum(part(0), -part(1));
+            return sum(part(0), product(-1, part(1)));
         case Op::multiply:
             return product(part(0), part(1));
     }

@@ -78,11 +78,11 @@ std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event 
     const Graph& graph = explored.graph;
     const std::vector<std::uint32_t> component = components_of(graph);
     const auto revealed = [&](const std::vector<std::pair<StateIndex, Edge>>& edges) {
-        std::vector<lts::Event> result;
+        std::vector<EndlessStep> result;
         for (const auto& [state, edge] : edges) {
             Revealing sink(explored.states, edge);
             system.successors(explored.states[state], sink);
-            result.push_back(sink.found());
+            result.push_back({edge.event, sink.found()});
         }
         return result;
     };

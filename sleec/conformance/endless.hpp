@@ -9,10 +9,15 @@
 
 namespace robochart::sleec {
 
-/// A run in which an event comes without end: steps from the initial state, then those that are repeated. Of a hidden
-/// step, the event that was hidden.
+/// A step of a run.
+struct EndlessStep {
+    lts::Event event = 0;
+    lts::Event revealed = 0;  ///< of a hidden step, the event that was hidden
+};
+
+/// A run in which an event comes without end: steps from the initial state, then those that are repeated.
 struct EndlessRun {
-    std::vector<lts::Event> steps, loop;
+    std::vector<EndlessStep> steps, loop;
 };
 
 /// A run with the event infinitely often; nothing if there is none. There is one iff a strongly connected component of

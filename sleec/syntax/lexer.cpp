@@ -137,4 +137,12 @@ bool is_reserved(std::string_view word) {
     return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
 }
 
+std::vector<std::string_view> language_words() {
+    std::vector<std::string_view> result(reserved.begin(), reserved.end());
+    for (const std::string_view each : {"seconds", "minutes", "hours", "days", "eventually", "else", "exists", "while",
+                                        "assume", "after", "at", "least", "map", "to"})
+        result.push_back(each);
+    return result;
+}
+
 }  // namespace robochart::sleec

@@ -25,4 +25,7 @@ struct Token {
 /// A word of both dialects, which names nothing.
 [[nodiscard]] bool is_reserved(std::string_view word);
 
+/// All words that mean something in a dialect or an extension; those that are not reserved may be names too.
+[[nodiscard]] std::vector<std::string_view> language_words();
+
 }  // namespace robochart::sleec

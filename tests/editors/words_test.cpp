@@ -9,6 +9,7 @@
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "sleec/syntax/lexer.hpp"
 
 namespace robochart::editors {
 namespace {
@@ -99,6 +100,15 @@ TEST(GrammarWords, CspmBuiltInsAreTheTableOfBuiltIns) {
         const std::string name(cspm::builtin_name(static_cast<cspm::Builtin>(i)).name);
         EXPECT_TRUE(words.contains(name) || name == "true" || name == "false") << name << " is missing";
     }
+}
+
+TEST(GrammarWords, SleecIsTheTableOfItsWords) {
+    const auto scope = [](const std::string& name) {
+        return starts_with_any(name, {"keyword", "storage", "support", "constant.language"}) &&
+               name != "keyword.operator.sleec";
+    };
+    const auto words = sleec::language_words();
+    EXPECT_EQ(grammar_words(load_json("syntaxes/sleec.tmLanguage.json"), scope), Words(words.begin(), words.end()));
 }
 
 }  // namespace

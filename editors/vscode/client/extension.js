@@ -16,7 +16,11 @@ const models = [
 ];
 
 /** The texts the server is asked about. */
-const documentSelector = [...models, { scheme: "file", language: "cspm" }];
+const documentSelector = [
+    ...models,
+    { scheme: "file", language: "cspm" },
+    { scheme: "file", language: "sleec" },
+];
 
 /** The commands of the server's lenses; the server offers those that are named at the start. */
 const checkCommand = "robochart.check";

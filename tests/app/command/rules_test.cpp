@@ -257,5 +257,81 @@ TEST(RulesOfLogs, AreObeyedOrBroken) {
     EXPECT_EQ(logged("robochart-trace 2\nrun a\n", rule).exit, 2);
 }
 
+const std::string scenario = "corpus/aggregation/aggregation.scenario";
+
+Ran guarded(const std::string& rules, const std::vector<std::string>& options = {"--monitor"}) {
+    const Folder folder({{"turn.sleec",
+                          "def_start\nevent seeRobot event seeWall event angularSpeed event Alarm\ndef_end\n"
+                          "rule_start\n" +
+                              rules + "\nrule_end\n"}});
+    std::vector<std::string> arguments{"simulate", repository(scenario), folder / "turn.sleec", "--trials",
+                                       "1",        "--no-pictures"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+}
+
+/// A robot that turns because it sees another goes on turning, and commands nothing, while it still sees it.
+TEST(RulesOfSimulations, StopATrialThatBreaksOne) {
+    const Ran ran = guarded("Turn when seeRobot then angularSpeed within 0 seconds");
+    EXPECT_EQ(ran.exit, 1) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("error[RC-M12]: the controller of robot "));
+    EXPECT_THAT(ran.err, HasSubstr("Turn begins at second "));
+    EXPECT_THAT(ran.err, HasSubstr(" with seeRobot: it asks for angularSpeed up to second "));
+    EXPECT_THAT(ran.err, HasSubstr("turn.sleec:5); second "));
+    EXPECT_THAT(ran.err, HasSubstr(" ends without it, at "));
+}
+
+/// In a cycle the eye reports one of the two.
+TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
+    const Ran ran =
+        guarded("One when seeWall then not seeRobot within 0 seconds\nOther when seeWall then Alarm within 5 seconds");
+    EXPECT_THAT(ran.err, ::testing::Not(HasSubstr("RC-M12")));
+    EXPECT_THAT(ran.out, HasSubstr("turn.sleec: 1 followed; robots watched: 20; a time unit is a second\n"));
+    EXPECT_THAT(ran.out, HasSubstr("not followed: Other: the controller has no event and no operation 'Alarm'\n"));
+}
+
+TEST(RulesOfSimulations, WrongUseIsSaid) {
+    EXPECT_EQ(guarded("R when seeWall then Alarm within 5 seconds").exit, 2) << "nothing is followed";
+    EXPECT_EQ(guarded("R when seeWall then").exit, 2);
+    EXPECT_EQ(guarded("R when seeWall then seeRobot", {}).exit, 4) << "without --monitor";
+    EXPECT_EQ(run({"simulate", "a.sleec", "--monitor"}).exit, 4) << "no scenario";
+}
+
+TEST(RulesAsMonitors, AreWritten) {
+    const Folder folder({{"care.sleec", head + "A when Go and near then Stop within 5 seconds\nrule_end\n"},
+                         {"wrong.sleec", head + "A when\nrule_end\n"}});
+    const Ran ran = run({"emit", "monitor", folder / "care.sleec", "-o", folder / "out"});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(tests::contents(folder / "out/monitor/care/care_rules.hpp"), HasSubstr("namespace care_rules {"));
+    EXPECT_THAT(tests::contents(folder / "out/monitor/care/robochart/rules.hpp"), HasSubstr("class RuleDuties"));
+    const json written =
+        json::parse(run({"emit", "monitor", folder / "care.sleec", "-o", folder / "out", "--format", "json"}).out);
+    EXPECT_EQ(written["monitorFiles"].size(), 2U);
+    EXPECT_EQ(run({"emit", "monitor", folder / "wrong.sleec", "-o", folder / "out"}).exit, 2);
+    EXPECT_EQ(run({"emit", "monitor", folder / "care.sleec", "--component", "C"}).exit, 4);
+}
+
+/// Ring without limit: the door may never be asked for again. The run is one of the model, and goes on for ever.
+TEST(RulesOfModels, DrawARunThatWaitsWithoutEnd) {
+    const Folder folder(
+        {{"bell.rct",
+          "stm Bell {\n\tevent Ring\n\tevent Open\n\tinitial i\n\tstate Idle { }\n\tstate Stuck { }\n"
+          "\ttransition t0 { from i to Idle }\n\ttransition t1 { from Idle to Stuck trigger Ring }\n"
+          "\ttransition t2 { from Stuck to Stuck trigger Ring action Open }\n}\n"},
+         {"bell.sleec", "def_start event Ring event Open def_end rule_start R when Ring then Open rule_end"},
+         {"bell.assertions", "sleec assertion A : Bell conforms to R\n"}});
+    const Ran ran = run({"check", folder.path(), "--format", "json"});
+    EXPECT_EQ(ran.exit, 1) << ran.err;
+    const json found = json::parse(ran.out)["assertions"][0];
+    ASSERT_FALSE(found["counterexample"].is_null()) << ran.out;
+    const json& drawn = found["counterexample"];
+    EXPECT_FALSE(drawn["loopStart"].is_null());
+    std::string steps;
+    for (const json& each : drawn["steps"]) steps += each["text"].get<std::string>() + "\n";
+    EXPECT_THAT(steps, HasSubstr("Ring"));
+    EXPECT_THAT(steps, ::testing::Not(HasSubstr("sleec_")));
+    EXPECT_THAT(run({"check", folder.path()}).out, HasSubstr("then for ever:"));
+}
+
 }  // namespace
 }  // namespace robochart::app::testing

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
 
 #include "checker/cspm/session.hpp"
@@ -12,6 +13,9 @@
 #include "checker/lts/graph.hpp"
 #include "sleec/conformance/watch.hpp"
 #include "sleec/monitor/rule_monitor.hpp"
+#include "sleec/syntax/printer.hpp"
+#include "tests/rounds.hpp"
+#include "tests/sleec/random/naive_rules.hpp"
 #include "tests/sleec/support.hpp"
 
 namespace robochart::sleec {
@@ -25,16 +29,18 @@ class RuleProcess {
 public:
     explicit RuleProcess(const CheckedRules& rules) {
         Linking linking;
-        for (const char* event : {"Go", "Stop", "Halt", "Alarm", "Help"}) linking.events.emplace_back(event);
-        linking.measures.resize(4);
-        const Watch watch(rules, 0, linking, cspm::build::name("C"));
+        std::string events = "tock";
+        for (const Event& each : rules.file->events) {
+            linking.events.emplace_back(each.name.text);
+            events += ", " + each.name.text;
+        }
+        linking.measures.resize(rules.file->measures.size());
+        const Watch watch(rules, 0, linking, cspm::build::name("Anything"));
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
         cspm::Script script = cspm::read(
             sources,
-            sources.add(
-                "c.csp",
-                "channel tock, Go, Stop, Halt, Alarm, Help\nC = [] x : {tock, Go, Stop, Halt, Alarm, Help} @ x -> C\n"),
+            sources.add("c.csp", "channel " + events + "\nAnything = [] x : {" + events + "} @ x -> Anything\n"),
             diagnostics);
         for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
         session_.emplace(script);
@@ -148,6 +154,56 @@ TEST(RuleMonitor, AgreesWithTheCheckerOnAllHistories) {
         ASSERT_TRUE(read.checked_too().checked) << read.report();
         EXPECT_GT(compare(*read.checked), 0);
     }
+}
+
+/// A random rule that asks no measure.
+CheckedRules plain_rule(std::uint64_t seed) {
+    for (;; seed += 1000) {
+        std::mt19937_64 random(seed);
+        for (testing::NaiveRule& rule : testing::random_rules(random)) {
+            rule.condition.reset();
+            rule.response.defeaters.clear();
+            Read read(testing::text_of({rule}));
+            if (read.checked_too().checked) return *read.checked;
+        }
+    }
+}
+
+/// Behind a violation both begin anew: of several duties of a rule, either side may follow any.
+TEST(RuleMonitor, AgreesWithTheCheckerOnRandomHistories) {
+    std::uint64_t broken = 0, compared = 0;
+    for (std::uint64_t seed = 1; seed <= tests::rounds(40) && !HasFailure(); ++seed) {
+        const CheckedRules rules = plain_rule(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + print(*rules.rules[0].written));
+        std::unique_ptr<RuleProcess> process;
+        try {
+            process = std::make_unique<RuleProcess>(rules);
+        } catch (const NotDecided&) {
+            continue;  // several prohibitions behind each other
+        }
+        ++compared;
+        std::mt19937_64 random(seed);
+        const std::size_t events = rules.file->events.size();
+        std::optional<RuleMonitor> monitor(std::in_place, rules, WithoutLimit::eventually);
+        RuleProcess::States states{0};
+        const MeasureReadings values(rules.file->measures.size(), 0);
+        for (int step = 0; step < 2000 && !HasFailure(); ++step) {
+            const std::size_t drawn = random() % (2 * events);
+            if (drawn < events)
+                monitor->event(drawn, values);
+            else
+                monitor->second();
+            states = process->after(states, drawn < events ? rules.event(drawn) : "tock");
+            const bool violated = !monitor->take().empty();
+            ASSERT_EQ(violated, process->broken(states)) << "step " << step;
+            if (!violated) continue;
+            ++broken;
+            monitor.emplace(rules, WithoutLimit::eventually);
+            states = {0};
+        }
+    }
+    EXPECT_GT(broken, 100U);
+    EXPECT_GT(compared, 20U);
 }
 
 TEST(RuleMonitor, SaysWhatWasBroken) {

@@ -1,0 +1,194 @@
+// See rule_guard.hpp.
+#include "app/rules/rule_guard.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/command/run.hpp"
+#include "cpp_emit/files/trace_names.hpp"
+#include "diagnostics/escape.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// The value as the rules have it; nothing where they cannot say it.
+std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_emit::Port& port, rc_value value) {
+    const bool boolean = measure.type == sleec::MeasureType::boolean;
+    const bool scale = measure.type == sleec::MeasureType::scale;
+    switch (port.arguments.front()) {
+        case cpp_emit::Carried::boolean:
+            return boolean ? std::optional(value.whole) : std::nullopt;
+        case cpp_emit::Carried::whole:
+            return !boolean && !scale ? std::optional(value.whole) : std::nullopt;
+        case cpp_emit::Carried::real: {
+            constexpr double exact = 9e15;
+            const bool whole = std::abs(value.real) < exact && std::trunc(value.real) == value.real;
+            return !boolean && !scale && whole ? std::optional(static_cast<std::int64_t>(value.real)) : std::nullopt;
+        }
+        case cpp_emit::Carried::enumeration:
+            break;
+    }
+    const auto& literals = port.literals.front();
+    if (!scale || value.whole < 0 || static_cast<std::size_t>(value.whole) >= literals.size()) return std::nullopt;
+    const std::string& literal = literals[static_cast<std::size_t>(value.whole)];
+    for (std::size_t i = 0; i < measure.literals.size(); ++i)
+        if (measure.literals[i].text == literal) return static_cast<std::int64_t>(i);
+    return std::nullopt;
+}
+
+/// The events of a response, and of all behind `otherwise` and `unless`.
+void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
+    if (duty == nullptr) return;
+    events.push_back(duty->event);
+    events_of(duty->otherwise, events);
+    for (const sleec::CheckedDefeater& each : duty->defeaters) events_of(each.duty, events);
+}
+
+}  // namespace
+
+/// The rules in one trial.
+class RuleGuard::Watch final : public simulation::Trace {
+public:
+    Watch(RuleGuard& all, std::unique_ptr<simulation::Trace> other) : all_(all), other_(std::move(other)) {}
+    ~Watch() override {
+        all_.robots_ += robots_.size();
+        const std::lock_guard lock(all_.mutex_);
+        for (const Robot& robot : robots_)
+            for (const std::size_t rule : robot.run.open()) ++all_.open_[rule];
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+               rc_drive_result result) override {
+        if (other_ != nullptr) other_->cycle(robot, step, inputs, outputs, result);
+        while (robots_.size() <= robot)
+            robots_.push_back({RuleRun({all_.rules_, all_.loaded_->sources}, sleec::WithoutLimit::eventually)});
+        if (robots_[robot].given_up) return;
+        try {
+            follow(robots_[robot].run, inputs, outputs);
+        } catch (const sleec::NotDecided& error) {
+            robots_[robot].given_up = true;
+            const std::lock_guard lock(all_.mutex_);
+            all_.given_up_ = error.what();
+        }
+    }
+
+    [[nodiscard]] const simulation::Objection* objection() const override {
+        return objection_.cause.empty() ? nullptr : &objection_;
+    }
+
+private:
+    struct Robot {
+        RuleRun run;
+        bool given_up = false;  ///< the rules ask more than a monitor follows
+    };
+
+    /// One cycle.
+    void follow(RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
+        const auto& emission = all_.emission_;
+        for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
+            if (inputs[i].present != 0) take(run, all_.inputs_[i], emission.inputs[i], inputs[i].value);
+        for (std::uint32_t a = 0; a < outputs.count; ++a) {
+            const rc_action& action = outputs.action[a];
+            take(run, all_.outputs_[action.output], emission.outputs[action.output], action.argument[0]);
+        }
+        for (std::uint32_t t = 0; t < all_.units_ && !run.broken(); ++t) run.second();
+        if (run.broken()) object(run);
+    }
+
+    void take(RuleRun& run, const Linked& linked, const cpp_emit::Port& port, rc_value value) const {
+        for (const std::size_t measure : linked.measures)
+            run.read(measure,
+                     port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, value) : std::nullopt);
+        for (const std::size_t event : linked.events) run.happen(event);
+    }
+
+    void object(const RuleRun& run) {
+        objection_.cause = fmt::format("{}", fmt::join(run.text(), "; "));
+        objection_.place = all_.loaded_->sources.place(run.place());
+    }
+
+    RuleGuard& all_;
+    std::unique_ptr<simulation::Trace> other_;
+    std::vector<Robot> robots_;
+    simulation::Objection objection_;
+};
+
+RuleGuard::RuleGuard(std::unique_ptr<LoadedRules> loaded, const cpp_emit::DriveEmission& emission, std::uint32_t units)
+    : loaded_(std::move(loaded)),
+      emission_(emission),
+      units_(units),
+      rules_(*loaded_->rules),
+      has_(rules_.file->events.size(), false) {
+    inputs_ = link(emission.inputs);
+    outputs_ = link(emission.outputs);
+    leave_out();
+}
+
+std::vector<RuleGuard::Linked> RuleGuard::link(const std::vector<cpp_emit::Port>& ports) {
+    const RuleWords words(*loaded_->rules);
+    std::vector<std::string> exported;
+    for (const cpp_emit::Port& port : ports) exported.push_back(port.exported);
+    std::vector<Linked> result;
+    for (const std::string& name : cpp_emit::trace_names(exported)) {
+        result.push_back({words.events(name), words.measures(name)});
+        for (const std::size_t event : result.back().events) has_[event] = true;
+    }
+    return result;
+}
+
+/// A rule about an event that the controller does not have says nothing about it.
+void RuleGuard::leave_out() {
+    std::erase_if(rules_.rules, [&](const sleec::CheckedRule& rule) {
+        if (rule.assumed) return true;
+        std::vector<std::size_t> events{rule.trigger};
+        events_of(rule.duty, events);
+        const auto missing = std::find_if(events.begin(), events.end(), [&](std::size_t each) { return !has_[each]; });
+        if (missing == events.end()) return false;
+        left_out_.push_back(fmt::format("{}: the controller has no event and no operation '{}'",
+                                        rule.written->name.text, rules_.event(*missing)));
+        return true;
+    });
+}
+
+simulation::Guard::Maker RuleGuard::beside(Maker other) {
+    return [this, other = std::move(other)](std::uint32_t trial) {
+        return std::make_unique<Watch>(*this, other ? other(trial) : nullptr);
+    };
+}
+
+std::string RuleGuard::note() const {
+    std::string text = fmt::format("  rules of {}: {} followed; robots watched: {}; a time unit is a second\n",
+                                   diagnostics::shown(loaded_->path), followed(), robots_.load());
+    for (const std::string& each : left_out_) text += fmt::format("  not followed: {}\n", each);
+    if (!given_up_.empty()) text += fmt::format("  robots were not followed to the end: {}\n", given_up_);
+    for (const auto& [rule, robots] : open_)
+        text += fmt::format(
+            "  {}: of {} robots some triggers were not followed: a measure that decides what it asks for is not read\n",
+            rules_.name(rule), robots);
+    return text;
+}
+
+std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_emit::DriveEmission& emission,
+                                           std::uint32_t units, const Options& options, std::string& error) {
+    auto loaded = std::make_unique<LoadedRules>();
+    loaded->diagnostics.within(&options.run->budget());
+    for (const std::string& code : options.allowed) loaded->diagnostics.allow(code);
+    load_rules(file, *loaded);
+    show_rule_findings(*loaded, options);
+    if (!loaded->rules) {
+        error = "the file has errors";
+        return nullptr;
+    }
+    auto guard = std::make_unique<RuleGuard>(std::move(loaded), emission, units);
+    if (guard->followed() > 0) return guard;
+    error = "the controller has the events of none of its rules";
+    return nullptr;
+}
+
+}  // namespace robochart::app

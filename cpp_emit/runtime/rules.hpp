@@ -1,0 +1,210 @@
+// Duties of rules in SLEEC while something runs: what a trigger asks for, and what events and seconds do to it. No heap,
+// no exceptions. Ships with generated monitors of rules. Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_RULES_HPP
+#define ROBOCHART_RULES_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace robochart {
+
+/// The end of a window that has none.
+inline constexpr std::int64_t rule_forever = INT64_MAX;
+/// In place of an event: the end of a second.
+inline constexpr std::uint32_t rule_no_event = 0xffffffffU;
+
+/// What a response asks for: its event comes, or does not, `from` to `to` seconds behind the instant at which the
+/// response begins.
+struct RuleDemand {
+    bool forbids;
+    std::uint32_t event;
+    std::int64_t from;
+    std::int64_t to;  ///< inclusive; rule_forever: without limit
+};
+
+/// A rule as it is written.
+struct RuleText {
+    const char* name;
+    const char* text;   ///< "when Go then Stop within 5 seconds"
+    const char* place;  ///< "rules.sleec:11"
+};
+
+/// A duty that was broken.
+struct RuleViolation {
+    std::uint32_t rule;   ///< its place in the file
+    std::int64_t began;   ///< second of its trigger
+    std::int64_t second;  ///< in which it was broken
+    std::uint32_t event;  ///< that broke it, or rule_no_event: the second ended without what it asks for
+};
+
+/// Sums and products in conditions stay within these bounds.
+inline constexpr std::int64_t rule_largest = 4000000000000000000;
+constexpr std::int64_t rule_bounded(std::int64_t value) noexcept {
+    return value > rule_largest ? rule_largest : value < -rule_largest ? -rule_largest : value;
+}
+constexpr std::int64_t rule_sum(std::int64_t a, std::int64_t b) noexcept {
+    std::int64_t result = 0;
+    if (__builtin_add_overflow(a, b, &result)) return a < 0 ? -rule_largest : rule_largest;
+    return rule_bounded(result);
+}
+constexpr std::int64_t rule_product(std::int64_t a, std::int64_t b) noexcept {
+    std::int64_t result = 0;
+    if (__builtin_mul_overflow(a, b, &result)) return (a < 0) != (b < 0) ? -rule_largest : rule_largest;
+    return rule_bounded(result);
+}
+
+/// What a trigger asks for: one of `Demands` demands at most, those behind `otherwise` begin where the limit of those
+/// before ends. `Endings`: how many events may end it (`unless EVENT`).
+template <std::size_t Demands, std::size_t Endings>
+class RuleDuty {
+    static_assert(Demands > 0 && Demands <= 32);
+
+public:
+    enum class Effect : std::uint8_t { open, fulfilled, broken };
+
+    constexpr RuleDuty() noexcept = default;
+    constexpr RuleDuty(std::uint32_t rule, std::int64_t began) noexcept : rule_(rule), began_(began) {}
+
+    constexpr void ended_by(std::uint32_t event) noexcept { ends_[endings_++] = event; }
+    /// The next alternative.
+    constexpr void ask(const RuleDemand& demand) noexcept {
+        const bool open = demand.to == rule_forever;
+        const std::int64_t end = open ? rule_forever : next_ + demand.to;
+        any_[demands_++] = {demand.forbids, demand.event, next_ + demand.from, end};
+        const std::int64_t settled = open ? next_ + demand.from : end + 1;
+        if (settled > horizon_) horizon_ = settled;
+        if (!open) next_ += demand.to;
+    }
+
+    /// An event behind the trigger, at the instant reached.
+    constexpr Effect event(std::uint32_t event) noexcept {
+        for (std::size_t i = 0; i < endings_; ++i)
+            if (ends_[i] == event) return Effect::fulfilled;
+        for (std::size_t i = 0; i < demands_; ++i) {
+            const RuleDemand& demand = any_[i];
+            if (demand.event != event || elapsed_ < demand.from || elapsed_ > demand.to) continue;
+            if (!demand.forbids) return Effect::fulfilled;
+            broken_ |= std::uint32_t{1} << i;
+        }
+        return fate();
+    }
+    /// A second passes.
+    constexpr Effect second() noexcept {
+        if (elapsed_ < horizon_) ++elapsed_;
+        for (std::size_t i = 0; i < demands_; ++i)
+            if (any_[i].forbids && !is_broken(i) && any_[i].to < elapsed_) return Effect::fulfilled;
+        return fate();
+    }
+
+    /// Both ask for the same, and no history fulfils one and not the other.
+    constexpr bool same_as(const RuleDuty& other) const noexcept {
+        return asks_as(other) && elapsed_ == other.elapsed_ && broken_ == other.broken_;
+    }
+    /// Every history that fulfils this duty fulfils the other, which asks for the same: of one event demanded from the
+    /// trigger on, the older decides; of one forbidden, the younger.
+    constexpr bool stands_for(const RuleDuty& other) const noexcept {
+        if (same_as(other)) return true;
+        if (demands_ != 1 || any_[0].from != 0 || !asks_as(other)) return false;
+        return any_[0].forbids ? elapsed_ < other.elapsed_ : elapsed_ > other.elapsed_;
+    }
+
+    constexpr std::uint32_t rule() const noexcept { return rule_; }
+    constexpr std::int64_t began() const noexcept { return began_; }
+
+private:
+    constexpr bool is_broken(std::size_t place) const noexcept { return (broken_ >> place & 1U) != 0; }
+    constexpr Effect fate() const noexcept {
+        for (std::size_t i = 0; i < demands_; ++i)
+            if (any_[i].forbids ? !is_broken(i) : any_[i].to >= elapsed_) return Effect::open;
+        return Effect::broken;
+    }
+    constexpr bool asks_as(const RuleDuty& other) const noexcept {
+        if (rule_ != other.rule_ || demands_ != other.demands_ || endings_ != other.endings_) return false;
+        for (std::size_t i = 0; i < demands_; ++i) {
+            const RuleDemand& a = any_[i];
+            const RuleDemand& b = other.any_[i];
+            if (a.forbids != b.forbids || a.event != b.event || a.from != b.from || a.to != b.to) return false;
+        }
+        for (std::size_t i = 0; i < endings_; ++i)
+            if (ends_[i] != other.ends_[i]) return false;
+        return true;
+    }
+
+    std::uint32_t rule_ = 0;
+    std::uint32_t broken_ = 0;  ///< prohibitions that are broken, by their place
+    std::int64_t began_ = 0;
+    std::int64_t elapsed_ = 0;  ///< seconds since the trigger; no further than matters
+    std::int64_t horizon_ = 0;  ///< behind this second nothing changes but for windows without end
+    std::int64_t next_ = 0;     ///< where what stands behind `otherwise` begins
+    std::size_t demands_ = 0;
+    std::size_t endings_ = 0;
+    RuleDemand any_[Demands] = {};  ///< windows counted from the trigger
+    std::uint32_t ends_[Endings == 0 ? 1 : Endings] = {};
+};
+
+/// The duties that are open, `Slots` at most.
+template <std::size_t Demands, std::size_t Endings, std::size_t Slots>
+class RuleDuties {
+public:
+    using Duty = RuleDuty<Demands, Endings>;
+
+    /// Opens a duty, unless one that is open stands for it.
+    constexpr void keep(const Duty& duty) noexcept {
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (open_[i].stands_for(duty)) return;
+            left += duty.stands_for(open_[i]) ? 0U : 1U;
+        }
+        if (left < count_) {
+            left = 0;
+            for (std::size_t i = 0; i < count_; ++i)
+                if (!duty.stands_for(open_[i])) open_[left++] = open_[i];
+            count_ = left;
+        }
+        if (count_ == Slots)
+            ++lost_;
+        else
+            open_[count_++] = duty;
+    }
+
+    /// `report`: called with each RuleViolation.
+    template <class Report>
+    constexpr void event(std::uint32_t event, Report& report) {
+        settle(event, report);
+    }
+    template <class Report>
+    constexpr void second(Report& report) {
+        settle(rule_no_event, report);
+        ++now_;
+    }
+    constexpr void forget() noexcept { count_ = 0; }
+
+    constexpr std::int64_t now() const noexcept { return now_; }
+    constexpr std::uint64_t lost() const noexcept { return lost_; }
+    constexpr std::size_t open() const noexcept { return count_; }
+
+private:
+    template <class Report>
+    constexpr void settle(std::uint32_t event, Report& report) {
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            Duty duty = open_[i];
+            const auto effect = event == rule_no_event ? duty.second() : duty.event(event);
+            if (effect == Duty::Effect::broken) report(RuleViolation{duty.rule(), duty.began(), now_, event});
+            if (effect != Duty::Effect::open) continue;
+            bool known = false;
+            for (std::size_t k = 0; k < left && !known; ++k) known = open_[k].same_as(duty);
+            if (!known) open_[left++] = duty;
+        }
+        count_ = left;
+    }
+
+    Duty open_[Slots] = {};
+    std::size_t count_ = 0;
+    std::int64_t now_ = 0;
+    std::uint64_t lost_ = 0;
+};
+
+}  // namespace robochart
+
+#endif

@@ -1,0 +1,60 @@
+// The rules in SLEEC that an editor has open. Each file stands for itself.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "lsp/workspace/open_text.hpp"
+#include "sleec/syntax/syntax.hpp"
+
+namespace robochart::lsp {
+
+/// Does a document contain rules? Its name says so, or the editor, which may call it anything.
+[[nodiscard]] bool is_rules(std::string_view uri, std::string_view language = {});
+
+/// A text, read and checked.
+struct RuleReading {
+    sleec::RuleFile file;  ///< what could be read
+    diagnostics::Diagnostics findings;
+};
+
+/// An open file of rules.
+struct RuleText : OpenText {
+    std::unique_ptr<RuleReading> reading;  ///< null after a change
+};
+
+class RuleTexts {
+public:
+    /// Reading polls the budget, if there is one; ended by it, it begins anew when it is asked again.
+    explicit RuleTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
+
+    [[nodiscard]] RuleText* find(std::string_view uri);
+    RuleText& open(const std::string& uri, std::string text);
+    void change(RuleText& document, std::string text);
+    void close(const std::string& uri);
+    [[nodiscard]] const RuleReading& reading_of(RuleText& document);
+    [[nodiscard]] const std::map<std::string, std::unique_ptr<RuleText>, std::less<>>& all() const {
+        return documents_;
+    }
+
+    /// The rules of all files in a folder, each with the name of its file: as the editor has it open, else as on disk.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> names_in(const std::string& folder);
+
+    /// Did anything change since this was last settled?
+    [[nodiscard]] bool has_news() const { return news_; }
+    void settle_news() { news_ = false; }
+
+    Published published;
+
+private:
+    diagnostics::Budget* budget_;
+    std::map<std::string, std::unique_ptr<RuleText>, std::less<>> documents_;  ///< by URI
+    bool news_ = false;
+};
+
+}  // namespace robochart::lsp

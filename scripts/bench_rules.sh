@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# A rule in SLEEC about a model, by `rules` and in SLEEC-TK's published encoding (docs/benchmarks.md): builds our command in release form and
+# nothing else. Arguments are passed on: --values N, --limit STATES.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release > /dev/null
+cmake --build --preset release --target robochart-verify
+exec python3 benchmarks/decide_rules.py --program build/release/app/robochart-verify "$@"

@@ -1,0 +1,339 @@
+// See monitor_file.hpp.
+#include "sleec/emit/monitor_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/plan/names.hpp"
+#include "diagnostics/escape.hpp"
+#include "sleec/obligations/open.hpp"
+#include "sleec/obligations/samples.hpp"
+#include "sleec/syntax/printer.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+/// The names of a file as identifiers.
+struct CppNames {
+    std::vector<std::string> events, measures, types;  ///< of measures that are no scale "bool" or "std::int64_t"
+    std::vector<std::vector<std::string>> literals;
+};
+
+CppNames names_of(const RuleFile& file) {
+    CppNames result;
+    cpp_emit::NameScope events, measures;
+    cpp_emit::NameScope types({"Demands", "Duties", "Duty", "Event", "Measures", "Monitor", "demands", "rules"});
+    for (const Event& each : file.events) result.events.push_back(events.unique(each.name.text));
+    for (const Measure& each : file.measures) {
+        result.measures.push_back(measures.unique(each.name.text));
+        types.take(result.measures.back());
+    }
+    for (const Measure& each : file.measures) {
+        result.literals.emplace_back();
+        if (each.type != MeasureType::scale) {
+            result.types.emplace_back(each.type == MeasureType::boolean ? "bool" : "std::int64_t");
+            continue;
+        }
+        result.types.push_back(types.unique(each.name.text + "_scale"));
+        cpp_emit::NameScope literals;
+        for (const Name& literal : each.literals) result.literals.back().push_back(literals.unique(literal.text));
+    }
+    return result;
+}
+
+/// Conditions as C++. Operators in a row need parentheses only where the operator changes.
+class ConditionText {
+public:
+    ConditionText(const CheckedRules& rules, const CppNames& names) : rules_(rules), names_(names) {}
+
+    [[nodiscard]] std::string text(const Condition& condition) const {
+        if (condition.op == Op::truth) return condition.value != 0 ? "true" : "false";
+        if (condition.op == Op::number) return fmt::format("{}", condition.value);
+        if (condition.op == Op::name) return "now." + names_.measures[condition.measure];
+        if (condition.op == Op::negation) return "!" + operand(condition.parts[0], Op::negation);
+        if (is_comparison(condition.op)) return comparison(condition);
+        if (condition.op == Op::conjunction || condition.op == Op::disjunction)
+            return fmt::format("{} {} {}", operand(condition.parts[0], condition.op),
+                               condition.op == Op::conjunction ? "&&" : "||",
+                               operand(condition.parts[1], Op::negation));
+        return arithmetic(condition);
+    }
+
+private:
+    [[nodiscard]] std::string operand(const Condition& part, Op behind) const {
+        const bool plain = part.op == Op::truth || part.op == Op::name || part.op == behind;
+        return plain && part.op != Op::negation ? text(part) : "(" + text(part) + ")";
+    }
+
+    /// What compilers warn of is decided here: a measure compared with itself, two numbers.
+    [[nodiscard]] std::string comparison(const Condition& condition) const {
+        const Condition& left = condition.parts[0];
+        const Condition& right = condition.parts[1];
+        const bool same = left.op == right.op && (left.op == Op::number || left.measure == right.measure);
+        if (same && (left.op == Op::number || left.op == Op::name))
+            return evaluate(condition, Valuation(rules_.file->measures.size(), 0)) != 0 ? "true" : "false";
+        const std::string op = condition.op == Op::equal     ? "=="
+                               : condition.op == Op::unequal ? "!="
+                                                             : symbol_of(condition.op);
+        return fmt::format("{} {} {}", compared(condition, 0), op, compared(condition, 1));
+    }
+    /// A literal is compared with a measure of its scale.
+    [[nodiscard]] std::string compared(const Condition& condition, std::size_t side) const {
+        const Condition& part = condition.parts[side];
+        const Condition& other = condition.parts[1 - side];
+        if (part.op != Op::number || other.op != Op::name) return text(part);
+        if (rules_.measure(other.measure).type != MeasureType::scale) return text(part);
+        return names_.types[other.measure] +
+               "::" + names_.literals[other.measure][static_cast<std::size_t>(part.value)];
+    }
+
+    [[nodiscard]] std::string arithmetic(const Condition& condition) const {
+        std::string right = text(condition.parts[1]);
+        if (condition.op == Op::subtract) right = fmt::format("robochart::rule_product(-1, {})", right);
+        return fmt::format("robochart::rule_{}({}, {})", condition.op == Op::multiply ? "product" : "sum",
+                           text(condition.parts[0]), right);
+    }
+
+    const CheckedRules& rules_;
+    const CppNames& names_;
+};
+
+/// How large what one duty may ask for is. Counts do not grow beyond `most_open`.
+struct Shape {
+    std::size_t demands = 0, endings = 0;
+    std::size_t open = 0;  ///< how many duties of it can be open and differ
+};
+
+/// Sizes of all that a rule may ask for: along every way through its defeaters.
+class Shapes {
+public:
+    explicit Shapes(WithoutLimit without) : without_(without) {}
+
+    Shape of(const DutyPtr& duty) {
+        visit(duty, {});
+        return shape_;
+    }
+
+private:
+    struct Way {
+        std::size_t demands = 0, prohibitions = 0, endings = 0;
+        std::int64_t seconds = 0;  ///< after which nothing changes
+        std::int64_t begin = 0;
+        bool at_once = true;  ///< its only window begins at the trigger
+    };
+
+    void end(const Way& way) {
+        shape_.demands = std::max(shape_.demands, way.demands);
+        shape_.endings = std::max(shape_.endings, way.endings);
+        std::size_t open = 1;
+        if (way.demands != 1 || !way.at_once) {
+            const std::int64_t ages = std::min<std::int64_t>(way.seconds + 1, most_open);
+            open = static_cast<std::size_t>(ages) << std::min<std::size_t>(way.prohibitions, 8);
+        }
+        shape_.open = std::min(shape_.open + open, most_open);
+    }
+
+    /// Responses are a tree, so each is met once.
+    void visit(const DutyPtr& duty, Way way) {
+        for (const CheckedDefeater& each : duty->defeaters) way.endings += each.event ? 1U : 0U;
+        for (const CheckedDefeater& each : duty->defeaters)
+            if (each.duty) visit(each.duty, way);
+        ask(*duty, way);
+    }
+
+    void ask(const Duty& duty, Way way) {
+        if (duty.to && *duty.to < duty.from) return;
+        const bool open = !duty.to && without_ == WithoutLimit::eventually;
+        const std::int64_t length = duty.to.value_or(0);
+        ++way.demands;
+        way.prohibitions += duty.forbids ? 1U : 0U;
+        way.at_once = way.at_once && duty.from == 0;
+        way.seconds = std::max(way.seconds, way.begin + (open ? duty.from : length + 1));
+        way.begin += length;
+        if (!duty.otherwise || open) return end(way);
+        visit(duty.otherwise, way);
+    }
+
+    WithoutLimit without_;
+    Shape shape_;
+};
+
+class Writer {
+public:
+    Writer(const CheckedRules& rules, std::string path, const diagnostics::SourceManager& sources, WithoutLimit without)
+        : rules_(rules), path_(std::move(path)), sources_(sources), without_(without), names_(names_of(*rules.file)) {}
+
+    std::string write() {
+        for (std::size_t i = 0; i < rules_.rules.size(); ++i)
+            if (!rules_.rules[i].assumed) measure_rule(i);
+        head();
+        types();
+        monitor();
+        return std::move(out_);
+    }
+
+private:
+    [[nodiscard]] std::string file_name() const { return std::filesystem::path(path_).filename().string(); }
+
+    void measure_rule(std::size_t rule) {
+        const Shape shape = Shapes(without_).of(rules_.rules[rule].duty);
+        if (shape.demands > most_demands)
+            throw NotDecided(
+                fmt::format("{} has more than {} responses behind each other", rules_.name(rule), most_demands));
+        all_.demands = std::max(all_.demands, shape.demands);
+        all_.endings = std::max(all_.endings, shape.endings);
+        all_.open = std::min(all_.open + shape.open, most_open_of_file);
+    }
+
+    void head() {
+        out_ = fmt::format(
+            "// Monitor of the rules in {}.\n"
+            "// Generated by robochart-verify; change the rules, not this file.\n"
+            "#pragma once\n\n#include <cstdint>\n\n#include \"robochart/rules.hpp\"\n\nnamespace {}_rules {{\n\n",
+            diagnostics::comment_text(file_name()), monitor_name(path_));
+    }
+
+    void types() {
+        if (!names_.events.empty())
+            out_ += fmt::format("enum class Event : std::uint32_t {{ {} }};\n", fmt::join(names_.events, ", "));
+        const std::vector<Measure>& measures = rules_.file->measures;
+        for (std::size_t i = 0; i < measures.size(); ++i)
+            if (measures[i].type == MeasureType::scale)
+                out_ += fmt::format("enum class {} : std::uint32_t {{ {} }};\n", names_.types[i],
+                                    fmt::join(names_.literals[i], ", "));
+        out_ += "\n/// The values of the measures when an event comes.\nstruct Measures {\n";
+        for (std::size_t i = 0; i < measures.size(); ++i)
+            out_ += fmt::format("    {} {}{{}};\n", names_.types[i], names_.measures[i]);
+        out_ += "};\n\n";
+        if (rules_.rules.empty()) return;
+        out_ += "inline constexpr robochart::RuleText rules[] = {\n";
+        for (const CheckedRule& each : rules_.rules)
+            out_ += fmt::format("    {{{}, {}, {}}},\n", diagnostics::cpp_string(each.written->name.text),
+                                diagnostics::cpp_string(print(*each.written)),
+                                diagnostics::cpp_string(place(each.written->span)));
+        out_ += "};\n\n";
+    }
+
+    /// Generated text does not depend on where the rules lie.
+    [[nodiscard]] std::string place(diagnostics::Span span) const {
+        const std::string text = sources_.place(span);
+        return text.substr(text.rfind('/') + 1);
+    }
+
+    void monitor() {
+        out_ += fmt::format(
+            "/// event() for each event, with the values of the measures at it; second() at the end of each second. "
+            "`report`\n"
+            "/// is called with each robochart::RuleViolation. lost(): duties beyond the most that it keeps, which are "
+            "not "
+            "followed.\n"
+            "class Monitor {{\npublic:\n"
+            "    template <class Report>\n"
+            "    void event({} event, [[maybe_unused]] const Measures& now, Report&& report) {{\n"
+            "        duties_.event(static_cast<std::uint32_t>(event), report);\n{}    }}\n"
+            "    template <class Report>\n"
+            "    void second(Report&& report) {{\n        duties_.second(report);\n    }}\n"
+            "    /// What was asked for until now is forgotten.\n"
+            "    void forget() noexcept {{ duties_.forget(); }}\n"
+            "    std::int64_t now() const noexcept {{ return duties_.now(); }}\n"
+            "    std::uint64_t lost() const noexcept {{ return duties_.lost(); }}\n\nprivate:\n"
+            "    using Duties = robochart::RuleDuties<{}, {}, {}>;\n    using Duty = Duties::Duty;\n\n",
+            names_.events.empty() ? "std::uint32_t" : "Event", cases(), std::max<std::size_t>(all_.demands, 1),
+            all_.endings, std::max<std::size_t>(all_.open, 1));
+        for (std::size_t i = 0; i < rules_.rules.size(); ++i)
+            if (!rules_.rules[i].assumed) rule(i);
+        out_ += fmt::format("    Duties duties_;\n}};\n\n}}  // namespace {}_rules\n", monitor_name(path_));
+    }
+
+    [[nodiscard]] std::string cases() const {
+        std::map<std::size_t, std::string> triggered;
+        for (std::size_t i = 0; i < rules_.rules.size(); ++i)
+            if (!rules_.rules[i].assumed)
+                triggered[rules_.rules[i].trigger] += fmt::format("                begin_{}(now);\n", i);
+        if (triggered.empty()) return "";
+        std::string text = "        switch (event) {\n";
+        for (const auto& [event, calls] : triggered)
+            text += fmt::format("            case Event::{}:\n{}                break;\n", names_.events[event], calls);
+        return text + "            default:\n                break;\n        }\n";
+    }
+
+    void rule(std::size_t index) {
+        const CheckedRule& rule = rules_.rules[index];
+        const std::size_t response = responses(rule.duty);
+        out_ += fmt::format("    /// {}: {}\n    void begin_{}([[maybe_unused]] const Measures& now) noexcept {{\n",
+                            rules_.name(index), diagnostics::comment_text(print(*rule.written)), index);
+        if (rule.condition) out_ += fmt::format("        if (!({})) return;\n", conditions_.text(*rule.condition));
+        out_ += fmt::format(
+            "        Duty duty({}, duties_.now());\n"
+            "        if (response_{}(duty, now)) duties_.keep(duty);\n    }}\n\n",
+            index, response);
+    }
+
+    /// Writes a response behind those that it leads to; its number.
+    std::size_t responses(const DutyPtr& duty) {
+        std::vector<std::optional<std::size_t>> defeaters;
+        for (const CheckedDefeater& each : duty->defeaters)
+            defeaters.push_back(each.duty ? std::optional(responses(each.duty)) : std::nullopt);
+        const bool open = !duty->to && without_ == WithoutLimit::eventually;
+        std::optional<std::size_t> otherwise;
+        if (duty->otherwise && !open) otherwise = responses(duty->otherwise);
+        const std::size_t number = responses_++;
+        out_ += fmt::format(
+            "    static bool response_{}([[maybe_unused]] Duty& duty, [[maybe_unused]] const Measures& now) noexcept "
+            "{{\n",
+            number);
+        for (const CheckedDefeater& each : duty->defeaters)
+            if (each.event) out_ += fmt::format("        duty.ended_by({});\n", *each.event);
+        // The last defeater that is true decides.
+        for (std::size_t i = defeaters.size(); i-- > 0;)
+            if (!duty->defeaters[i].event)
+                out_ += fmt::format("        if ({}) return {};\n", conditions_.text(duty->defeaters[i].condition),
+                                    defeaters[i] ? fmt::format("response_{}(duty, now)", *defeaters[i]) : "false");
+        asked(*duty, open, otherwise);
+        out_ += "    }\n";
+        return number;
+    }
+
+    void asked(const Duty& duty, bool open, std::optional<std::size_t> otherwise) {
+        if (duty.to && *duty.to < duty.from) {  // at least 0 seconds: nothing is asked
+            out_ += "        return false;\n";
+            return;
+        }
+        out_ += fmt::format("        duty.ask({{{}, {}, {}, {}}});  // {}\n", duty.forbids, duty.event, duty.from,
+                            open ? "robochart::rule_forever" : fmt::format("{}", duty.to.value_or(0)),
+                            rules_.event(duty.event));
+        out_ += otherwise ? fmt::format("        return response_{}(duty, now);\n", *otherwise)
+                          : std::string("        return true;\n");
+    }
+
+    const CheckedRules& rules_;
+    std::string path_;
+    const diagnostics::SourceManager& sources_;
+    WithoutLimit without_;
+    CppNames names_;
+    ConditionText conditions_{rules_, names_};
+    Shape all_;
+    std::size_t responses_ = 0;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string monitor_name(const std::string& path) {
+    const std::string stem = std::filesystem::path(path).stem().string();
+    return cpp_emit::identifier(stem == "-" ? "rules" : stem);
+}
+
+std::vector<cpp_emit::OutputFile> monitor_files(const CheckedRules& rules, const std::string& path,
+                                                const diagnostics::SourceManager& sources, WithoutLimit without) {
+    return {{monitor_name(path) + "_rules.hpp", Writer(rules, path, sources, without).write()},
+            {"robochart/rules.hpp", cpp_emit::rules_header()}};
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,106 @@
+// Concerns and purposes, with verdicts by hand from docs/rules-language.md.
+#include "sleec/analysis/properties.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sleec/analysis/explain.hpp"
+#include "tests/sleec/support.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+using testing::Read;
+using testing::with_definitions;
+
+/// The answer about the one property of a file, and what it shows.
+struct Asked {
+    Answer answer = Answer::not_decided;
+    std::string history, excluded;
+};
+
+Asked ask(const std::string& rules, const std::string& property, WithoutLimit without = WithoutLimit::eventually) {
+    Read read(with_definitions(rules) + "concern_start p " + property + " concern_end\n");
+    EXPECT_TRUE(read.checked_too().checked) << read.report();
+    if (!read.checked) return {};
+    AnalysisOptions options;
+    options.without_limit = without;
+    const CheckedProperty& asked = read.checked->concerns[0];
+    const PropertyAnswer found = possible(*read.checked, asked, options);
+    Asked result{found.possible, "", ""};
+    for (const std::string& line : history_lines(found.history, asked, *read.checked)) result.history += line + "; ";
+    if (found.possible == Answer::no)
+        for (const std::size_t each : excluding(*read.checked, asked, options))
+            result.excluded += read.checked->name(each) + " ";
+    return result;
+}
+
+TEST(SleecProperties, WithoutRulesEverythingIsPossible) {
+    const Asked asked = ask("", "when Go and {near} then not Stop within 5 seconds");
+    EXPECT_EQ(asked.answer, Answer::yes);
+    EXPECT_EQ(asked.history, "Go at second 0 with near; ");
+    EXPECT_EQ(ask("", "exists Go").answer, Answer::yes);
+    EXPECT_EQ(ask("", "exists Go and ({near} and (not {near}))").answer, Answer::no) << "the condition is never true";
+}
+
+TEST(SleecProperties, RulesExcludeWhatTheyForbid) {
+    const std::string stop = "A when Go then Stop within 5 seconds\n";
+    EXPECT_EQ(ask(stop, "when Go then not Stop within 5 seconds").answer, Answer::no);
+    EXPECT_EQ(ask(stop, "when Go then not Stop within 4 seconds").answer, Answer::yes) << "it comes at second 5";
+    EXPECT_EQ(ask(stop, "when Go then not Stop within 4 seconds").history, "Go at second 0; Stop at second 5; ");
+    EXPECT_EQ(ask(stop, "when Halt then not Stop").answer, Answer::yes) << "Go need not come";
+    EXPECT_EQ(ask("A when Go then not Stop within 5 seconds", "when Go then Stop within 5 seconds").answer, Answer::no);
+    EXPECT_EQ(ask("A when Go then not Stop within 5 seconds", "when Go then Stop within 6 seconds").answer,
+              Answer::yes);
+}
+
+/// Go calls for Stop, Stop for Alarm, Alarm is forbidden after Go.
+TEST(SleecProperties, ConsequencesOfConsequencesCount) {
+    const std::string rules =
+        "A when Go then Stop within 2 seconds\nB when Stop then Alarm within 2 seconds\n"
+        "C when Go then not Alarm within 9 seconds\nD when Halt then Alarm within 3 seconds\n";
+    const Asked go = ask(rules, "exists Go");
+    EXPECT_EQ(go.answer, Answer::no);
+    EXPECT_EQ(go.excluded, "A B C ");
+    EXPECT_EQ(ask(rules, "exists Halt").answer, Answer::yes);
+}
+
+TEST(SleecProperties, DefeatersAndValuesCount) {
+    const std::string rules = "A when Go then Stop within 2 seconds unless {near} then Help within 1 seconds\n";
+    EXPECT_EQ(ask(rules, "when Go and {near} then not Stop within 9 seconds").answer, Answer::yes);
+    EXPECT_EQ(ask(rules, "when Go and (not {near}) then not Stop within 9 seconds").answer, Answer::no);
+}
+
+TEST(SleecProperties, WhileIsTheSameInstant) {
+    EXPECT_EQ(ask("A when Go then not Stop within 0 seconds", "exists Stop while Go").answer, Answer::yes)
+        << "Stop first";
+    EXPECT_EQ(ask("A when Go then not Stop within 0 seconds\nB when Stop then not Go within 0 seconds",
+                  "exists Stop while Go")
+                  .answer,
+              Answer::no);
+}
+
+/// Duties that call for each other for ever can be kept; within one instant they cannot.
+TEST(SleecProperties, HistoriesAreEndless) {
+    EXPECT_EQ(ask("A when Go then Stop within 2 seconds\nB when Stop then Go within 2 seconds", "exists Go").answer,
+              Answer::yes);
+    EXPECT_EQ(ask("A when Go then Stop within 0 seconds\nB when Stop then Go within 0 seconds", "exists Go").answer,
+              Answer::no);
+    EXPECT_EQ(ask("A when Go then Stop\nB when Go then not Stop", "exists Go").answer, Answer::no) << "never again";
+    EXPECT_EQ(ask("A when Go then Stop\nB when Go then not Stop within 9 seconds", "exists Go").answer, Answer::yes);
+    EXPECT_EQ(
+        ask("A when Go then Stop\nB when Go then not Stop within 9 seconds", "exists Go", WithoutLimit::now).answer,
+        Answer::no)
+        << "LEGOS: at once";
+}
+
+TEST(SleecProperties, WhatIsNotDecidedIsSaid) {
+    Read read(with_definitions("A when Go and (({level} + 1) > 3) then Stop") +
+              "purpose_start p exists Go purpose_end\n");
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    const PropertyAnswer found = possible(*read.checked, read.checked->purposes[0], {});
+    EXPECT_EQ(found.possible, Answer::not_decided);
+    EXPECT_NE(found.reason, "");
+}
+
+}  // namespace
+}  // namespace robochart::sleec
