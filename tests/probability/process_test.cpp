@@ -121,7 +121,7 @@ TEST(Process, LongTimesNeedNotBeCounted) {
     EXPECT_EQ(text(decide("Prob>=0.4 of [Finally <=1000000000 S is in S::A]")), "true");
     EXPECT_EQ(text(decide("Prob>=0.6 of [Finally <=1000000000 S is in S::A]")), "false");
     EXPECT_EQ(text(decide("Prob<=0.5 of [Globally <=1000000000 not S is in S::A]")).substr(0, 11), "not decided")
-        << "it is 0.5 but for less than can be told";
+        << "it is above 0.5 by less than an interval shows";
 }
 
 /// Two machines throw a coin at the same time. Whether the first is done and the second not depends on who is first:
