@@ -108,4 +108,7 @@ int main(int argc, char** argv) {
     const State side = argc > 1 ? static_cast<State>(std::stoul(argv[1])) : 1'000;
     measure("chain", Walk(markov::Kind::dtmc, side));
     measure("decision process", Walk(markov::Kind::mdp, side));
+    fmt::print(
+        "recorded of others: PRISM 4.6, hybrid engine, one sweep a second over 9.6 million transitions of the UVC case "
+        "study, one bound;\nguards compiled to C++, the same model, 70 million transition visits/s, both bounds\n");
 }

@@ -6,9 +6,14 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <vector>
+
+#include "diagnostics/spelling.hpp"
 
 namespace robochart::prism_emit {
 namespace {
+
+constexpr const char* kind_key = "PRISM_MODELTYPE";
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -41,9 +46,13 @@ std::string read_line(std::string_view line, Preferences& preferences) {
         {"REAL_MIN", &preferences.real.low},   {"REAL_MAX", &preferences.real.high},
     };
     const auto bound = bounds.find(key);
-    if (bound != bounds.end() && !read_number(value, *bound->second)) return key + ": a whole number is expected";
-    if (key == "PRISM_MODELTYPE" && !read_kind(value, preferences.kind)) return key + ": dtmc or mdp is expected";
-    return "";
+    if (bound != bounds.end()) return read_number(value, *bound->second) ? "" : key + ": a whole number is expected";
+    if (key == kind_key) return read_kind(value, preferences.kind) ? "" : key + ": dtmc or mdp is expected";
+    // RoboTool writes more keys, which mean nothing here; a misspelt one would leave a range what it was.
+    std::vector<std::string> keys{kind_key};
+    for (const auto& [name, number] : bounds) keys.push_back(name);
+    const std::string meant = diagnostics::nearest(key, keys);
+    return diagnostics::is_certain(key, meant, keys) ? fmt::format("{}: did you mean {}?", key, meant) : "";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "checker/markov/graph/graph.hpp"
 #include "checker/markov/operators/exact.hpp"
 #include "checker/markov/solve/solution.hpp"
+#include "checker/prism/explore/question_numbers.hpp"
 #include "checker/prism/explore/state_space.hpp"
 #include "checker/prism/result.hpp"
 #include "checker/prism/state_values.hpp"
@@ -75,6 +76,8 @@ private:
     StateVector one_step_before(const StateVector& after, Direction direction) const;
     StateVector until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction);
     StateVector timed_until(const StateSet& left, const StateSet& right, const StepBound& steps, Direction direction);
+    StateVector layered_until(const StateSet& left, const StateSet& right, const StepRange& range, Direction direction);
+    StateVector long_until(const StateSet& left, const StateSet& right, Direction direction);
     StateVector timed_reward(const markov::Rewards& rewards, std::uint64_t units, Direction direction);
     StateVector again_and_again(const ExprPtr& operand, bool always, Direction direction);
     StateSet maximal_components(const StateSet& within, const StateSet& touched);

@@ -1,5 +1,9 @@
 // Questions with bounds in models in which bounds count time units (markov::Model::counted), not steps: they are asked
 // of the model with the count as a part of its states (markov/operators/layers.hpp). See evaluator.hpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "checker/markov/operators/layers.hpp"
 #include "checker/markov/operators/unbounded.hpp"
 #include "checker/prism/evaluator.hpp"
@@ -9,20 +13,46 @@ namespace robochart::prism {
 /// The right side within the bounds, the left side all the time before.
 StateVector Evaluator::timed_until(const StateSet& left, const StateSet& right, const StepBound& steps,
                                    Direction direction) {
-    const auto [from, to] = step_range(steps, code_);
-    const markov::Layers layers = markov::layers(chain_, to.value_or(from), !to.has_value(), options_.budget);
+    constexpr std::uint64_t most_states = 200'000'000;  // in all layers
+    const StepRange range = step_range(steps, code_);
+    const bool upper = range.to && range.from == 0 && !options_.exact;
+    if (upper && *range.to > most_states / std::max<std::size_t>(1, chain_.states()))
+        return long_until(left, right, direction);
+    return layered_until(left, right, range, direction);
+}
+
+StateVector Evaluator::layered_until(const StateSet& left, const StateSet& right, const StepRange& range,
+                                     Direction direction) {
+    const markov::Layers layers =
+        markov::layers(chain_, range.to.value_or(range.from), !range.to.has_value(), options_.budget);
     StateSet before(layers.model.states());
     StateSet target(layers.model.states());
     for (std::uint64_t count = 0; count <= layers.last; ++count)
         for (markov::State state = 0; state < layers.states; ++state) {
             poll();
             before[layers.at(state, count)] = left[state];
-            target[layers.at(state, count)] = right[state] && count >= from;
+            target[layers.at(state, count)] = right[state] && count >= range.from;
         }
     StateVector result = options_.exact ? solved(exact_until(layers.model, before, target, direction, options_.budget))
                                         : solved(markov::until(layers.model, before, target, direction, precision()));
     result.numbers.resize(std::min(result.numbers.size(), layers.states));
     result.reals.resize(std::min(result.reals.size(), layers.states));
+    return result;
+}
+
+/// Within more units than can be counted: at least what fewer units give, at most what all time gives, whoever chooses.
+StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, Direction direction) {
+    constexpr std::uint64_t few_states = 2'000'000;  // in all layers
+    const std::uint64_t units = std::max<std::uint64_t>(1, few_states / std::max<std::size_t>(1, chain_.states()));
+    StateVector result = layered_until(left, right, {0, units}, direction);
+    const StateVector ever = solved(markov::until(chain_, left, right, direction, precision()));
+    result.reason.clear();
+    for (std::size_t state = 0; state < result.numbers.size(); ++state) {
+        Enclosure& value = result.numbers[state];
+        value.high = std::max(value.low, ever.numbers[state].high);
+        if (value.relative_width() > options_.relative)
+            result.reason = fmt::format("time was counted up to {} units and not further", units);
+    }
     return result;
 }
 

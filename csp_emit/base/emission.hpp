@@ -153,7 +153,8 @@ struct Options {
     /// memory processes of their own.
     double states_of_a_process = 50'000;
     /// A machine's variables are parameters wherever it is, also where nothing reads them any more, and none is in a
-    /// memory: a state of the process tells all of them.
+    /// memory: a state of the process tells all of them. At a probabilistic junction, also of an operation, it tells
+    /// what the probabilities read.
     bool whole_states = false;
     bool share_modules = true;  ///< modules of equal text are written once (shared_modules.hpp)
     bool share_calls = true;    ///< one definition of an operation for its calls; otherwise each call is inlined

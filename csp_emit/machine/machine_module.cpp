@@ -13,6 +13,7 @@
 #include "csp_emit/machine/rules/shared_variables.hpp"
 #include "csp_emit/passes/choice_factoring.hpp"
 #include "semantics/ir/query.hpp"
+#include "semantics/ir/visit.hpp"
 
 namespace robochart::csp_emit {
 
@@ -20,6 +21,31 @@ namespace b = cspm::build;
 using cspm::ExprPtr;
 
 namespace {
+
+/// What the probabilities of ways from a junction read, by the names of the parameters that hold it.
+void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& cells, std::vector<std::string>& read) {
+    for (const ir::Transition& way : frame.machine->transitions) {
+        if (way.source != junction || !way.probability) continue;
+        ir::visit_operands(*way.probability, [&](const ir::Expr& expr) {
+            if (expr.kind == ir::ExprKind::variable) read.push_back(cells[frame.variables[expr.variable.index]].name);
+        });
+    }
+}
+
+/// By point: what it has to hold because a machine or operation in it is at a probabilistic junction.
+std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) {
+    std::vector<std::vector<std::string>> result;
+    for (const Point& point : tables.points.all()) {
+        std::vector<std::string>& read = result.emplace_back();
+        for (const RunningMachine& running : view(point.config).machines) {
+            const Frame& frame = tables.frames[running.activation->frame];
+            const ir::NodeId at = running.activation->at;
+            if (at.valid() && frame.machine->nodes[at.index].kind == ir::NodeKind::probabilistic)
+                add_weights(frame, at, tables.cells, read);
+        }
+    }
+    return result;
+}
 
 /// Everything that points may have as parameters: constants, then cells in the order in which they came up.
 Candidates parameter_candidates(const MachineTables& tables) {
@@ -30,8 +56,10 @@ Candidates parameter_candidates(const MachineTables& tables) {
         if (cell.kind == CellKind::clock && cell.reading.empty())
             result.ticking[cell.name] = b::call("clock_step", {b::name(cell.name), cell.limit});
     }
-    if (tables.project().options.whole_states)
+    if (tables.project().options.whole_states) {
         for (const CellId cell : tables.frames.root().variables) result.kept.push_back(tables.cells[cell].name);
+        result.read = weights_read(tables);
+    }
     tables.sharing.describe(result);
     return result;
 }

@@ -81,6 +81,8 @@ Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, c
     }
     for (const std::string& name : candidates.kept)
         for (std::size_t i = 0; i < functions.size(); ++i) used_[i].push_back(number_.at(name));
+    for (std::size_t i = 0; i < candidates.read.size(); ++i)
+        for (const std::string& name : candidates.read[i]) used_[i].push_back(number_.at(name));
     for (const auto& [value, entry] : candidates.entries) returning_.insert(index_.at(entry.behind));
     for (std::size_t i = 0; i < functions.size(); ++i) survey(i, *functions[i].body);
     survey(functions.size(), *initial);

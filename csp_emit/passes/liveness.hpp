@@ -91,7 +91,9 @@ struct Candidates {
     std::vector<std::string> names;                ///< in the order in which they become parameters
     std::map<std::string, cspm::ExprPtr> ticking;  ///< what one that counts time becomes with a tock
     std::vector<std::string> kept;                 ///< those that every function has, whether or not it reads them
-    std::string returns;                           ///< the one that holds where calls return to; may be empty
+    std::vector<std::vector<std::string>>
+        read;             ///< by function: what it reads although its body does not; may be short
+    std::string returns;  ///< the one that holds where calls return to; may be empty
     /// For a value given to it: the function that goes on behind the call, and the value before.
     struct Entry {
         std::string behind;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "checker/prism/checks/check.hpp"
 #include "checker/prism/experiment.hpp"
+#include "checker/prism/explore/constants.hpp"
 #include "checker/prism/explore/rules.hpp"
 #include "checker/prism/sampling/random_path.hpp"
 #include "checker/prism/sampling/unsampled.hpp"
@@ -36,6 +38,10 @@ std::string message(const prism::EvaluationError& error) {
     if (!error.state.empty()) text += ", in the state " + error.state;
     if (error.is(prism::rules::out_of_range)) text += "; --range and --prefs set the ranges of nat, int and real";
     return text;
+}
+
+double near(const prism::Real& value) {
+    return value.exact() ? value.value().convert_to<double>() : value.bounds().middle();
 }
 
 /// Whether it asks for one number, without saying of which scheduler.
@@ -141,7 +147,7 @@ private:
         try {
             if (question_.path) {
                 generate(encoding_.unexplored(question_, of_model), of_model, of_property, found);
-            } else if (question_.simulation.empty()) {
+            } else if (!question_.simulation) {
                 const prism::StateSpace& space = encoding_.space(question_, of_model);
                 decide(space, of_model, of_property, seconds(), found);
             } else {
@@ -164,14 +170,10 @@ private:
     void decide(const prism::StateSpace& space, const prism::Values& of_model,
                 const std::vector<prism::Values>& of_property, double exploring,
                 const std::function<void(Row)>& found) {
-        diagnostics::Diagnostics findings;
-        prism::PropertyFile file;
-        file.constants = question_.constants;
         const bool mdp = space.model().kind == prism::ModelKind::mdp;
-        file.properties = mdp ? properties_of(question_, encoding_.one_value())
-                              : std::vector<prism::Property>{{{}, question_.property}};
-        const prism::CheckedProperties checked = prism::check_properties(space.model(), file, findings);
-        if (!findings.ok()) throw Wrong(errors(findings));
+        const prism::CheckedProperties checked =
+            this->checked(space.model(), mdp ? properties_of(question_, encoding_.one_value())
+                                             : std::vector<prism::Property>{{{}, question_.property}});
         prism::Session session(space, checked, {how_.relative, how_.exact, &budget_});
         for (const prism::Values& constants : of_property) {
             Row one = row(of_model, constants);
@@ -187,24 +189,44 @@ private:
     /// By random paths: nothing is explored.
     void sample(const prism::Instance& instance, const prism::Values& of_model,
                 const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
+        const prism::CheckedProperties checked = this->checked(instance.model(), {{{}, question_.property}});
         diagnostics::Diagnostics findings;
-        prism::PropertyFile file;
-        file.constants = question_.constants;
-        file.properties = {{{}, question_.property}};
-        const prism::CheckedProperties checked = prism::check_properties(instance.model(), file, findings);
-        if (!findings.ok()) throw Wrong(errors(findings));
-        const prism::SamplingOptions options{method(), how_.seed, how_.threads, &budget_};
         for (const prism::Values& constants : of_property) {
             Row one = row(of_model, constants);
+            const prism::SamplingOptions options{method(numbers(instance, checked, constants)), how_.seed, how_.threads,
+                                                 &budget_};
             fill(one, 1,
                  [&](std::size_t i) { return prism::simulate(instance, checked, i, constants, options, findings); });
             found(std::move(one));
         }
     }
 
-    [[nodiscard]] prism::Method method() const {
+    [[nodiscard]] prism::CheckedProperties checked(const prism::CheckedModel& model,
+                                                   std::vector<prism::Property> properties) const {
+        diagnostics::Diagnostics findings;
+        prism::PropertyFile file;
+        file.constants = question_.constants;
+        file.properties = std::move(properties);
+        prism::CheckedProperties result = prism::check_properties(model, file, findings);
+        if (!findings.ok()) throw Wrong(errors(findings));
+        return result;
+    }
+
+    /// The values of all constants.
+    [[nodiscard]] static prism::Values numbers(const prism::Instance& instance,
+                                               const prism::CheckedProperties& properties,
+                                               const prism::Values& constants) {
+        prism::Values known = instance.constants();
+        prism::evaluate_constants(properties.constants, constants, known);
+        return known;
+    }
+
+    [[nodiscard]] prism::Method method(const prism::Values& numbers) const {
+        std::string text = question_.simulation->method;
+        for (const auto& [parameter, constant] : question_.simulation->parameters)
+            text += fmt::format(",{}={}", parameter, near(numbers.find(constant)->second.real));
         try {
-            return prism::read_method(question_.simulation);
+            return prism::read_method(text);
         } catch (const prism::BadMethod& error) {
             throw Wrong(fmt::format("`using sim with`: {}", error.what()));
         }
@@ -213,18 +235,26 @@ private:
     /// A random path, or several until one comes to a deadlock.
     void generate(const Unexplored& model, const prism::Values& of_model, const std::vector<prism::Values>& of_property,
                   const std::function<void(Row)>& found) {
+        const prism::CheckedProperties checked = this->checked(model.instance.model(), {});
+        for (const prism::Values& constants : of_property) {
+            Row one = row(of_model, constants);
+            generate(model, numbers(model.instance, checked, constants), one);
+            found(std::move(one));
+        }
+    }
+
+    void generate(const Unexplored& model, const prism::Values& numbers, Row& one) const {
         constexpr std::uint64_t most_steps = 100'000;  // of which all are kept
         constexpr std::uint64_t usual_limit = 10'000;
         const Generation& asked = *question_.path;
         const bool to_deadlock = asked.steps.empty();
-        std::uint64_t steps = asked.limit.empty() ? usual_limit : count("up to", asked.limit);
+        std::uint64_t steps = asked.limit.empty() ? usual_limit : count(asked.limit, numbers);
         if (!to_deadlock) {
-            const std::uint64_t wanted = count("for", asked.steps);
+            const std::uint64_t wanted = count(asked.steps, numbers);
             steps = asked.limit.empty() ? wanted : std::min(wanted, steps);
         }
         if (steps > most_steps) throw Wrong(fmt::format("a path has {} steps at most", most_steps));
-        const std::uint64_t repeats = asked.repeats.empty() ? 0 : count("repeats", asked.repeats);
-        Row one = row(of_model, of_property.front());
+        const std::uint64_t repeats = asked.repeats.empty() ? 0 : count(asked.repeats, numbers);
         try {
             prism::RandomPath path;
             for (std::uint64_t number = 0; number <= repeats && !(to_deadlock && path.deadlock); ++number)
@@ -238,19 +268,14 @@ private:
         } catch (const prism::Unsampled& why) {
             one.results.emplace_back().reason = why.what();
         }
-        found(std::move(one));
     }
 
-    /// A number of steps or paths.
-    static std::uint64_t count(const char* what, const std::string& text) {
-        try {
-            const prism::Constant number{prism::Type::integer, {"c", {}}, nullptr};
-            const std::int64_t value = prism::read_series("c=" + text, {number}).front().values.front().integer;
-            if (value >= 0) return static_cast<std::uint64_t>(value);
-            throw prism::BadValue(text);
-        } catch (const prism::BadValue&) {
-            throw Wrong(fmt::format("`{} {}`: expected a number from 0 on", what, text));
-        }
+    /// A number of steps or paths: the value of a constant that is named for it.
+    static std::uint64_t count(const std::string& constant, const prism::Values& numbers) {
+        const double value = near(numbers.find(constant)->second.real);
+        constexpr double most = 1e15;
+        if (value >= 0 && value <= most && value == std::floor(value)) return static_cast<std::uint64_t>(value);
+        throw Wrong(fmt::format("{}: expected a whole number from 0 to {}", constant, most));
     }
 
     /// The answers, or why they cannot be evaluated, with the time that they take.

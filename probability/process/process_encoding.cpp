@@ -10,6 +10,7 @@
 #include "checker/prism/checks/check.hpp"
 #include "csp_emit/emit.hpp"
 #include "probability/process/observers.hpp"
+#include "probability/process/subgraph.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -273,10 +274,17 @@ DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
     const auto poll = [budget = options_.budget] {
         if (budget != nullptr) budget->poll();
     };
-    return decision_process(*found.exploration, *found.reader,
-                            {system_, found.instantiation, found.emission.provenance, found.session->event_table(),
-                             names_->seats(), names_->observed()},
-                            options_.scheduler, poll);
+    const auto under = [&](Scheduler scheduler) {
+        return decision_process(*found.exploration, *found.reader,
+                                {system_, found.instantiation, found.emission.provenance, found.session->event_table(),
+                                 names_->seats(), names_->observed()},
+                                scheduler, poll);
+    };
+    DecisionProcess result = under(options_.scheduler);
+    const bool compared = found.exploration->size() <= options_.compared_states;
+    if (compared && options_.scheduler == Scheduler::urgent && !is_subgraph(result, under(Scheduler::any), poll))
+        throw std::logic_error(fmt::format("the urgent steps of {} are not among its steps", ir::qualified(subject_)));
+    return result;
 }
 
 prism::GivenSpace ProcessEncoding::states(const Explored& found, DecisionProcess process) const {

@@ -20,7 +20,8 @@ struct ProcessOptions {
     /// What the user asked for; values that assertions give to constants are added to it.
     ir::InstantiationOptions instantiation;
     std::uint64_t max_states = 500'000'000;
-    /// Up to so many states the process is compared with the one that is checked for refinement.
+    /// Up to so many states the process is compared with the one that is checked for refinement, and urgent steps with
+    /// all.
     std::uint64_t compared_states = 1'000'000;
     bool exact = false;
     diagnostics::Budget* budget = nullptr;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checker/prism/syntax/syntax.hpp"
@@ -17,23 +18,30 @@ struct Setting {
     std::vector<std::string> values;  ///< in PRISM: "0.5"; "1:2:9" is a range with its step
 };
 
-/// A random path that is asked for, as numbers in PRISM's language.
+/// A random path that is asked for. Its numbers are constants among Question::constants, by their names.
 struct Generation {
     std::string steps;    ///< how many; "": up to a deadlock
     std::string repeats;  ///< how many other paths are tried where one comes to no deadlock; "": none
     std::string limit;    ///< how many steps a path may have; "": as many as there are usually
 };
 
+/// `using sim with`
+struct Sampling {
+    std::string method;  ///< as prism::read_method reads it: "ci"
+    /// Its parameters, "width", and the constants among Question::constants that hold their values.
+    std::vector<std::pair<std::string, std::string>> parameters;
+};
+
 /// A property with what it needs beside the model.
 struct Question {
     prism::ExprPtr property;  ///< null: a path is asked for
     std::optional<Generation> path = {};
-    std::vector<prism::Constant> constants;        ///< open ones that only the property uses
+    std::vector<prism::Constant> constants;        ///< open ones that only the property uses, and numbers of `using`
     std::vector<prism::Constant> model_constants;  ///< open ones that rewards and modules use too
     std::vector<prism::RewardStructure> rewards;
     std::vector<prism::Module> modules;
     std::vector<Setting> settings;
-    std::string simulation;  ///< `using sim with`, as prism::read_method reads it: "ci,width=0.01"; "": none
+    std::optional<Sampling> simulation = {};
 };
 
 }  // namespace robochart::probability

@@ -137,14 +137,17 @@ public:
         }
         if (!assertion.property) return generation(assertion.path);
         question_.property = expression(*assertion.property);
-        if (!question_.simulation.empty() && question_.property != simulated_)
+        if (question_.simulation && question_.property != simulated_)
             refuse("`using sim` inside another expression: random paths answer one probability or reward");
         return std::move(question_);
     }
 
     Question generation(const ast::PathGeneration& path) {
-        const auto number = [&](const ast::ExprPtr& expr) { return expr ? prism::print(expression(*expr)) : ""; };
-        question_.path = Generation{number(path.steps), number(path.repeats), number(path.limit)};
+        const auto number = [&](const char* what, const ast::ExprPtr& expr) {
+            return expr ? this->number(what, *expr) : "";
+        };
+        question_.path =
+            Generation{number("for", path.steps), number("repeats", path.repeats), number("up to", path.limit)};
         return std::move(question_);
     }
 
@@ -195,6 +198,7 @@ private:
     ExprPtr in_state(const ast::Expr& expr);
     ExprPtr path(const ast::Expr& expr);
     ExprPtr quantitative(const ast::Expr& expr);
+    std::string number(const std::string& what, const ast::Expr& expr);
     void simulate(const ast::Expr& simulation);
     std::shared_ptr<const prism::StepBound> steps(const ast::Expr& path);
 
@@ -467,6 +471,13 @@ ExprPtr Translator::quantitative(const ast::Expr& expr) {
     return result;
 }
 
+/// A number that `using` gives, as a constant with that value: a name of PRISM's it cannot have.
+std::string Translator::number(const std::string& what, const ast::Expr& expr) {
+    std::string name = fmt::format("`{} {}`", what, ast::to_text(expr));
+    question_.constants.push_back({prism::Type::real, {name, expr.span}, expression(expr)});
+    return name;
+}
+
 /// PRISM's methods with RoboTool's names of their parameters: `-simwidth` is `w` or `epsilon`, `-simconf` `alpha` or
 /// `delta`, `-simsamples` `n`, `-simpathlen` `pathlen`; of SPRT `delta` is the half of the indifference region.
 void Translator::simulate(const ast::Expr& simulation) {
@@ -477,8 +488,8 @@ void Translator::simulate(const ast::Expr& simulation) {
         {"APMC", {{"epsilon", "width"}, {"delta", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
         {"SPRT", {{"delta", "width"}, {"alpha", "confidence"}, {"pathlen", "path"}}}};
     const Names& names = parameters.at(simulation.text);
-    std::string method = simulation.text;
-    std::transform(method.begin(), method.end(), method.begin(),
+    Sampling sampling{simulation.text, {}};
+    std::transform(sampling.method.begin(), sampling.method.end(), sampling.method.begin(),
                    [](char letter) { return static_cast<char>(letter - 'A' + 'a'); });
     std::set<std::string> given;
     for (const ast::Binding& each : simulation.bindings) {
@@ -491,9 +502,9 @@ void Translator::simulate(const ast::Expr& simulation) {
         }
         if (!given.insert(name).second)
             throw Wrong(fmt::format("`sim with {}`: `{}` is given twice", simulation.text, name));
-        method += fmt::format(",{}={}", known->second, prism::print(expression(*each.value)));
+        sampling.parameters.emplace_back(known->second, number(name + " =", *each.value));
     }
-    question_.simulation = method;
+    question_.simulation = std::move(sampling);
 }
 
 // ---------------------------------------------------------------- definitions

@@ -34,6 +34,12 @@ TEST(Preferences, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(error("\nINT_MAX=many\n"), "line 2: INT_MAX: a whole number is expected");
     EXPECT_EQ(error("INT_MAX=3000000000\n"), "line 1: INT_MAX: a whole number is expected") << "more than 32 bits";
     EXPECT_EQ(error("PRISM_MODELTYPE=ctmc"), "line 1: PRISM_MODELTYPE: dtmc or mdp is expected");
+    EXPECT_EQ(error("PRISM_MODEL_TYPE=mdp"), "line 1: PRISM_MODEL_TYPE: did you mean PRISM_MODELTYPE?");
+    EXPECT_EQ(error("INT_MXA=3"), "line 1: INT_MXA: did you mean INT_MAX?");
+    EXPECT_EQ(error("BOUNDED_NUM_OPTION=0\nDBG_OPTION=true\nMAX_SEQ_INS=3\nOP_BOUND=3\nOUTPUT_LOG_FILE=debug.log\n"
+                    "TYPE_OVERRIDE=\nUSE_CONF_FROM_INSTANTIATION_CSP=false"),
+              "")
+        << "what RoboTool writes beside them";
     EXPECT_EQ(error("\n\nnonsense"), "line 3: KEY=VALUE is expected");
     EXPECT_EQ(error("NAT_MIN=2\nNAT_MAX=1"), "NAT_MIN is greater than NAT_MAX");
 }

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <iostream>
 
+#include "probability/process/subgraph.hpp"
 #include "tests/contents.hpp"
 #include "tests/probability/models.hpp"
 #include "tests/random_models/models/well_formed.hpp"
@@ -142,6 +144,82 @@ TEST(Agreement, TheChainLiesBetweenTheSchedulers) {
     }
     std::cout << answered << " rewards of chains\n";
     EXPECT_GT(answered, 0u);
+}
+
+DecisionProcess fork(bool whole) {
+    DecisionProcess made;
+    markov::Model& model = made.model;
+    model.kind = markov::Kind::mdp;
+    model.initial = {0};
+    model.numbers = {{1, 1}, {0.5, 0.5}};
+    model.exact = {Rational(1), Rational(1, 2)};
+    model.actions = {"", "tock", "loop"};
+    // State 0: half to 1, half to 2; in the whole one also tock back to 0. States 1 and 2 stay.
+    model.target = {1, 2};
+    model.number = {1, 1};
+    model.first_branch = {0, 2};
+    model.action = {0};
+    model.counted = {false};
+    const auto to = [&](markov::State target, std::uint32_t action) {
+        model.target.push_back(target);
+        model.number.push_back(0);
+        model.first_branch.push_back(model.target.size());
+        model.action.push_back(action);
+        model.counted.push_back(action == 1);
+    };
+    if (whole) to(0, 1);
+    model.first_choice = {0, static_cast<std::uint32_t>(model.choices())};
+    for (const markov::State state : {1U, 2U}) {
+        to(state, 2);
+        model.first_choice.push_back(static_cast<std::uint32_t>(model.choices()));
+    }
+    made.deadlocks = {false, true, true};
+    made.origins = {7, 5, 3};
+    return made;
+}
+
+TEST(Agreement, OfSubgraphs) {
+    const auto part = [](const DecisionProcess& fewer) { return is_subgraph(fewer, fork(true), [] {}); };
+    EXPECT_TRUE(part(fork(false)));
+    EXPECT_TRUE(part(fork(true)));
+    EXPECT_FALSE(is_subgraph(fork(true), fork(false), [] {})) << "tock is none of its choices";
+    DecisionProcess other = fork(false);
+    other.origins = {7, 3, 5};
+    EXPECT_TRUE(part(other)) << "numbers of states do not matter";
+    other.origins = {7, 5, 4};
+    EXPECT_FALSE(part(other)) << "a state that is not there";
+    other = fork(false);
+    other.deadlocks[1] = false;
+    EXPECT_FALSE(part(other));
+    other = fork(false);
+    other.model.counted[0] = true;
+    EXPECT_FALSE(part(other)) << "time passes";
+    other = fork(false);
+    other.model.exact[1] = Rational(1, 3);
+    EXPECT_FALSE(part(other)) << "another distribution";
+    other = fork(false);
+    other.model.initial = {1};
+    EXPECT_FALSE(part(other));
+}
+
+/// The decision process of the first component of each model, urgent steps among all steps: ProcessEncoding throws
+/// std::logic_error where they are not.
+TEST(Agreement, OfTheCorpus) {
+    std::size_t compared_models = 0;
+    for (const auto& folder : std::filesystem::directory_iterator(tests::source_folder() / "corpus")) {
+        if (!folder.is_directory()) continue;
+        std::map<std::string, std::string> files{
+            {"p.assertions", "prob property P : Prob=? of [Finally <=1 deadlock]\n"}};
+        for (const auto& file : std::filesystem::directory_iterator(folder))
+            if (file.path().extension() == ".rct") files[file.path().filename()] = tests::contents(file.path());
+        if (files.size() == 1) continue;
+        const auto loaded = testing::load(files);
+        std::uint64_t compared = 0;
+        const auto rows = testing::process(*loaded, "P", Scheduler::urgent, &compared, 20'000);
+        if (compared > 0 && rows.front().error.empty()) ++compared_models;
+    }
+    std::cout << compared_models << " models of the corpus\n";
+    EXPECT_GT(compared_models, 3u);
 }
 
 TEST(Agreement, OfTheForager) {

@@ -84,21 +84,21 @@ ir::ComponentRef whole(const ir::System& system) {
 }  // namespace
 
 std::vector<Row> process(Loaded& loaded, const std::string& assertion, Scheduler scheduler, std::uint64_t* compared,
-                         std::uint64_t most_states) {
+                         std::uint64_t most_states, bool exact) {
     std::vector<Row> rows;
     const Assertions all(loaded.model);
     const Claim asked = claim(loaded, assertion);
     diagnostics::Budget budget;
     ProcessOptions options;
     options.scheduler = scheduler;
-    options.exact = true;
+    options.exact = exact;
     options.max_states = most_states;
     options.budget = &budget;
     const ir::ComponentRef subject = whole(loaded.system);
     try {
         ProcessEncoding encoding(loaded.system, subject, loaded.sources, options);
         const Question question = translate(all, *asked.file, *asked.assertion, encoding.elements());
-        decide(encoding, question, {1e-6, true}, budget, [&](Row row) { rows.push_back(std::move(row)); });
+        decide(encoding, question, {1e-6, exact}, budget, [&](Row row) { rows.push_back(std::move(row)); });
         if (compared != nullptr) *compared = encoding.compared();
     } catch (const std::runtime_error& why) {
         rows.emplace_back().error = why.what();

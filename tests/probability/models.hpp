@@ -42,7 +42,8 @@ struct Claim {
 /// The rows of an assertion on the decision process of a component: of the only module, else of the first controller or
 /// machine. `compared`: the states that were compared with the process that is checked for refinement.
 [[nodiscard]] std::vector<Row> process(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
-                                       std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000);
+                                       std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
+                                       bool exact = true);
 
 /// "k=1: 0.5": the constants with the value, the truth or the error.
 [[nodiscard]] std::string text(const Row& row);

@@ -97,6 +97,33 @@ TEST(Process, TimeIsCountedInTocks) {
               "not decided: X is about one step, and steps are not counted in this model");
 }
 
+/// A coin in each time unit: nothing is missed by counting fewer than 10^9 of them, and an eighth never comes.
+TEST(Process, LongTimesNeedNotBeCounted) {
+    const auto decide = [](const std::string& of) {
+        const auto loaded =
+            load({{"m.rct", thrower("",
+                                    "transition a { from p to A probability 0.125 } "
+                                    "transition b { from p to B probability 0.125 } "
+                                    "transition c { from p to W probability 0.75 } transition r { from W to Ready }",
+                                    "", "state W { entry wait(1) } ")},
+                  {"m.assertions", property(of)}});
+        return process(*loaded, "P", Scheduler::any, nullptr, 100'000, false);
+    };
+    const auto rows = decide("Prob=? of [Finally <=1000000000 S is in S::A]");
+    ASSERT_EQ(rows.size(), 1u);
+    for (const prism::Result& each : rows.front().results) {
+        ASSERT_EQ(each.kind, prism::Result::Kind::number);
+        EXPECT_LE(each.low.bounds().low, 0.5);
+        EXPECT_GE(each.high.bounds().high, 0.5);
+        EXPECT_LT(each.high.bounds().high - each.low.bounds().low, 1e-6);
+        EXPECT_EQ(each.reason, "");
+    }
+    EXPECT_EQ(text(decide("Prob>=0.4 of [Finally <=1000000000 S is in S::A]")), "true");
+    EXPECT_EQ(text(decide("Prob>=0.6 of [Finally <=1000000000 S is in S::A]")), "false");
+    EXPECT_EQ(text(decide("Prob<=0.5 of [Globally <=1000000000 not S is in S::A]")).substr(0, 11), "not decided")
+        << "it is above 0.5 by less than an interval shows";
+}
+
 /// Two machines throw a coin at the same time. Whether the first is done and the second not depends on who is first:
 /// 0.5 where the first is, else 0.5 * 0.5.
 TEST(Process, ARaceIsOpen) {
@@ -122,6 +149,28 @@ TEST(Process, ProbabilitiesReadVariables) {
     EXPECT_EQ(decided(learning, property("Prob=? of [Finally <=1 S is in S::A]")), "1 to 1");
     EXPECT_EQ(decided(learning, property("Prob=? of [Finally S is in S::A /\\ S::x == 1]")), "0.5 to 0.5");
     EXPECT_EQ(decided(learning, property("Prob=? of [Finally S::x > 1]")), "0 to 0");
+}
+
+/// Of an operation its parameters, its variables and those of its caller: nothing else reads them.
+TEST(Process, ProbabilitiesInOperationsReadVariables) {
+    const std::string model =
+        "interface I { toss(q : real, n : nat) } interface V { var k : nat = 1 } "
+        "operation toss(q : real, n : nat) { requires V terminates var m : nat = 0 initial i probabilistic p "
+        "state A { } state B { } final f transition t0 { from i to p action m = n } "
+        "transition a { from p to A probability if m == k then q else 0.5 * q end } "
+        "transition b { from p to B probability if m == k then 1 - q else 1 - 0.5 * q end } "
+        "transition ta { from A to f } transition tb { from B to f action k = 0 } } "
+        "stm S { requires I var k : nat = 1 initial i state Ready { } state Heads { } state Tails { } state Again { "
+        "entry toss(0.4, "
+        "0) } "
+        "transition t0 { from i to Ready } transition t1 { from Ready to Again action toss(0.5, 1) } "
+        "transition t2 { from Again to Heads condition k == 1 } transition t3 { from Again to Tails condition k == 0 } "
+        "} "
+        "controller C { opref toss = toss sref s = S }";
+    // The first throw: m = 1 = k, so A with 0.5 and k stays 1; B makes k = 0. Then m = 0: after A, m != k, A with 0.2;
+    // after B, m == k, A with 0.4, but k stays 0.
+    EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Heads]")), "0.1 to 0.1");
+    EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Tails]")), "0.9 to 0.9");
 }
 
 TEST(Process, WaysToOnePlaceAddUp) {

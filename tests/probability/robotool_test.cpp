@@ -174,6 +174,34 @@ TEST(RoboToolChain, IsSampled) {
               "`using sim` inside another expression: random paths answer one probability or reward");
 }
 
+TEST(RoboToolChain, IsSampledWithExpressions) {
+    const std::string sampled = "Prob=? of [Finally <=4 Game::hand::thrower is in Heads] using sim with ";
+    const auto rows =
+        asked("const k : core::nat\n prob property P: " + sampled +
+              "CI at pathlen=(if k > 1 then 100 else 3 end), n=10*k + 5, and alpha=Game::hand::thrower::p/50" + half +
+              ", k from set {1, 2}");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(text({rows.front()}),
+              "Game::hand::thrower::p=0.5, k=1: not decided: path 1 is open after 3 steps (path=3)");
+    ASSERT_TRUE(rows.back().results.front().estimate);
+    EXPECT_EQ(rows.back().results.front().estimate->samples, 25u);
+    EXPECT_EQ(rows.back().results.front().estimate->alpha, 0.01);
+    EXPECT_EQ(text(asked("prob property P: " + sampled + "CI at n=5/2, alpha=0.1, and pathlen=3" + half)),
+              "Game::hand::thrower::p=0.5: `using sim with`: samples=2.5: expected a number from 1 on");
+    const auto fault = [](const std::string& of) { return asked(of).front().error; };
+    EXPECT_NE(fault("prob property P: " + sampled + "CI at n=Game::table::throws, alpha=0.1, and pathlen=3" + half), "")
+        << "a variable is no number";
+    EXPECT_NE(fault("const k : core::nat\n prob property P: " + sampled + "CI at n=k, alpha=0.1, and pathlen=3" + half),
+              "")
+        << "k has no value";
+    const auto paths = asked("const k : core::nat\n prob generate path P: using simulation for 2*k steps" + half +
+                             ", k from set {1 to 2}");
+    ASSERT_EQ(paths.size(), 2u);
+    EXPECT_EQ(paths.front().path->steps.size(), 2u);
+    EXPECT_EQ(paths.back().path->steps.size(), 4u);
+    EXPECT_NE(fault("prob generate path P: using simulation for 1/2 steps" + half), "");
+}
+
 /// The steps of the chain are known; what the coin shows depends on the seed.
 TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
     const auto rows = asked("prob generate path P: using simulation for 4 steps" + half);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "checker/markov/solve/arithmetic.hpp"
+#include "checker/markov/solve/residue.hpp"
 
 namespace robochart::markov {
 namespace {
@@ -13,19 +14,21 @@ namespace {
 template <class Value>
 class Elimination {
 public:
-    Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>> right_sides,
-                const EliminationLimit& limit)
+    /// `right_sides` go through it, if there are some; `keep_shares`: for those that come later.
+    Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>>& right_sides,
+                bool keep_shares, const EliminationLimit& limit)
         : limit_(limit),
+          keep_shares_(keep_shares),
           rows_(system.size()),
           incoming_(system.size()),
           incoming_count_(system.size(), 0),
           gone_(system.size(), false),
           place_(system.size(), nowhere),
-          right_sides_(std::move(right_sides)) {
+          right_sides_(right_sides) {
         for (std::uint32_t unknown = 0; unknown < system.size(); ++unknown) read(system, unknown, policy[unknown]);
     }
 
-    std::optional<std::vector<std::vector<Value>>> run() {
+    std::optional<Factors<Value>> run() {
         for (std::uint32_t unknown = 0; unknown < rows_.size(); ++unknown) queue_.emplace(cost(unknown), unknown);
         while (!queue_.empty()) {
             const auto [expected, unknown] = queue_.top();
@@ -37,22 +40,14 @@ public:
             }
             if (!remove(unknown)) return std::nullopt;
         }
-        substitute();
-        return std::move(right_sides_);
+        return Factors<Value>(std::move(rows_), std::move(order_), std::move(shares_));
     }
 
 private:
     static constexpr std::uint32_t nowhere = 0xFFFFFFFF;
 
-    struct Entry {
-        std::uint32_t unknown;
-        Value factor;
-    };
-    struct Row {
-        std::vector<Entry> entries;  // of other unknowns
-        Value outside{};
-        Value pivot{};  // 1 - its own factor, once eliminated
-    };
+    using Entry = typename Factors<Value>::Entry;
+    using Row = typename Factors<Value>::Row;
 
     void read(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice) {
         Row& row = rows_[unknown];
@@ -96,6 +91,7 @@ private:
         if (!positive(row.pivot)) return false;
         gone_[unknown] = true;
         order_.push_back(unknown);
+        if (keep_shares_) shares_.emplace_back();
         for (const std::uint32_t from : incoming_[unknown])
             if (!gone_[from] && !replace(from, unknown)) return false;
         incoming_[unknown] = {};
@@ -120,28 +116,21 @@ private:
             if (entry.unknown != from) add(from, entry.unknown, share * entry.factor);
         forget_places(row);
         row.outside += share * by.outside;
+        if (keep_shares_) shares_.back().push_back({from, share});
         for (std::vector<Value>& side : right_sides_) side[from] += share * side[eliminated];
         return true;
     }
 
-    void substitute() {
-        for (auto unknown = order_.rbegin(); unknown != order_.rend(); ++unknown) {
-            poll(limit_.budget);
-            for (std::vector<Value>& side : right_sides_) {
-                for (const Entry& entry : rows_[*unknown].entries) side[*unknown] += entry.factor * side[entry.unknown];
-                side[*unknown] = side[*unknown] / rows_[*unknown].pivot;
-            }
-        }
-    }
-
     const EliminationLimit& limit_;
+    const bool keep_shares_;
     std::vector<Row> rows_;
     std::vector<std::vector<std::uint32_t>> incoming_;  // unknowns with an entry of this one, some of them gone
     std::vector<std::uint64_t> incoming_count_;         // those not gone
     std::vector<bool> gone_;
     std::vector<std::uint32_t> place_;  // of each unknown in the entries of one row
-    std::vector<std::vector<Value>> right_sides_;
+    std::vector<std::vector<Value>>& right_sides_;
     std::vector<std::uint32_t> order_;
+    std::vector<std::vector<Entry>> shares_;
     using Cost = std::pair<std::uint64_t, std::uint32_t>;
     std::priority_queue<Cost, std::vector<Cost>, std::greater<>> queue_;
     std::uint64_t operations_ = 0;
@@ -151,10 +140,46 @@ private:
 }  // namespace
 
 template <class Value>
+void Factors<Value>::solve(std::vector<Value>& side) const {
+    for (std::size_t step = 0; step < order_.size(); ++step)
+        for (const Entry& share : shares_[step]) side[share.unknown] += share.factor * side[order_[step]];
+    substitute(side);
+}
+
+template <class Value>
+void Factors<Value>::substitute(std::vector<Value>& side) const {
+    for (auto unknown = order_.rbegin(); unknown != order_.rend(); ++unknown) {
+        for (const Entry& entry : rows_[*unknown].entries) side[*unknown] += entry.factor * side[entry.unknown];
+        side[*unknown] = side[*unknown] / rows_[*unknown].pivot;
+    }
+}
+
+template <class Value>
+std::uint64_t Factors<Value>::entries() const {
+    std::uint64_t count = 0;
+    for (const Row& row : rows_) count += row.entries.size();
+    for (const std::vector<Entry>& shares : shares_) count += shares.size();
+    return count;
+}
+
+template <class Value>
+std::optional<Factors<Value>> factorize(const System<Value>& system, const Policy& policy,
+                                        const EliminationLimit& limit) {
+    std::vector<std::vector<Value>> none;
+    return Elimination<Value>(system, policy, none, true, limit).run();
+}
+
+template <class Value>
 std::optional<std::vector<std::vector<Value>>> eliminate(const System<Value>& system, const Policy& policy,
                                                          std::vector<std::vector<Value>> right_sides,
                                                          const EliminationLimit& limit) {
-    return Elimination<Value>(system, policy, std::move(right_sides), limit).run();
+    const auto factors = Elimination<Value>(system, policy, right_sides, false, limit).run();
+    if (!factors) return std::nullopt;
+    for (std::vector<Value>& side : right_sides) {
+        poll(limit.budget);
+        factors->substitute(side);
+    }
+    return right_sides;
 }
 
 template std::optional<std::vector<std::vector<double>>> eliminate(const System<double>&, const Policy&,
@@ -166,5 +191,15 @@ template std::optional<std::vector<std::vector<Interval>>> eliminate(const Syste
 template std::optional<std::vector<std::vector<Rational>>> eliminate(const System<Rational>&, const Policy&,
                                                                      std::vector<std::vector<Rational>>,
                                                                      const EliminationLimit&);
+
+template class Factors<Residue<first_prime>>;
+template class Factors<Residue<second_prime>>;
+template class Factors<Residue<third_prime>>;
+template std::optional<Factors<Residue<first_prime>>> factorize(const System<Residue<first_prime>>&, const Policy&,
+                                                                const EliminationLimit&);
+template std::optional<Factors<Residue<second_prime>>> factorize(const System<Residue<second_prime>>&, const Policy&,
+                                                                 const EliminationLimit&);
+template std::optional<Factors<Residue<third_prime>>> factorize(const System<Residue<third_prime>>&, const Policy&,
+                                                                const EliminationLimit&);
 
 }  // namespace robochart::markov

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "checker/markov/solve/system.hpp"
 
@@ -18,6 +19,42 @@ struct EliminationLimit {
     std::uint64_t entries = std::numeric_limits<std::uint64_t>::max();  ///< kept at a time
     diagnostics::Budget* budget = nullptr;
 };
+
+/// The equations of a policy after the elimination: for right sides that come later.
+template <class Value>
+class Factors {
+public:
+    struct Entry {
+        std::uint32_t unknown;
+        Value factor;
+    };
+    struct Row {
+        std::vector<Entry> entries;  ///< of unknowns eliminated later
+        Value outside{};
+        Value pivot{};  ///< 1 - its own factor
+    };
+
+    /// `rows` of each unknown; `order` of the elimination; `shares[k]`: how often the row of unknown order[k] went into
+    /// which other rows.
+    Factors(std::vector<Row> rows, std::vector<std::uint32_t> order, std::vector<std::vector<Entry>> shares)
+        : rows_(std::move(rows)), order_(std::move(order)), shares_(std::move(shares)) {}
+
+    /// The right side becomes the solution.
+    void solve(std::vector<Value>& side) const;
+    /// The same for a right side that went through the elimination with the rows.
+    void substitute(std::vector<Value>& side) const;
+    [[nodiscard]] std::uint64_t entries() const;
+
+private:
+    std::vector<Row> rows_;
+    std::vector<std::uint32_t> order_;
+    std::vector<std::vector<Entry>> shares_;
+};
+
+/// Nothing as with eliminate.
+template <class Value>
+[[nodiscard]] std::optional<Factors<Value>> factorize(const System<Value>& system, const Policy& policy,
+                                                      const EliminationLimit& limit);
 
 /// For each of the right sides (a value for each unknown) the solution of x = right side + A x, where A has the rows of
 /// the policy. Nothing where the limit is reached, or where the policy may stay for ever.

@@ -48,7 +48,7 @@ private:
     static constexpr std::uint64_t rounds_of_policies = 8;
     static constexpr std::uint64_t most_entries = 50'000'000;
     static constexpr std::size_t few_unknowns = 1'000;
-    static constexpr std::uint64_t few_rational_operations = 20'000;
+    static constexpr std::uint64_t few_rational_operations = 5'000'000;  // most of them modulo a prime
     static constexpr double sharp = 1e-13;
 
     /// Elimination and sweeps in turn, each time for eight times as long: which is faster is not known before, and both

@@ -1,6 +1,9 @@
 #include "checker/markov/solve/policy_iteration.hpp"
 
+#include <algorithm>
+
 #include "checker/markov/solve/arithmetic.hpp"
+#include "checker/markov/solve/lifting.hpp"
 
 namespace robochart::markov {
 namespace {
@@ -13,6 +16,23 @@ std::vector<Value> constants(const System<Value>& system, const Policy& policy) 
     return side;
 }
 
+template <class Value>
+std::optional<std::vector<Value>> policy_values(const System<Value>& system, const Policy& policy,
+                                                const EliminationLimit& limit) {
+    auto solved = eliminate(system, policy, {constants(system, policy)}, limit);
+    if (!solved) return std::nullopt;
+    return std::move(solved->front());
+}
+
+/// Of few unknowns fractions stay short, and an elimination is faster.
+std::optional<std::vector<Rational>> policy_values(const System<Rational>& system, const Policy& policy,
+                                                   const EliminationLimit& limit) {
+    constexpr std::uint64_t few_operations = 1'000;
+    const EliminationLimit few{std::min(limit.operations, few_operations), limit.entries, limit.budget};
+    if (auto solved = eliminate(system, policy, {constants(system, policy)}, few)) return std::move(solved->front());
+    return lift(system, policy, limit);
+}
+
 }  // namespace
 
 template <class Value>
@@ -22,9 +42,9 @@ std::optional<SystemSolution<Value>> iterate_policies(const System<Value>& syste
                                                       const std::function<bool(std::uint32_t)>& admitted,
                                                       std::uint64_t most_rounds) {
     for (std::uint64_t round = 1;; ++round) {
-        auto solved = eliminate(system, policy, {constants(system, policy)}, limit);
+        auto solved = policy_values(system, policy, limit);
         if (!solved) return std::nullopt;
-        std::vector<Value>& values = solved->front();
+        std::vector<Value>& values = *solved;
         bool changed = false;
         for (std::uint32_t unknown = 0; unknown < system.size(); ++unknown) {
             Value best = values[unknown];

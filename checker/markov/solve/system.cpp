@@ -9,12 +9,16 @@ namespace {
 
 constexpr std::uint32_t no_choice = 0xFFFFFFFF;
 
-/// Breadth first from outside, against the direction of the entries.
+/// Breadth first from outside, against the direction of the entries; along all choices, or those of one policy.
 template <class Value>
 class LeavingPolicy {
 public:
-    explicit LeavingPolicy(const System<Value>& system)
-        : system_(system), policy_(system.size(), no_choice), first_(system.size() + 1, 0), owner_(system.choices()) {
+    LeavingPolicy(const System<Value>& system, const Policy* only)
+        : system_(system),
+          only_(only),
+          policy_(system.size(), no_choice),
+          first_(system.size() + 1, 0),
+          owner_(system.choices()) {
         reverse();
     }
 
@@ -45,12 +49,13 @@ private:
     }
 
     void take(std::uint32_t unknown, std::uint32_t choice) {
-        if (policy_[unknown] != no_choice) return;
+        if (policy_[unknown] != no_choice || (only_ != nullptr && (*only_)[unknown] != choice)) return;
         policy_[unknown] = choice;
         queue_.push_back(unknown);
     }
 
     const System<Value>& system_;
+    const Policy* const only_;
     Policy policy_;
     std::vector<std::uint64_t> first_;
     std::vector<std::uint32_t> incoming_;  // choices
@@ -62,10 +67,16 @@ private:
 
 template <class Value>
 Policy leaving_policy(const System<Value>& system) {
-    return LeavingPolicy<Value>(system).find();
+    return LeavingPolicy<Value>(system, nullptr).find();
+}
+
+template <class Value>
+bool leaves(const System<Value>& system, const Policy& policy) {
+    return LeavingPolicy<Value>(system, &policy).find() == policy;
 }
 
 template Policy leaving_policy(const System<Interval>&);
 template Policy leaving_policy(const System<Rational>&);
+template bool leaves(const System<Rational>&, const Policy&);
 
 }  // namespace robochart::markov

@@ -33,6 +33,10 @@ using Policy = std::vector<std::uint32_t>;
 template <class Value>
 [[nodiscard]] Policy leaving_policy(const System<Value>& system);
 
+/// Whether this policy leaves with probability 1, from everywhere.
+template <class Value>
+[[nodiscard]] bool leaves(const System<Value>& system, const Policy& policy);
+
 /// Values of unknowns, and the choices that give them.
 template <class Value>
 struct SystemSolution {
