@@ -72,6 +72,7 @@ private:
     void until(const std::string& text);
     void why(const std::string& text);
     void find(const std::string& text);
+    bool list_offers(const std::string& text);  ///< those with this text; false if there is none
     void watch(const std::string& name);
     void way(const std::string&);
     void tree(const std::string&);
@@ -230,15 +231,29 @@ void Console::why(const std::string& text) {
         print("  {}: {}: {}{}\n", each.component, each.text, each.reason, place_of(each.place));
         ++shown;
     }
-    if (shown == 0)
+    if (shown > 0) return;
+    if (stepped_.project)
         print("  {}\n", text.empty() ? "every transition that leaves an active state is on offer"
                                      : "no other transition that leaves an active state has this text");
+    else if (text.empty())
+        print("  every event that a component offers is on offer\n");
+    else if (!list_offers(text))
+        print("  no component offers an event with this text (`tree` shows what each offers)\n");
 }
 
 void Console::find(const std::string& text) {
+    list_offers(text);
+}
+
+bool Console::list_offers(const std::string& text) {
+    bool found = false;
     const std::vector<runs::Offer>& offers = stepper_.offers();
-    for (std::size_t i = 0; i < offers.size(); ++i)
-        if (text_of(offers[i]).find(text) != std::string::npos) print("{:>4}  {}\n", i + 1, text_of(offers[i]));
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        if (text_of(offers[i]).find(text) == std::string::npos) continue;
+        print("{:>4}  {}\n", i + 1, text_of(offers[i]));
+        found = true;
+    }
+    return found;
 }
 
 void Console::way(const std::string&) {
@@ -292,7 +307,8 @@ const std::vector<Console::Command>& Console::commands() {
         {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first", &Console::tock},
         {"random", "[N]", "take N offers by chance, one without N", &Console::random},
         {"until", "TEXT", "take offers by chance until a state, a value or an event with this text", &Console::until},
-        {"why", "[TEXT]", "why transitions that leave active states are not on offer", &Console::why},
+        {"why", "[TEXT]", "why transitions that leave active states, or events of components, are not on offer",
+         &Console::why},
         {"find", "TEXT", "the offers with this text", &Console::find},
         {"watch", "[NAME]", "show this variable alone; all without NAME", &Console::watch},
         {"way", "", "how it has come here", &Console::way},

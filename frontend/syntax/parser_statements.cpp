@@ -104,6 +104,7 @@ StmtPtr Parser::basic_statement() {
         return reset;
     }
     if (peek().kind == TokenKind::identifier) return name_statement();
+    if (at("{")) return braced_statement();
     missing("a statement");
     return make_statement(StmtKind::error, begin);
 }
