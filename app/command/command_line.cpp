@@ -72,6 +72,11 @@ void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
     sub->callback([&options, &row] { options.verb = row.verb; });
 }
 
+bool names_a_verb(const std::string& word) {
+    const std::vector<std::string> known = first_words();
+    return std::find(known.begin(), known.end(), word) != known.end();
+}
+
 /// What a first word may have meant: the verbs, and what is in the current folder.
 std::vector<std::string> verbs_and_files() {
     constexpr std::size_t most = 1000;
@@ -95,14 +100,9 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
         return wrong_usage(fmt::format("emit writes no '{}'{}", words[1], did_you_mean(words[1], known)), "emit");
     }
     const bool like_a_verb = first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
-    if (!like_a_verb || std::filesystem::exists(first, ignored)) return std::nullopt;
+    if (!like_a_verb || names_a_verb(first) || std::filesystem::exists(first, ignored)) return std::nullopt;
     return wrong_usage(
         fmt::format("there is no verb, file or folder '{}'{}", first, did_you_mean(first, verbs_and_files())));
-}
-
-bool names_a_verb(const std::string& word) {
-    const std::vector<std::string> known = first_words();
-    return std::find(known.begin(), known.end(), word) != known.end();
 }
 
 /// The verb that the parser has come to, "" for none, "emit" on the way.

@@ -23,6 +23,7 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "checker/process/operational_semantics.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/splitmix64.hpp"
 #include "runs/stepper.hpp"
@@ -72,6 +73,7 @@ private:
     void until(const std::string& text);
     void why(const std::string& text);
     void find(const std::string& text);
+    [[nodiscard]] std::string leads_to(std::size_t offer);
     bool list_offers(const std::string& text);  ///< those with this text; false if there is none
     void watch(const std::string& name);
     void way(const std::string&);
@@ -133,9 +135,20 @@ void Console::show() {
         print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.here()));
     const std::vector<runs::Offer>& offers = stepper_.offers();
     for (std::size_t i = 0; i < offers.size(); ++i)
-        print("{:>4}  {}{}{}\n", i + 1, offers[i].hidden ? "(hidden) " : "", text_of(offers[i]),
+        print("{:>4}  {}{}{}{}\n", i + 1, offers[i].hidden ? "(hidden) " : "", text_of(offers[i]), leads_to(i),
               place_of(offers[i].happening.event.place));
     if (offers.empty()) print("      nothing can happen any more\n");
+}
+
+/// Of a process of a script, where several offers have the same text: "   to STOP".
+std::string Console::leads_to(std::size_t offer) {
+    const std::vector<runs::Offer>& offers = stepper_.offers();
+    const auto same = [&](const runs::Offer& each) {
+        return each.hidden == offers[offer].hidden && text_of(each) == text_of(offers[offer]);
+    };
+    if (stepped_.project || std::count_if(offers.begin(), offers.end(), same) == 1) return "";
+    process::TermStore& terms = stepper_.reader().context().session.terms();
+    return "   to " + process::describe(terms, offers[offer].step.target);
 }
 
 bool Console::take(const std::string& word) {
@@ -250,7 +263,7 @@ bool Console::list_offers(const std::string& text) {
     const std::vector<runs::Offer>& offers = stepper_.offers();
     for (std::size_t i = 0; i < offers.size(); ++i) {
         if (text_of(offers[i]).find(text) == std::string::npos) continue;
-        print("{:>4}  {}\n", i + 1, text_of(offers[i]));
+        print("{:>4}  {}{}\n", i + 1, text_of(offers[i]), leads_to(i));
         found = true;
     }
     return found;

@@ -180,7 +180,6 @@ constexpr std::string_view transition_form =
     "a transition has the form `transition t { from A to B trigger e condition c action a }`; only `from` and `to` are "
     "needed";
 constexpr std::string_view state_form = "a state has the form `state S { entry a }`; its braces may be empty";
-constexpr std::string_view event_form = "an event is declared `event e`, one that carries a value `event e : int`";
 constexpr std::string_view async_form = "a connection that does not wait ends with `(_async)`";
 constexpr std::string_view initial_form =
     "a machine begins at a junction of its own: `initial i`, and `transition t { from i to S }`";
@@ -282,7 +281,6 @@ constexpr std::array forms{
     Advice{"", "datatype NAME @", record_form},
     Advice{"", "clock NAME @ =", clock_form},
     Advice{"", "clock NAME @ :", clock_form},
-    Advice{"", "event NAME @ (", event_form},
     Advice{"", "stm NAME @", machine_form},
     Advice{"", "var NAME @ =", "a variable has a type: `var x : nat = 0`"},
     Advice{"", "const NAME @ =", "a constant has a type: `const c : nat = 3`"},

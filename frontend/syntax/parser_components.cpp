@@ -156,7 +156,7 @@ std::unique_ptr<Reference> Parser::reference() {
                                         : DeclKind::operation;
     reference->span = advance().span;
     name(*reference);
-    if (at(":")) {
+    if (at(":") && peek(1).kind == TokenKind::identifier) {
         const Span colon = peek().span;
         diagnostics::Diagnostic* const finding =
             report(syntax::other_notation, colon, {":", "what a reference refers to stands behind `=`"});

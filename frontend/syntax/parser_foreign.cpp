@@ -51,12 +51,20 @@ void Parser::pass_superfluous(std::string_view reason) {
     const Token token = peek();
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, token.span, {std::string(token.text), std::string(reason)});
-    if (finding != nullptr) finding->fixes.push_back({token.span, "", "leave it out"});
-    quiet_until_ = 0;
+    if (finding != nullptr) {
+        finding->fixes.push_back({token.span, "", "leave it out"});
+        quiet_until_ = 0;
+    }
     advance();
 }
 
 void Parser::pass_sign_behind_word() {
+    const Token next = peek(1);
+    const bool goes_on = (next.kind == TokenKind::identifier && !next.first_on_line) || next.is("skip") ||
+                         next.is("if") || next.is("wait") || next.is("send") || next.is("#") || next.is("not") ||
+                         next.is("since") || next.kind == TokenKind::integer || next.kind == TokenKind::real;
+    if (!goes_on) return;
+
     if (at(":") || (at("=") && !peek(1).is("="))) pass_superfluous("what belongs to a word follows it at once");
 }
 
@@ -275,7 +283,10 @@ StmtPtr Parser::braced_statement() {
 /// `event e()`, `event e(int)` and `event e(x : int)`, behind the name.
 void Parser::bracketed_event(Event& event) {
     const std::optional<std::size_t> behind = behind_brackets(0);
-    if (!behind) return;
+    constexpr std::size_t most_words = 12;
+    if (!behind || *behind > most_words || !peek(*behind - 1).is(")")) return;
+    for (std::size_t i = 0; i < *behind; ++i)
+        if (peek(i).first_on_line) return;
     const bool named = peek(1).kind == TokenKind::identifier && peek(2).is(":");
     const std::size_t first = named ? 3 : 1;
     const Span span = diagnostics::join(peek().span, peek(*behind - 1).span);
@@ -333,8 +344,8 @@ bool Parser::bare_async() {
 /// `50%` where nothing stands behind it that could be divided.
 bool Parser::percentage(Expr& number) {
     const bool literal = number.kind == ExprKind::integer && number.text.size() <= 3;
-    const bool ends = peek(1).is("}") || peek(1).is(")") || peek(1).is("condition") || peek(1).is("action") ||
-                      peek(1).kind == TokenKind::end || peek(1).first_on_line;
+    const bool ends = peek(1).is("}") || peek(1).is(")") || peek(1).is(";") || peek(1).is("condition") ||
+                      peek(1).is("action") || peek(1).kind == TokenKind::end || peek(1).first_on_line;
     if (!at("%") || !literal || !ends) return false;
     const std::string digits = std::string(3 - number.text.size(), '0') + number.text;
     const std::string own = digits.substr(0, 1) + "." + digits.substr(1);
@@ -351,7 +362,8 @@ bool Parser::percentage(Expr& number) {
 
 /// `state S` without its braces, behind the name: it is read as a state without actions.
 bool Parser::body_left_out() {
-    const bool next_member = (at_member_word() && peek().first_on_line) || at("}") || at(";");
+    const bool ends = at(";") && peek(1).first_on_line;
+    const bool next_member = ((at_member_word() || at("}")) && peek().first_on_line) || ends;
     if (!next_member || at("entry") || at("during") || at("exit")) return false;
     const Span place = missing_place();
     diagnostics::Diagnostic* const finding = report(syntax::unexpected, place, {"`{`", found()});

@@ -71,7 +71,7 @@ void Parser::node(NodeContainer& container, DeclKind kind) {
     if (pseudo_state(kind)) return node(container, DeclKind::state);
     name(state);
     container.nodes.push_back(std::move(owned));
-    if (at(":")) pass_superfluous("what a node has stands in braces behind its name");
+    if (at(":") && peek(1).is("{")) pass_superfluous("what a node has stands in braces behind its name");
     if (kind == DeclKind::state && body_left_out()) return;
     if (kind == DeclKind::state || (kind == DeclKind::final && at("{"))) guarded([&] { state_body(state); });
     state.span = since(state.span);
@@ -105,7 +105,7 @@ void Parser::transition(NodeContainer& container) {
     transition.span = expect("transition");
     name(transition);
     container.transitions.push_back(std::move(owned));
-    if (at(":")) pass_superfluous("what a transition does stands in braces behind its name");
+    if (at(":") && peek(1).is("{")) pass_superfluous("what a transition does stands in braces behind its name");
     guarded([&] {
         expect("{");
         if (!guarded([&] { transition_body(transition); })) {
@@ -126,7 +126,7 @@ void Parser::transition_body(Transition& transition) {
         if (at_word("source")) (void)replace_foreign(ForeignPlace::clause);
         expect("from");
         transition.from = plain_name("the transition's source");
-        pass_separator("clauses of a transition are not separated by anything");
+        if (peek(1).is("to")) pass_separator("clauses of a transition are not separated by anything");
         if (at_word("target")) (void)replace_foreign(ForeignPlace::clause);
         expect("to");
         transition.to = plain_name("the transition's target");
@@ -135,9 +135,10 @@ void Parser::transition_body(Transition& transition) {
     int last = 0;
     std::array<std::size_t, 6> begins{};  // of each kind, the token
     while (!at("}") && !at_end()) {
-        const bool other_event =
-            at(",") && peek(1).kind == TokenKind::identifier && previous().kind != TokenKind::keyword;
-        if (!other_event) pass_separator("clauses of a transition are not separated by anything");
+        const Token next = peek(1);
+        const bool clause_follows = next.is("trigger") || next.is("probability") || next.is("#") || next.is("<{") ||
+                                    next.is("condition") || next.is("action") || next.is("}");
+        if (clause_follows) pass_separator("clauses of a transition are not separated by anything");
         if (at("}")) break;
         const std::size_t begin = at_;
         const int clause = transition_clause(transition);
