@@ -10,6 +10,7 @@ using diagnostics::Advice;
 
 constexpr std::array rows{
     Advice{"", "@ / /", "a comment begins with `--`, or stands between `{-` and `-}`"},
+    Advice{"", "/ @ *", "a comment begins with `--`, or stands between `{-` and `-}`"},
     Advice{"", "@ / *", "a comment begins with `--`, or stands between `{-` and `-}`"},
     Advice{"", "@ <-", "`<-` draws values from a set, in comprehensions and renamings; a prefix is written `a -> P`"},
     Advice{"'->'", "@ =>", "a prefix is written `a -> P`"},
