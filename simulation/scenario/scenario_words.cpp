@@ -36,7 +36,7 @@ constexpr std::string_view robot_item = "'radius', 'axle', 'wheel', 'noise', 'pl
 constexpr std::array advice{
     Advice{"'for'", "scenario NAME @", scenario_form},
     Advice{"'{'", "NAME @ .", "a module of a package is named `PACKAGE::MODULE`"},
-    Advice{"'{'", "for @", scenario_form},
+    Advice{"'{'", ":: NAME @", scenario_form},
     Advice{"a number", "robots @", "how many there are is said first: `robots 10 { ... }`"},
     Advice{"a number", "record @", "how often positions are recorded is said by `record 0.2 s`"},
     Advice{"a number", "@ =", value_form},
