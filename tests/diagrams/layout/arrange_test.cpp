@@ -161,7 +161,7 @@ TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
 
 /// Two choices from one state (1) whose outcomes all lead back to it, one of three (5) and one of two (6). A state that
 /// is added below the middle of all outcomes (4) would have the lines of two or three others beside it: these would
-/// change places. Above it there is room.
+/// change places. Above it there is space.
 TEST(Arrange, WhatIsAddedTurnsItsLineRoundWhereTheRestWouldChangeItsOrder) {
     Level level;
     level.boxes.resize(9);
