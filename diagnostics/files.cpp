@@ -150,6 +150,16 @@ std::string replace_file(const std::string& named, std::string_view text, Budget
 
 namespace {
 
+/// `./a.rct` as `a.rct`: of what is below the folder `.`.
+std::string shown_path(std::string path) {
+    while (path.size() > 2 && path.starts_with("./")) {
+        const std::size_t name = path.find_first_not_of('/', 1);
+        if (name == std::string::npos) break;
+        path.erase(0, name);
+    }
+    return path;
+}
+
 void gather(const fs::path& folder, bool deep, FilesBelow& result) {
     std::error_code code;
     fs::directory_iterator at(folder, code);
@@ -157,7 +167,7 @@ void gather(const fs::path& folder, bool deep, FilesBelow& result) {
         if (at->path().filename().string().starts_with(".")) continue;
         std::error_code status;
         if (!at->is_directory(status))
-            result.files.push_back(at->path().string());
+            result.files.push_back(shown_path(at->path().string()));
         else if (deep && !at->is_symlink(status))
             gather(at->path(), deep, result);
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "runs/interpreter.hpp"
+#include "runs/structure.hpp"
 #include "runs/timeline.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -122,8 +123,19 @@ std::string Stepper::reason(const ir::Transition& transition, const Standing& st
                        values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
 }
 
+/// Of a process that is no component of a model: the events that its parts offer and it does not.
+std::vector<Absence> Stepper::blocked() {
+    std::vector<Absence> result;
+    const std::optional<process::Behaviour>& whole = structure();
+    if (!whole) return result;
+    for (const Blocked& each : blocked_events(*whole, most_blocked))
+        result.push_back({each.component, reader_.name_of(each.event, process::no_event), each.reason, std::nullopt});
+    return result;
+}
+
 std::vector<Absence> Stepper::absences() {
     std::vector<Absence> result;
+    if (reader_.context().system.machines.empty()) return blocked();
     const std::set<std::string> offered = offered_elements();
     for (const Standing& standing : components()) {
         const std::vector<std::string>& active = standing.machine.active;

@@ -25,10 +25,11 @@ struct Offer {
     bool hidden = false;  ///< the environment does not see it
 };
 
-/// A transition that leaves an active state and is not on offer.
+/// A transition that leaves an active state and is not on offer; of a process, an event that one of its components
+/// offers and the whole does not.
 struct Absence {
     std::string component;
-    std::string text;    ///< "met: Driving -> Turning"
+    std::string text;    ///< "met: Driving -> Turning", "a.1"
     std::string reason;  ///< "its condition `x > 1` does not hold (x = 0)"
     std::optional<Place> place;
 
@@ -75,7 +76,8 @@ public:
     [[nodiscard]] std::vector<Machine> machines();
     /// The components of the process where it stands.
     [[nodiscard]] std::vector<Standing> components();
-    /// The transitions that leave active states and are not on offer, each with the reason.
+    /// The transitions that leave active states and are not on offer, each with the reason; of a process that is no
+    /// component of a model, the events that its parts offer and it does not, 200 at most.
     [[nodiscard]] std::vector<Absence> absences();
     /// The structure of the process where it stands, its operators down to the components; none where it cannot be
     /// evaluated. Good until the next step.
@@ -90,7 +92,10 @@ private:
     std::optional<std::vector<Offer>> offers_;
     std::optional<std::optional<process::Behaviour>> structure_;
 
+    static constexpr std::size_t most_blocked = 200;
+
     void move_to(process::TermId state);
+    [[nodiscard]] std::vector<Absence> blocked();
 
     [[nodiscard]] std::vector<Machine> machines_of(const std::vector<Standing>&) const;
     [[nodiscard]] std::set<std::string> offered_elements();

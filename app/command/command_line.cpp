@@ -72,7 +72,25 @@ void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
     sub->callback([&options, &row] { options.verb = row.verb; });
 }
 
-/// Where a first word is no verb, it is a model, unless there is none and a verb was meant.
+bool names_a_verb(const std::string& word) {
+    const std::vector<std::string> known = first_words();
+    return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+/// What a first word may have meant: the verbs, and what is in the current folder.
+std::vector<std::string> verbs_and_files() {
+    constexpr std::size_t most = 1000;
+    std::vector<std::string> names = first_words();
+    std::error_code code;
+    std::filesystem::directory_iterator at(".", code);
+    for (const std::filesystem::directory_iterator end; !code && at != end && names.size() < most; at.increment(code))
+        names.push_back(at->path().filename().string());
+    std::sort(names.begin(), names.end());  // what is nearest does not depend on the order in the folder
+    return names;
+}
+
+/// Where a first word is no verb, it is a model. A word that looks like a verb and names no file is wrong usage, as in
+/// git and cargo; one with a point, a separator or a capital letter is a path, which cannot be read.
 std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     const std::string& first = words.front();
     std::error_code ignored;
@@ -82,15 +100,9 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
         return wrong_usage(fmt::format("emit writes no '{}'{}", words[1], did_you_mean(words[1], known)), "emit");
     }
     const bool like_a_verb = first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
-    if (!like_a_verb || std::filesystem::exists(first, ignored)) return std::nullopt;
-    const std::string meant = did_you_mean(first, first_words());
-    if (meant.empty()) return std::nullopt;
-    return wrong_usage(fmt::format("there is no verb, file or folder '{}'{}", first, meant));
-}
-
-bool names_a_verb(const std::string& word) {
-    const std::vector<std::string> known = first_words();
-    return std::find(known.begin(), known.end(), word) != known.end();
+    if (!like_a_verb || names_a_verb(first) || std::filesystem::exists(first, ignored)) return std::nullopt;
+    return wrong_usage(
+        fmt::format("there is no verb, file or folder '{}'{}", first, did_you_mean(first, verbs_and_files())));
 }
 
 /// The verb that the parser has come to, "" for none, "emit" on the way.

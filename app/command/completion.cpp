@@ -1,10 +1,12 @@
-// Completions for bash, zsh and fish: verbs, the options of each, their choices, files and folders.
+// Completions for bash, zsh and fish: verbs, the options of each, their choices, codes of rules, files and folders.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/command/help.hpp"
+#include "app/command/rules.hpp"
 
 namespace robochart::app {
 namespace {
@@ -33,6 +35,14 @@ std::string quoted(std::string_view text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
+}
+
+/// The codes that `explain` knows, or those that `--allow` takes.
+std::string codes(bool warnings) {
+    std::set<std::string_view> found;
+    for (const diagnostics::Rule* rule : all_rules())
+        if (!warnings || rule->severity == diagnostics::Severity::warning) found.insert(rule->code);
+    return fmt::format("{}", fmt::join(found, " "));
 }
 
 std::vector<std::string> spellings(const OptionRow& row) {
@@ -67,6 +77,8 @@ std::string bash_argument(const Argument& argument) {
             return "<file>";
         case Kind::folder:
             return "<folder>";
+        case Kind::warning:
+            return "<warning>";
         default:
             return "<value>";
     }
@@ -86,6 +98,12 @@ std::string bash_arguments() {
 }
 
 constexpr std::string_view bash_function = R"text(
+# Codes by their beginning, in small letters too.
+_robochart_verify_code() {
+  mapfile -t COMPREPLY < <(compgen -W "$1" -- "$2")
+  [ "${#COMPREPLY[@]}" -gt 0 ] || mapfile -t COMPREPLY < <(compgen -W "$1" -- "${2^^}")
+}
+
 _robochart_verify() {
   local current="${COMP_WORDS[COMP_CWORD]}" before="" verb="" first=1 choices
   COMPREPLY=()
@@ -109,9 +127,14 @@ _robochart_verify() {
     '') ;;
     '<file>') mapfile -t COMPREPLY < <(compgen -f -- "$current"); return 0 ;;
     '<folder>') mapfile -t COMPREPLY < <(compgen -d -- "$current"); return 0 ;;
+    '<warning>') _robochart_verify_code "$_robochart_verify_warnings" "$current"; return 0 ;;
     '<value>') return 0 ;;
     *) mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$current"); return 0 ;;
   esac
+  if [ "$verb" = explain ] && [[ "$current" != -* ]]; then
+    _robochart_verify_code "$_robochart_verify_codes" "$current"
+    return 0
+  fi
   case "$current" in
     -*) mapfile -t COMPREPLY < <(compgen -W "$(_robochart_verify_options "$verb")" -- "$current") ;;
     *)
@@ -136,9 +159,11 @@ complete -o filenames -F _robochart_verify robochart-verify
 
 std::string bash_completion() {
     return made_for("bash") +
-           fmt::format("_robochart_verify_verbs={}\n_robochart_verify_emitted={}\n\n",
+           fmt::format("_robochart_verify_verbs={}\n_robochart_verify_emitted={}\n",
                        quoted(fmt::format("{}", fmt::join(first_words(), " "))),
                        quoted(fmt::format("{}", fmt::join(emitted_things(), " ")))) +
+           fmt::format("_robochart_verify_codes={}\n_robochart_verify_warnings={}\n\n", quoted(codes(false)),
+                       quoted(codes(true))) +
            "# The options of a verb.\n" + bash_options() +
            "\n# What a verb's option takes: its choices, or of which kind it is; nothing if it takes no word.\n" +
            bash_arguments() + std::string(bash_function);
@@ -160,6 +185,8 @@ std::string zsh_argument(const Argument& argument) {
         out = fmt::format(":{}:_files", message);
     else if (argument.kind == Kind::folder)
         out = fmt::format(":{}:_files -/", message);
+    else if (argument.kind == Kind::warning)
+        out = fmt::format(":{}:_robochart-verify_warnings", message);
     else
         out = fmt::format(":{}: ", message);
     return blank == std::string::npos ? out : out + fmt::format(":{}: ", name.substr(blank + 1));
@@ -183,7 +210,7 @@ std::string zsh_input(const VerbRow& verb) {
     const std::string_view input = verb.input;
     if (input.empty()) return "";
     if (verb.verb == Verb::help) return " \\\n        '1:verb:_robochart-verify_verbs'";
-    if (verb.verb == Verb::explain) return " \\\n        '*:code: '";
+    if (verb.verb == Verb::explain) return " \\\n        '*:code:_robochart-verify_codes'";
     const std::string name(input.substr(0, input.find('.')));
     return fmt::format(" \\\n        {}",
                        quoted(fmt::format("{}:{}:_files", input.ends_with("...") ? "*" : "1", name)));
@@ -206,6 +233,9 @@ std::string zsh_completion() {
            "  )\n  _describe -t verbs verb verbs\n}\n";
     out += "\n_robochart-verify_emitted() {\n  local -a verbs\n  verbs=(\n" + zsh_verbs("emit") +
            "  )\n  _describe -t verbs 'what is written' verbs\n}\n";
+    for (const bool warnings : {false, true})
+        out += fmt::format("\n_robochart-verify_{}() {{\n  compadd -M 'm:{{a-z}}={{A-Z}}' -- {}\n}}\n",
+                           warnings ? "warnings" : "codes", codes(warnings));
     out += R"text(
 _robochart-verify() {
   local verb="$words[2]"
@@ -265,6 +295,8 @@ std::string fish_option(const OptionRow& row) {
         out += " -r -F";
     else if (row.argument.kind == Kind::folder)
         out += " -x -a '(__fish_complete_directories)'";
+    else if (row.argument.kind == Kind::warning)
+        out += fmt::format(" -x -a {}", fish_quoted(codes(true)));
     else if (row.argument.kind != Kind::none)
         out += " -x";
     return out + fmt::format(" -d {}\n", fish_quoted(row.help));
@@ -307,6 +339,8 @@ std::string fish_completion() {
                            row.name, fish_quoted(row.summary));
     out += fmt::format("complete -c robochart-verify -n '__robochart_verify_is none help' -a emit -d {}\n",
                        fish_quoted(emit_summary));
+    out += fmt::format("complete -c robochart-verify -f -n '__robochart_verify_is explain' -a {}\n",
+                       fish_quoted(codes(false)));
     for (const OptionRow& row : option_table()) out += fish_option(row);
     return out;
 }

@@ -19,8 +19,9 @@
 
 namespace robochart::app {
 
+/// On a line of its own the process is all that findings show.
 cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
-    const auto source = loaded.sources.add(origin, "assert (" + process + "\n) :[divergence free]\n");
+    const auto source = loaded.sources.add(origin, "assert (\n" + process + "\n) :[divergence free]\n");
     cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
     if (!loaded.diagnostics.ok() || read.decls.size() != 1) return nullptr;
     loaded.script.decls.push_back(read.decls.front());

@@ -23,6 +23,7 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "checker/process/operational_semantics.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/splitmix64.hpp"
 #include "runs/stepper.hpp"
@@ -72,6 +73,8 @@ private:
     void until(const std::string& text);
     void why(const std::string& text);
     void find(const std::string& text);
+    [[nodiscard]] std::string leads_to(std::size_t offer);
+    bool list_offers(const std::string& text);  ///< those with this text; false if there is none
     void watch(const std::string& name);
     void way(const std::string&);
     void tree(const std::string&);
@@ -132,9 +135,20 @@ void Console::show() {
         print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.here()));
     const std::vector<runs::Offer>& offers = stepper_.offers();
     for (std::size_t i = 0; i < offers.size(); ++i)
-        print("{:>4}  {}{}{}\n", i + 1, offers[i].hidden ? "(hidden) " : "", text_of(offers[i]),
+        print("{:>4}  {}{}{}{}\n", i + 1, offers[i].hidden ? "(hidden) " : "", text_of(offers[i]), leads_to(i),
               place_of(offers[i].happening.event.place));
     if (offers.empty()) print("      nothing can happen any more\n");
+}
+
+/// Of a process of a script, where several offers have the same text: "   to STOP".
+std::string Console::leads_to(std::size_t offer) {
+    const std::vector<runs::Offer>& offers = stepper_.offers();
+    const auto same = [&](const runs::Offer& each) {
+        return each.hidden == offers[offer].hidden && text_of(each) == text_of(offers[offer]);
+    };
+    if (stepped_.project || std::count_if(offers.begin(), offers.end(), same) == 1) return "";
+    process::TermStore& terms = stepper_.reader().context().session.terms();
+    return "   to " + process::describe(terms, offers[offer].step.target);
 }
 
 bool Console::take(const std::string& word) {
@@ -230,15 +244,29 @@ void Console::why(const std::string& text) {
         print("  {}: {}: {}{}\n", each.component, each.text, each.reason, place_of(each.place));
         ++shown;
     }
-    if (shown == 0)
+    if (shown > 0) return;
+    if (stepped_.project)
         print("  {}\n", text.empty() ? "every transition that leaves an active state is on offer"
                                      : "no other transition that leaves an active state has this text");
+    else if (text.empty())
+        print("  every event that a component offers is on offer\n");
+    else if (!list_offers(text))
+        print("  no component offers an event with this text (`tree` shows what each offers)\n");
 }
 
 void Console::find(const std::string& text) {
+    list_offers(text);
+}
+
+bool Console::list_offers(const std::string& text) {
+    bool found = false;
     const std::vector<runs::Offer>& offers = stepper_.offers();
-    for (std::size_t i = 0; i < offers.size(); ++i)
-        if (text_of(offers[i]).find(text) != std::string::npos) print("{:>4}  {}\n", i + 1, text_of(offers[i]));
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        if (text_of(offers[i]).find(text) == std::string::npos) continue;
+        print("{:>4}  {}{}\n", i + 1, text_of(offers[i]), leads_to(i));
+        found = true;
+    }
+    return found;
 }
 
 void Console::way(const std::string&) {
@@ -292,7 +320,8 @@ const std::vector<Console::Command>& Console::commands() {
         {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first", &Console::tock},
         {"random", "[N]", "take N offers by chance, one without N", &Console::random},
         {"until", "TEXT", "take offers by chance until a state, a value or an event with this text", &Console::until},
-        {"why", "[TEXT]", "why transitions that leave active states are not on offer", &Console::why},
+        {"why", "[TEXT]", "why transitions that leave active states, or events of components, are not on offer",
+         &Console::why},
         {"find", "TEXT", "the offers with this text", &Console::find},
         {"watch", "[NAME]", "show this variable alone; all without NAME", &Console::watch},
         {"way", "", "how it has come here", &Console::way},

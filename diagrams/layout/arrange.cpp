@@ -95,18 +95,54 @@ std::vector<Part> parts_of(const Level& level) {
     return parts;
 }
 
-Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* budget) {
+/// A graph whose layers are in order.
+struct Layered {
     Graph graph;
-    graph.level = &level;
-    graph.turned = turned;
-    graph.budget = budget;
-    break_cycles(graph);
-    assign_layers(graph);
-    make_nodes(graph);
-    order_layers(graph);
-    place_nodes(graph);
-    place_tracks(graph);
-    return placement_of(graph);
+    Ordered ordered;
+};
+
+Layered layered(const Level& level, bool turned, Cycles cycles, diagnostics::Budget* budget) {
+    Layered result;
+    result.graph.level = &level;
+    result.graph.turned = turned;
+    result.graph.budget = budget;
+    break_cycles(result.graph, cycles);
+    assign_layers(result.graph);
+    make_nodes(result.graph);
+    result.ordered = order_layers(result.graph);
+    return result;
+}
+
+/// Larger ones are laid out once.
+constexpr std::size_t most_nodes_twice = 250;
+
+/// What was there before an edit is in the same layers.
+bool same_layers(const Level& level, const Graph& one, const Graph& other) {
+    for (std::size_t b = 0; b < level.boxes.size(); ++b)
+        if (level.boxes[b].previous && one.layer_of_box[b] != other.layer_of_box[b]) return false;
+    return true;
+}
+
+/// Where edges cross that need not if others are turned round, these are turned; where what an edit has added would
+/// make the rest change its order, the edges of what was added are.
+Layered best_layered(const Level& level, bool turned, diagnostics::Budget* budget) {
+    Layered found = layered(level, turned, Cycles::text, budget);
+    const bool edited =
+        std::any_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return box.previous.has_value(); });
+    const bool good = edited ? found.ordered.as_before : found.ordered.crossings == 0;
+    if (good || found.graph.nodes.size() > most_nodes_twice) return found;
+    Layered other = layered(level, turned, edited ? Cycles::kept : Cycles::few, budget);
+    const bool better = edited ? other.ordered.as_before && other.ordered.crossings <= found.ordered.crossings &&
+                                     same_layers(level, found.graph, other.graph)
+                               : other.ordered.crossings < found.ordered.crossings;
+    return better ? std::move(other) : std::move(found);
+}
+
+Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* budget) {
+    Layered found = best_layered(level, turned, budget);
+    place_nodes(found.graph);
+    place_tracks(found.graph);
+    return placement_of(found.graph);
 }
 
 /// Where a part goes.

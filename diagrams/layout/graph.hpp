@@ -77,14 +77,25 @@ struct Graph {
     }
 };
 
+/// How it is decided which edges of a cycle are drawn against their direction.
+enum class Cycles {
+    text,  ///< those that lead back in a search in depth, in the order of the text
+    few,   ///< few, by the greedy heuristic of Eades, Lin and Smyth
+    kept,  ///< as `text`, and those that join what an edit has added to what was there before
+};
 /// Decides which edges are drawn against their direction, so that none of the others are on a cycle.
-void break_cycles(Graph& graph);
+void break_cycles(Graph& graph, Cycles cycles);
 /// Gives each box its layer: each edge leads downwards.
 void assign_layers(Graph& graph);
 /// Makes the nodes and links of all edges, and decides on which side ports are. Throws TooLarge.
 void make_nodes(Graph& graph);
+/// How layers were ordered.
+struct Ordered {
+    std::size_t crossings = 0;
+    bool as_before = true;  ///< what was there before an edit has kept its order
+};
 /// Orders the nodes of each layer so that few edges cross.
-void order_layers(Graph& graph);
+Ordered order_layers(Graph& graph);
 /// Gives every node its x, and every link the x of its ends.
 void place_nodes(Graph& graph);
 /// Gives every layer its y, and every link its tracks.

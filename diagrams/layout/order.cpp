@@ -35,21 +35,24 @@ public:
         }
     }
 
-    void run() {
+    Ordered run() {
         const Effort effort = effort_for(nodes_.size());
         Layers best;
         std::size_t fewest = SIZE_MAX;
-        if (keep_order()) {
+        const bool known = keep_order();
+        if (known) {
             const std::size_t crossing = crossings();
             fewest = crossing - std::min(crossing, 2 + crossing / 4);  // what is kept may be a little worse
             best = graph_.layers;
         }
+        const Layers before = known ? best : Layers();
         for (std::size_t start = 0; start < effort.starts && fewest > 0; ++start) {
             begin(start);
             improve(effort, best, fewest);
         }
         graph_.layers = best;
         number();
+        return {crossings(), !known || best == before};
     }
 
 private:
@@ -275,8 +278,8 @@ private:
 
 }  // namespace
 
-void order_layers(Graph& graph) {
-    Ordering(graph).run();
+Ordered order_layers(Graph& graph) {
+    return Ordering(graph).run();
 }
 
 }  // namespace robochart::diagrams::layout

@@ -32,7 +32,7 @@ constexpr std::string_view to_end = "an `if` ends with `end`";
 constexpr std::string_view to_operation =
     "what a machine calls is declared in an interface, and defined by `operation`";
 
-constexpr std::array<ForeignWord, 91> rows{{
+constexpr std::array<ForeignWord, 107> rows{{
     {"statemachine", declaration, "stm", to_machine},
     {"StateMachine", declaration, "stm", to_machine},
     {"state_machine", declaration, "stm", to_machine},
@@ -48,6 +48,7 @@ constexpr std::array<ForeignWord, 91> rows{{
     {"def", declaration, "function", "a function of values is a `function`, what machines call an `operation`"},
     {"procedure", declaration, "operation", to_operation},
     {"robot", declaration, "", "the robot is declared by `robotic platform` and its name"},
+    {"platform", declaration, "", "the robot is declared by `robotic platform` and its name"},
     {"endmodule", declaration, "", "what is declared stands in braces: `module M { ... }`"},
 
     {"statemachine", member, "stm", to_machine},
@@ -67,6 +68,14 @@ constexpr std::array<ForeignWord, 91> rows{{
     {"choice", member, "junction", "a choice between conditions is a `junction`"},
     {"edge", member, "transition", "a step from one state to another is a `transition`"},
     {"trans", member, "transition", "a step from one state to another is a `transition`"},
+    {"let", member, "var", "a variable is declared by `var`"},
+    {"void", member, "", "an operation has a name and parameters, and no result", true},
+    {"operation", member, "", "in an interface an operation is declared by its name and parameters", true},
+    {"implements", member, "",
+     "a platform `provides` an interface, a machine `requires` its operations and `uses` its events"},
+    {"history", member, "", "there is no history: a state is entered at its initial junction"},
+    {"fork", member, "", "there are no regions: machines of one controller run side by side"},
+    {"join", member, "", "there are no regions: machines of one controller run side by side"},
     {";", member, "", "members are not separated by anything", true},
     {",", member, "", "members are not separated by anything", true},
 
@@ -82,6 +91,8 @@ constexpr std::array<ForeignWord, 91> rows{{
     {"onexit", state_part, "exit", to_exit},
     {"onExit", state_part, "exit", to_exit},
     {"leave", state_part, "exit", to_exit},
+    {"region", state_part, "", "there are no regions: machines of one controller run side by side"},
+    {"within", state_part, "", "a statement that is over within n time units is `S <{ n }`"},
     {"invariant", state_part, "",
      "a state has no invariant: a transition whose condition asks a clock leaves it in time"},
 
@@ -112,6 +123,8 @@ constexpr std::array<ForeignWord, 91> rows{{
     {"while", statement, "", no_loop},
     {"for", statement, "", no_loop},
     {"repeat", statement, "", no_loop},
+    {"return", statement, "", "an operation has no result: it ends in a `final` state"},
+    {"goto", statement, "", "another state is entered by a transition"},
 
     {"endif", if_end, "end", to_end},
     {"fi", if_end, "end", to_end},
@@ -125,10 +138,14 @@ constexpr std::array<ForeignWord, 91> rows{{
     {"sleep", operation, "wait", to_wait},
     {"Wait", operation, "wait", to_wait},
     {"pause", operation, "wait", to_wait},
+    {"print", operation, "", "what the robot shows is an operation that its platform provides"},
+    {"printf", operation, "", "what the robot shows is an operation that its platform provides"},
+    {"log", operation, "", "what the robot shows is an operation that its platform provides"},
 
     {"null", event, "skip", to_skip},
     {"nop", event, "skip", to_skip},
     {"pass", event, "skip", to_skip},
+    {"return", event, "", "an operation has no result: it ends in a `final` state"},
 
     {"True", value, "true", "truth values are `true` and `false`"},
     {"False", value, "false", "truth values are `true` and `false`"},
@@ -156,6 +173,187 @@ constexpr std::array<ForeignWord, 17> types{{
     {"String", type, "string", "the type of texts is `string`"},
 }};
 
+using diagnostics::Advice;
+
+constexpr std::string_view clock_form = "a clock is declared by its name alone, `clock C`: it counts time units from 0";
+constexpr std::string_view transition_form =
+    "a transition has the form `transition t { from A to B trigger e condition c action a }`; only `from` and `to` are "
+    "needed";
+constexpr std::string_view state_form = "a state has the form `state S { entry a }`; its braces may be empty";
+constexpr std::string_view async_form = "a connection that does not wait ends with `(_async)`";
+constexpr std::string_view initial_form =
+    "a machine begins at a junction of its own: `initial i`, and `transition t { from i to S }`";
+constexpr std::string_view one_trigger = "a transition awaits one event: another one has a transition of its own";
+constexpr std::string_view trigger_form =
+    "an event is awaited by `trigger e`, its value is put into a variable by `trigger e?x`";
+constexpr std::string_view assignment_form = "an assignment is written `x = e`";
+constexpr std::string_view no_unit =
+    "a number has decimal digits and no unit: durations are counted in time units (how long one is, scenarios and "
+    "platforms say)";
+constexpr std::string_view point_form = "there are digits on both sides of the point: `0.5`, `1.0`";
+constexpr std::string_view no_range =
+    "a type has no range: which values are checked is said by `--range T=0..5`, or by a block Instantiations";
+constexpr std::string_view comment_form = "a comment begins with `//`";
+constexpr std::string_view hash_form = "a comment begins with `//`; clocks are reset in transitions and actions";
+constexpr std::string_view enumeration_form = "an enumeration has the form `enumeration E { A B }`";
+constexpr std::string_view record_form = "a type with fields has the form `datatype D { x : int y : real }`";
+constexpr std::string_view machine_form = "a state machine has the form `stm S { ... }`, without parameters or parents";
+constexpr std::string_view reference_form =
+    "a part declared elsewhere is referred to by `sref s = S` (machine), `cref c = C` (controller), `rref r = R` "
+    "(platform)";
+constexpr std::string_view connection_form = "a connection has the form `connection a on e to b on f`";
+constexpr std::string_view parameter_form = "a parameter is written `x : int`";
+constexpr std::string_view if_form = "an `if` has the form `if c then S else T end`";
+constexpr std::string_view to_more_if =
+    "another `if` stands in the `else`, with an `end` of its own: `else if c then S end end`";
+constexpr std::string_view assertion_form =
+    "an assertion has the form `assertion A : P::M is deadlock-free` or `assertion A : P::M refines Q`";
+constexpr std::string_view one_claim = "each claim is an assertion of its own, which nothing ends but the next one";
+constexpr std::string_view property_form = "a property stands behind `is`: `P::M is deadlock-free`";
+constexpr std::string_view reachable_form = "this is claimed by `P::S::A is reachable in P::S`, or `is not reachable`";
+constexpr std::string_view refinement_form =
+    "`P refines Q` claims that P does only what Q does, `P equals Q` that both do the same";
+constexpr std::string_view csp_form =
+    "what must happen when is said by a process: `csp Q csp-begin ... csp-end`, and `assertion A : P::M refines Q` "
+    "(docs/claims-in-csp.md)";
+constexpr std::string_view probability_form =
+    "probabilities are asked for by `prob property A : Prob=? of [Finally ...]` (docs/assertions.md)";
+constexpr std::string_view path_form = "a path is `Finally p`, `Globally p`, `Next p` or `p Until q`";
+constexpr std::string_view constant_form = "constants are set by `with constant c of P::S set to 3`";
+constexpr std::string_view model_form = "a model is named in full: `in the traces model`";
+constexpr std::string_view block_form = "a block has the form `csp NAME csp-begin ... csp-end`";
+constexpr std::string_view time_form = "`timed` and `untimed` stand in front: `timed assertion A : ...`";
+constexpr std::string_view any_member = "`assertion`, `csp` or `import`";
+constexpr std::string_view any_claim = "`is`, `does`, `terminates`, `refines` or `equals`";
+constexpr std::string_view any_property = "a property such as `deadlock-free`";
+
+constexpr std::array forms{
+    // Assertions.
+    Advice{any_member, "@ assert", assertion_form},
+    Advice{any_member, "@ check", assertion_form},
+    Advice{any_member, "@ property", assertion_form},
+    Advice{any_member, "untimed @", time_form},
+    Advice{any_member, "timed @", time_form},
+    Advice{any_member, "@ NAME [ ]", csp_form},
+    Advice{any_member, "@ NAME < >", csp_form},
+    Advice{any_member, "@ NAME = ?", probability_form},
+    Advice{any_member, "@ ;", one_claim},
+    Advice{any_member, "@ ,", one_claim},
+    Advice{any_member, "@ and", one_claim},
+    Advice{any_member, "@ where", constant_form},
+    Advice{"`:`", "assertion timed @", time_form},
+    Advice{"`:`", "assertion untimed @", time_form},
+    Advice{"`:`", "assertion NAME @", assertion_form},
+    Advice{any_claim, "@ deadlock", property_form},
+    Advice{any_claim, "@ divergence", property_form},
+    Advice{any_claim, "@ deterministic", property_form},
+    Advice{any_claim, "@ reachable", property_form},
+    Advice{any_claim, "NAME @ .", "what is in a package or component is named `P::M`"},
+    Advice{any_claim, "@ reaches", reachable_form},
+    Advice{any_claim, "@ [", refinement_form},
+    Advice{any_claim, "@ ==", refinement_form},
+    Advice{any_claim, "@ =", refinement_form},
+    Advice{any_claim, "NAME @ (", csp_form},
+    Advice{"`terminate` or `refine`", "@ deadlock", property_form},
+    Advice{any_property, "@ livelock", "a model without livelock is `divergence-free`"},
+    Advice{any_property, "@ deadlock_free", "it is written `deadlock-free`, with a hyphen"},
+    Advice{any_property, "@ divergence_free", "it is written `divergence-free`, with a hyphen"},
+    Advice{any_property, "@ never", reachable_form},
+    Advice{any_property, "@ reached", reachable_form},
+    Advice{any_property, "@ equivalent", refinement_form},
+    Advice{any_property, "@ clock", "clocks are named: `assertion A : clock P::S::C is initialised`"},
+    Advice{"`in`", "reachable @", reachable_form},
+    Advice{"`is`", "event NAME @ missed", "missed events are claimed by `event E is not missed in P::S`"},
+    Advice{"`the`", "in @", model_form},
+    Advice{"`of`", "constant NAME @", constant_form},
+    Advice{"`csp-begin`", "@", block_form},
+    Advice{"the block's name", "@", block_form},
+    Advice{"`]`", "[ eventually @", path_form},
+    Advice{"`]`", "[ always @", path_form},
+    Advice{"`]`", "[ F @", path_form},
+    Advice{"`]`", "[ G @", path_form},
+    // Declarations.
+    Advice{"", "package NAME @ {", "the package is named once, at the head of the file, without braces: `package p`"},
+    Advice{"", "import @ TEXT",
+           "files of a folder are read together; `import p::*` makes the names of a package known"},
+    Advice{"", "type NAME @ =", "a type of its own is `type T`; types have no second names"},
+    Advice{"", "enumeration NAME @", enumeration_form},
+    Advice{"", "datatype NAME @", record_form},
+    Advice{"", "clock NAME @ =", clock_form},
+    Advice{"", "clock NAME @ :", clock_form},
+    Advice{"", "stm NAME @", machine_form},
+    Advice{"", "var NAME @ =", "a variable has a type: `var x : nat = 0`"},
+    Advice{"", "const NAME @ =", "a constant has a type: `const c : nat = 3`"},
+    Advice{"", ": NAME @ [", "a sequence is of type `Seq(nat)`, a vector of 5 numbers of type `vector(real, 5)`"},
+    Advice{"", ": NAME @ NUMBER", no_range},
+    Advice{"a type", ": @ [", no_range},
+    Advice{"a type", ": @ NUMBER", no_range},
+    Advice{"`:` and a type", "( NAME @", parameter_form},
+    Advice{"`:` and a type", ", NAME @", parameter_form},
+    Advice{"", ") @ :", "an operation has no result: a value comes back by an event or a shared variable"},
+    Advice{"a member of a controller", "@ NAME NAME", reference_form},
+    Advice{"`=`", "sref NAME @", reference_form},
+    Advice{"`=`", "cref NAME @", reference_form},
+    Advice{"`=`", "rref NAME @", reference_form},
+    Advice{"`on`", "connection NAME @", connection_form},
+    Advice{"the name of a component", "connection @", connection_form},
+    Advice{"`mult`", "[ @ async", async_form},
+    Advice{"`mult`", "[ @ _async", async_form},
+    // Nodes and transitions.
+    Advice{"a name", "transition @", transition_form},
+    Advice{"`{`", "transition NAME @", transition_form},
+    Advice{"", "@ [ * ]", initial_form},
+    Advice{"a name", "initial @", initial_form},
+    Advice{"", "@ NAME ->", transition_form},
+    Advice{"", "NAME @ ->", transition_form},
+    Advice{"a name", "probabilistic @", "a junction has a name: `probabilistic p`"},
+    Advice{"a name", "state @", state_form},
+    Advice{"`{`", "state NAME @", state_form},
+    Advice{"", "trigger after @", to_clock},
+    Advice{"", "trigger NAME @ , NAME", one_trigger},
+    Advice{"", "trigger NAME @ or", one_trigger},
+    Advice{"", "trigger NAME @ ||", one_trigger},
+    Advice{"", "trigger NAME @ \\/", one_trigger},
+    Advice{"", "trigger NAME @ (", trigger_form},
+    Advice{"", "trigger @ !", "behind `trigger` stands what is awaited; what is sent stands behind `action`"},
+    // Statements and expressions.
+    Advice{"", "NAME @ ==", assignment_form},
+    Advice{"", "NAME @ <-", assignment_form},
+    Advice{"", "NAME @ < -", assignment_form},
+    Advice{"a statement", "@ !", to_send},
+    Advice{"", "send NAME @ to", "where an event goes is said by the connections of controller and module"},
+    Advice{"`then`", "@", if_form},
+    Advice{"", "@ elif", to_more_if},
+    Advice{"", "@ elsif", to_more_if},
+    Advice{"", "@ elseif", to_more_if},
+    Advice{"", "wait @", to_wait},
+    Advice{"", "since @", "the time since clock C was reset is `since(C)`"},
+    Advice{"", "sinceEntry @", "the time since state S was entered is `sinceEntry(S)`"},
+    Advice{"", "sinceEntry ( @", "the time since state S was entered is `sinceEntry(S)`"},
+    Advice{"", "@ ?", "a choice between values is `if c then a else b end`"},
+    Advice{"an expression", "* @ *", "there is no operator for powers: `x * x`"},
+    Advice{"an expression", "@ |", "there is no sign for the absolute value: `if x < 0 then -x else x end`"},
+    Advice{"an expression", "@ .", point_form},
+    Advice{"the name of a field", "NUMBER . @", point_form},
+    Advice{"", "NUMBER % @", "`%` is the remainder; a share is a number from 0 to 1: `0.5`"},
+    Advice{"", "NUMBER @ s", no_unit},
+    Advice{"", "NUMBER @ ms", no_unit},
+    Advice{"", "NUMBER @ sec", no_unit},
+    Advice{"", "NUMBER @ seconds", no_unit},
+    Advice{"", "NUMBER @ min", no_unit},
+    Advice{"", "NUMBER @ time", no_unit},
+    Advice{"", "NUMBER @ deg", no_unit},
+    Advice{"", "NUMBER @ cm", no_unit},
+    Advice{"", "NUMBER @ m", no_unit},
+    Advice{"", "- - NAME @", comment_form},
+    Advice{"a declaration", "@ - -", comment_form},
+    Advice{any_member, "@ - -", comment_form},
+    Advice{"a declaration", "@ #", comment_form},
+    Advice{any_member, "@ #", comment_form},
+    Advice{"a member of a state machine", "@ #", hash_form},
+    Advice{"a node, transition or action of the state", "@ #", hash_form},
+};
+
 constexpr auto table = [] {
     std::array<ForeignWord, rows.size() + types.size()> all{};
     std::copy(rows.begin(), rows.end(), all.begin());
@@ -167,6 +365,29 @@ constexpr auto table = [] {
 
 std::span<const ForeignWord> foreign_words() {
     return table;
+}
+
+std::span<const Advice> foreign_forms() {
+    return forms;
+}
+
+diagnostics::AdviceWord advice_word(const TokenList& tokens, std::ptrdiff_t index) {
+    using enum diagnostics::WordKind;
+    if (index < 0 || index >= std::ssize(tokens)) return {end, {}};
+    const Token token = tokens[static_cast<std::size_t>(index)];
+    switch (token.kind) {
+        case TokenKind::end:
+            return {end, {}};
+        case TokenKind::identifier:
+            return {name, token.escaped ? std::string_view() : token.text};
+        case TokenKind::integer:
+        case TokenKind::real:
+            return {number, token.text};
+        case TokenKind::string:
+            return {text, token.text};
+        default:
+            return {other, token.text};
+    }
 }
 
 const ForeignWord* foreign_word(std::string_view word, ForeignPlace place) {

@@ -1,9 +1,14 @@
 // Words of other notations (UML and SCXML, Stateflow, UPPAAL, PRISM, programming languages) that people write in
-// models, with what RoboChart has instead: one table for the reader and for the resolution of names.
+// models, with what RoboChart has instead: one table for the reader and for the resolution of names; and a table of
+// forms of several words, for the reader.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
+
+#include "diagnostics/advice/advice.hpp"
+#include "frontend/syntax/lexer.hpp"
 
 namespace robochart::frontend {
 
@@ -36,5 +41,10 @@ struct ForeignWord {
 [[nodiscard]] const ForeignWord* foreign_word(std::string_view word, ForeignPlace place);
 /// All rows, for the tests.
 [[nodiscard]] std::span<const ForeignWord> foreign_words();
+
+/// What is said beside a syntax error about a form that is of another notation, or not complete.
+[[nodiscard]] std::span<const diagnostics::Advice> foreign_forms();
+/// A word of a text for tables of advice; outside the text its end.
+[[nodiscard]] diagnostics::AdviceWord advice_word(const TokenList&, std::ptrdiff_t index);
 
 }  // namespace robochart::frontend

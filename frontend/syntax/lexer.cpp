@@ -122,6 +122,7 @@ private:
     void string();
     bool symbol();
     void unexpected();
+    bool mathematical();
     void token();
     bool too_long();
 
@@ -246,7 +247,9 @@ void Lexer::string() {
     while (at_ < text_.size() && text_[at_] != quote) at_ += text_[at_] == '\\' ? 2U : 1U;
     if (at_ >= text_.size()) {
         at_ = begin + 1;
-        out_.report(syntax::open_string, span_from(begin));
+        diagnostics::Diagnostic& finding = out_.report(syntax::open_string, span_from(begin));
+        if (quote == '\'' && begin > 0 && (is_letter(text_[begin - 1]) || is_digit(text_[begin - 1])))
+            finding.notes.push_back({{}, "names have no prime: an assignment is written `x = e`"});
         at_ = std::min(text_.size(), text_.find_first_of("\r\n", begin));
     } else {
         ++at_;
@@ -264,6 +267,36 @@ bool Lexer::symbol() {
         return true;
     }
     return false;
+}
+
+/// A sign of printed mathematics: reported with RoboChart's own, and read as that.
+bool Lexer::mathematical() {
+    struct Sign {
+        std::string_view written;
+        std::string_view own;
+    };
+    constexpr std::array<Sign, 9> signs{{{"\u2264", "<="},
+                                         {"\u2265", ">="},
+                                         {"\u2260", "!="},
+                                         {"\u2227", "/\\"},
+                                         {"\u2228", "\\/"},
+                                         {"\u00AC", "not"},
+                                         {"\u2192", "->"},
+                                         {"\u00D7", "*"},
+                                         {"\u2212", "-"}}};
+    const auto* const sign =
+        std::find_if(signs.begin(), signs.end(), [&](const Sign& each) { return starts(each.written); });
+    if (sign == signs.end()) return false;
+    const std::size_t begin = at_;
+    at_ += sign->written.size();
+    const bool word = sign->own == "not";
+    out_.report(syntax::strange_character, span_from(begin), {std::string(sign->written)})
+        .fixes.push_back({span_from(begin), word ? "not " : std::string(sign->own), "write"});
+    const std::size_t index = stream_.tokens.size();
+    add(word ? TokenKind::keyword : TokenKind::symbol, begin);
+    if (stream_.tokens.size() > index)
+        stream_.tokens.correct(index, word ? TokenKind::keyword : TokenKind::symbol, sign->own);
+    return true;
 }
 
 /// A run of bytes that begin no word is one mistake, with the rest of the name that it stands in.
@@ -288,7 +321,7 @@ void Lexer::token() {
     if (is_letter(c) || (c == '^' && is_letter(peek(1)))) return word();
     if (is_digit(c)) return number();
     if (c == '"' || c == '\'') return string();
-    if (!symbol()) unexpected();
+    if (!symbol() && !mathematical()) unexpected();
 }
 
 bool Lexer::too_long() {

@@ -222,9 +222,17 @@ diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span
         throw GiveUp{};
     }
     const std::string what = &rule == &syntax::unexpected ? arguments.front() : std::string();
+    const std::string_view advice = what.empty() ? std::string_view() : form_meant(what);
     diagnostics::Diagnostic& finding = out_.report(rule, span, std::move(arguments));
     if (!what.empty()) point_to_open(what, finding);
+    if (!advice.empty()) finding.notes.push_back({{}, std::string(advice)});
     return &finding;
+}
+
+std::string_view Parser::form_meant(std::string_view expected) const {
+    return diagnostics::advice_on(foreign_forms(), expected, [this](std::ptrdiff_t ahead) {
+        return advice_word(tokens_, static_cast<std::ptrdiff_t>(at_) + ahead);
+    });
 }
 
 /// The brace before this place that no other closes. Where a closing brace stands further left than the line of the
@@ -450,6 +458,10 @@ bool Parser::closes_missing_brace(unsigned members) const {
                                                             "sref", "cref",      "rref",       "connection"};
     constexpr std::array<std::string_view, 8> context_words = {"uses",  "requires", "provides",   "var",
                                                                "const", "event",    "_broadcast", "clock"};
+    // In an interface, `operation f()` without a body is a member with a word too many.
+    const bool signature = members == context_members && at("operation") && peek(2).is("(");
+    if (signature)
+        if (const auto behind = behind_brackets(2); behind && !peek(*behind).is("{")) return false;
     const bool holds_parts = (members & (controller_members | module_members)) != 0;
     const bool holds_context = (members & context_members) != 0;
     return (!holds_parts && among(peek(), part_words)) ||

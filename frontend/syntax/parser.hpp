@@ -97,6 +97,8 @@ private:
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
     /// Where a closing bracket was expected: a note at the opening one, if that is on another line.
     void point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const;
+    /// What foreign_forms() says of the words here; "" where no row fits.
+    [[nodiscard]] std::string_view form_meant(std::string_view expected) const;
     [[nodiscard]] std::optional<std::size_t> unclosed_brace(bool& by_indentation) const;
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
@@ -107,6 +109,10 @@ private:
     /// A word of another notation: reported with what RoboChart has instead, which is put in its place or, where that
     /// is not one word, thrown. False: it is none.
     bool replace_foreign(ForeignPlace place);
+    /// A word that nothing stands for in RoboChart: reported, with a fix that leaves it out, and passed.
+    void pass_superfluous(std::string_view reason);
+    /// `:` or `=` behind the word that begins a clause or an action.
+    void pass_sign_behind_word();
     /// The same for words that stand side by side.
     void replace_two_words(std::string_view instead, std::string_view reason);
     [[nodiscard]] bool state_machine_words();
@@ -121,6 +127,12 @@ private:
     StmtPtr clock_set_to_zero();
     [[nodiscard]] bool names_clock(std::string_view word) const;
     StmtPtr braced_if(StmtPtr begun);
+    StmtPtr braced_statement();
+    void bracketed_event(Event& event);
+    void clock_with_value();
+    [[nodiscard]] bool bare_async();
+    [[nodiscard]] bool percentage(Expr& number);
+    [[nodiscard]] bool body_left_out();
     [[nodiscard]] std::string_view meant_word();
     [[nodiscard]] bool corrected();
     template <class Body>
@@ -142,7 +154,7 @@ private:
     std::unique_ptr<Declaration> type_declaration();
     std::unique_ptr<Declaration> record_type();
     std::unique_ptr<Declaration> enumeration();
-    void pass_literal_comma();
+    void pass_separator(std::string_view reason);
     std::unique_ptr<Declaration> function();
     std::unique_ptr<Declaration> interface();
     std::unique_ptr<Context> platform();

@@ -271,9 +271,10 @@ void Parser::assertion_is(Assertion& assertion) {
 void Parser::unknown_property() {
     static const std::vector<std::string> words = {"deadlock",      "divergence", "timelock",
                                                    "deterministic", "reachable",  "initialised"};
-    const std::string meant = diagnostics::nearest(peek().text, words);
+    constexpr std::string_view expected = "a property such as `deadlock-free`";
+    const std::string meant = form_meant(expected).empty() ? diagnostics::nearest(peek().text, words) : "";
     diagnostics::Diagnostic* const finding =
-        report(syntax::unexpected, missing_place(), {"a property such as `deadlock-free`", found()});
+        report(syntax::unexpected, missing_place(), {std::string(expected), found()});
     if (finding != nullptr && !meant.empty())
         finding->fixes.push_back(
             {peek().span, meant, diagnostics::suggested(diagnostics::is_certain(peek().text, meant, words))});

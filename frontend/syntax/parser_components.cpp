@@ -27,6 +27,9 @@ void Parser::interface_clause(Context& context) {
         if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;  // and what it declares
         context.interfaces.push_back(clause);
         if (!at(",")) return;
+        const Token next = peek(1);
+        if (next.is("uses") || next.is("requires") || next.is("provides"))
+            return pass_superfluous("members are not separated by anything");
         old_list(peek().span, word);
         advance();
     }
@@ -54,6 +57,7 @@ void Parser::event(Context& context) {
     expect("event");
     name(event);
     context.events.push_back(std::move(owned));
+    if (at("(")) bracketed_event(event);
     if (accept(":")) event.type_expr = type();
     event.span = since(event.span);
 }
@@ -63,6 +67,7 @@ void Parser::clock(Context& context) {
     clock->span = expect("clock");
     name(*clock);
     clock->span = since(clock->span);
+    clock_with_value();
     context.clocks.push_back(std::move(clock));
 }
 
@@ -151,6 +156,14 @@ std::unique_ptr<Reference> Parser::reference() {
                                         : DeclKind::operation;
     reference->span = advance().span;
     name(*reference);
+    if (at(":") && peek(1).kind == TokenKind::identifier) {
+        const Span colon = peek().span;
+        diagnostics::Diagnostic* const finding =
+            report(syntax::other_notation, colon, {":", "what a reference refers to stands behind `=`"});
+        if (finding != nullptr) finding->fixes.push_back({colon, "=", "write"});
+        quiet_until_ = 0;
+        tokens_.correct(at_, TokenKind::symbol, "=");
+    }
     expect("=");
     reference->target_name = qualified_name("the name of what is referred to");
     reference->span = since(reference->span);
@@ -173,6 +186,8 @@ std::unique_ptr<Connection> Parser::connection() {
         (void)correct_word({"_async"});
         expect("_async");
         expect(")");
+        connection->async = true;
+    } else if (bare_async()) {
         connection->async = true;
     }
     if (accept("[")) {

@@ -9,7 +9,9 @@
 namespace robochart::frontend {
 
 void Parser::package_clause(File& file) {
-    if (accept("package")) file.package = qualified_name("the package's name");
+    if (!accept("package")) return;
+    file.package = qualified_name("the package's name");
+    pass_separator("nothing ends the package clause");
 }
 
 void Parser::import(File& file) {
@@ -22,6 +24,7 @@ void Parser::import(File& file) {
         import.wildcard = true;
     }
     import.span = since(import.span);
+    pass_separator("nothing ends an import");
     file.imports.push_back(std::move(import));
 }
 
@@ -89,7 +92,11 @@ std::unique_ptr<Declaration> Parser::record_type() {
     type->record_keyword = at("record");
     type->span = advance().span;
     name(*type);
-    guarded([&] { braces([&] { variable(type->fields, DeclKind::field); }, 0); });
+    const auto field = [&] {
+        variable(type->fields, DeclKind::field);
+        pass_separator("between the fields of a type stands a blank");
+    };
+    guarded([&] { braces(field, 0); });
     type->span = since(type->span);
     return type;
 }
@@ -109,22 +116,16 @@ std::unique_ptr<Declaration> Parser::enumeration() {
         }
         entry->span = since(entry->span);
         type->literals.push_back(std::move(entry));
-        pass_literal_comma();
+        pass_separator("between the literals of an enumeration stands a blank");
     };
     guarded([&] { braces(literal, 0); });
     type->span = since(type->span);
     return type;
 }
 
-/// `{ NEAR, FAR }`
-void Parser::pass_literal_comma() {
-    const Span comma = peek().span;
-    if (!at(",")) return;
-    diagnostics::Diagnostic* const finding =
-        report(syntax::other_notation, comma, {",", "between the literals of an enumeration stands a blank"});
-    if (finding != nullptr) finding->fixes.push_back({comma, "", "leave it out"});
-    quiet_until_ = 0;
-    advance();
+/// `{ NEAR, FAR }`, `package p;`
+void Parser::pass_separator(std::string_view reason) {
+    if (at(",") || at(";")) pass_superfluous(reason);
 }
 
 /// `( p:T, … )`
@@ -151,7 +152,8 @@ void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
     expect(":");
     variable.type_expr = type();
     const bool may_have_value = kind == DeclKind::variable || kind == DeclKind::constant;
-    if (may_have_value && accept("=")) variable.initial = expression();
+    const bool like_pascal = at(":") && peek(1).is("=");
+    if (may_have_value && ((like_pascal && repair_assignment()) || accept("="))) variable.initial = expression();
     variable.span = since(variable.span);
 }
 

@@ -96,7 +96,7 @@ ExprPtr Parser::operand(int level) {
             continue;
         }
         const bool casts = (at("as") || at("is")) && level <= cast_level;
-        if (!casts && (repair_equality(level) || foreign_operator())) continue;
+        if (!casts && (repair_equality(level) || foreign_operator() || percentage(*left))) continue;
         const auto next = operator_here();
         if (!casts && (!next || next->second < level)) return left;
         const int binding = casts ? cast_level + 1 : next->second;

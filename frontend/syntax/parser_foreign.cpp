@@ -47,6 +47,27 @@ bool Parser::replace_foreign(ForeignPlace place) {
     return true;
 }
 
+void Parser::pass_superfluous(std::string_view reason) {
+    const Token token = peek();
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, token.span, {std::string(token.text), std::string(reason)});
+    if (finding != nullptr) {
+        finding->fixes.push_back({token.span, "", "leave it out"});
+        quiet_until_ = 0;
+    }
+    advance();
+}
+
+void Parser::pass_sign_behind_word() {
+    const Token next = peek(1);
+    const bool goes_on = (next.kind == TokenKind::identifier && !next.first_on_line) || next.is("skip") ||
+                         next.is("if") || next.is("wait") || next.is("send") || next.is("#") || next.is("not") ||
+                         next.is("since") || next.kind == TokenKind::integer || next.kind == TokenKind::real;
+    if (!goes_on) return;
+
+    if (at(":") || (at("=") && !peek(1).is("="))) pass_superfluous("what belongs to a word follows it at once");
+}
+
 /// The second of them becomes what is meant.
 void Parser::replace_two_words(std::string_view instead, std::string_view reason) {
     const Span span = diagnostics::join(peek().span, peek(1).span);
@@ -243,6 +264,115 @@ StmtPtr Parser::braced_if(StmtPtr begun) {
     }
     begun->span = since(begun->span);
     return begun;
+}
+
+/// `{ S }` where a statement stands
+StmtPtr Parser::braced_statement() {
+    const Span begin = peek().span;
+    report(syntax::other_notation, begin, {"{", "statements stand without braces: `entry a(); b()`"});
+    quiet_until_ = 0;
+    expect("{");
+    auto group = std::make_unique<Stmt>();
+    group->kind = StmtKind::error;
+    if (!at("}")) group->body.push_back(statement());
+    expect("}");
+    group->span = since(begin);
+    return group;
+}
+
+/// `event e()`, `event e(int)` and `event e(x : int)`, behind the name.
+void Parser::bracketed_event(Event& event) {
+    const std::optional<std::size_t> behind = behind_brackets(0);
+    constexpr std::size_t most_words = 12;
+    if (!behind || *behind > most_words || !peek(*behind - 1).is(")")) return;
+    for (std::size_t i = 0; i < *behind; ++i)
+        if (peek(i).first_on_line) return;
+    const bool named = peek(1).kind == TokenKind::identifier && peek(2).is(":");
+    const std::size_t first = named ? 3 : 1;
+    const Span span = diagnostics::join(peek().span, peek(*behind - 1).span);
+    const std::string_view text = sources_.text(source_);
+    std::string own;
+    if (*behind > first + 1)
+        own = " : " +
+              std::string(text.substr(peek(first).span.begin, peek(*behind - 2).span.end - peek(first).span.begin));
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, span,
+               {shorten(text.substr(span.begin, span.end - span.begin)),
+                "an event is declared `event e`, one that carries a value `event e : int`"});
+    if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
+    quiet_until_ = 0;
+    for (std::size_t i = 0; i < first; ++i) advance();
+    if (!at(")")) event.type_expr = type();
+    expect(")");
+}
+
+/// `clock C = 0` and `clock C : real`, behind the name.
+void Parser::clock_with_value() {
+    const bool typed = at(":") && peek(1).kind == TokenKind::identifier;
+    const bool set = at("=") && peek(1).kind == TokenKind::integer;
+    if (!typed && !set) return;
+    const Span span = diagnostics::join(previous().span, peek(1).span);
+    const std::string clock(previous().text);
+    const std::string_view text = sources_.text(source_);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, span,
+               {shorten(text.substr(span.begin, span.end - span.begin)),
+                "a clock is declared by its name alone, and counts time units from 0"});
+    if (finding != nullptr) finding->fixes.push_back({span, clock, "write"});
+    quiet_until_ = 0;
+    advance();
+    advance();
+    clock_with_value();
+}
+
+/// `async`, `_async` and `[async]` behind a connection.
+bool Parser::bare_async() {
+    const auto async = [&](std::size_t ahead) { return at_word("async", ahead) || at_word("_async", ahead); };
+    const bool bracketed = at("[") && async(1) && peek(2).is("]");
+    if (!bracketed && !async(0)) return false;
+    const Span span = bracketed ? diagnostics::join(peek().span, peek(2).span) : peek().span;
+    const std::string_view text = sources_.text(source_);
+    diagnostics::Diagnostic* const finding = report(syntax::other_notation, span,
+                                                    {std::string(text.substr(span.begin, span.end - span.begin)),
+                                                     "a connection that does not wait ends with `(_async)`"});
+    if (finding != nullptr) finding->fixes.push_back({span, "(_async)", "write"});
+    quiet_until_ = 0;
+    for (int i = 0; i < (bracketed ? 3 : 1); ++i) advance();
+    return true;
+}
+
+/// `50%` where nothing stands behind it that could be divided.
+bool Parser::percentage(Expr& number) {
+    const bool literal = number.kind == ExprKind::integer && number.text.size() <= 3;
+    const bool ends = peek(1).is("}") || peek(1).is(")") || peek(1).is(";") || peek(1).is("condition") ||
+                      peek(1).is("action") || peek(1).kind == TokenKind::end || peek(1).first_on_line;
+    if (!at("%") || !literal || !ends) return false;
+    const std::string digits = std::string(3 - number.text.size(), '0') + number.text;
+    const std::string own = digits.substr(0, 1) + "." + digits.substr(1);
+    const Span span = diagnostics::join(number.span, peek().span);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, span, {number.text + "%", "a share is a number from 0 to 1"});
+    if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
+    quiet_until_ = 0;
+    number.kind = ExprKind::real;
+    number.text = own;
+    advance();
+    return true;
+}
+
+/// `state S` without its braces, behind the name: it is read as a state without actions.
+bool Parser::body_left_out() {
+    const bool ends = at(";") && peek(1).first_on_line;
+    const bool next_member = ((at_member_word() || at("}")) && peek().first_on_line) || ends;
+    if (!next_member || at("entry") || at("during") || at("exit")) return false;
+    const Span place = missing_place();
+    diagnostics::Diagnostic* const finding = report(syntax::unexpected, place, {"`{`", found()});
+    const std::uint32_t end = previous().span.end;
+    if (finding != nullptr)
+        finding->fixes.push_back({{source_, end, at(";") ? peek().span.end : end}, " { }", "write"});
+    quiet_until_ = 0;
+    if (at(";")) advance();
+    return true;
 }
 
 }  // namespace robochart::frontend

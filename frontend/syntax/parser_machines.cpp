@@ -71,6 +71,8 @@ void Parser::node(NodeContainer& container, DeclKind kind) {
     if (pseudo_state(kind)) return node(container, DeclKind::state);
     name(state);
     container.nodes.push_back(std::move(owned));
+    if (at(":") && peek(1).is("{")) pass_superfluous("what a node has stands in braces behind its name");
+    if (kind == DeclKind::state && body_left_out()) return;
     if (kind == DeclKind::state || (kind == DeclKind::final && at("{"))) guarded([&] { state_body(state); });
     state.span = since(state.span);
 }
@@ -88,13 +90,8 @@ void Parser::action(State& state) {
     Action action;
     action.kind = at("entry") ? ActionKind::entry : at("during") ? ActionKind::during : ActionKind::exit;
     action.span = advance().span;
-    if (at("/")) {
-        const Span slash = advance().span;
-        if (diagnostics::Diagnostic* finding =
-                report(syntax::other_notation, slash, {"/", "an action follows its word at once: `entry skip`"}))
-            finding->fixes.push_back({slash, "", "leave it out"});
-        quiet_until_ = 0;
-    }
+    if (at("/")) pass_superfluous("an action follows its word at once: `entry skip`");
+    pass_sign_behind_word();
     action.statement = statement();
     action.span = since(action.span);
     state.actions.push_back(std::move(action));
@@ -108,6 +105,7 @@ void Parser::transition(NodeContainer& container) {
     transition.span = expect("transition");
     name(transition);
     container.transitions.push_back(std::move(owned));
+    if (at(":") && peek(1).is("{")) pass_superfluous("what a transition does stands in braces behind its name");
     guarded([&] {
         expect("{");
         if (!guarded([&] { transition_body(transition); })) {
@@ -128,6 +126,7 @@ void Parser::transition_body(Transition& transition) {
         if (at_word("source")) (void)replace_foreign(ForeignPlace::clause);
         expect("from");
         transition.from = plain_name("the transition's source");
+        if (peek(1).is("to")) pass_separator("clauses of a transition are not separated by anything");
         if (at_word("target")) (void)replace_foreign(ForeignPlace::clause);
         expect("to");
         transition.to = plain_name("the transition's target");
@@ -136,6 +135,11 @@ void Parser::transition_body(Transition& transition) {
     int last = 0;
     std::array<std::size_t, 6> begins{};  // of each kind, the token
     while (!at("}") && !at_end()) {
+        const Token next = peek(1);
+        const bool clause_follows = next.is("trigger") || next.is("probability") || next.is("#") || next.is("<{") ||
+                                    next.is("condition") || next.is("action") || next.is("}");
+        if (clause_follows) pass_separator("clauses of a transition are not separated by anything");
+        if (at("}")) break;
         const std::size_t begin = at_;
         const int clause = transition_clause(transition);
         std::size_t& first = begins.at(static_cast<std::size_t>(clause));
@@ -173,6 +177,7 @@ diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std
 int Parser::transition_clause(Transition& transition) {
     if (at("trigger")) return trigger(transition), 1;
     if (accept("probability")) {
+        pass_sign_behind_word();
         transition.probability = expression();
         return 1;
     }
@@ -183,11 +188,13 @@ int Parser::transition_clause(Transition& transition) {
         return 3;
     }
     if (accept("condition")) {
+        pass_sign_behind_word();
         transition.otherwise = accept("else");
         if (!transition.otherwise) transition.condition = expression();
         return 4;
     }
     if (accept("action")) {
+        pass_sign_behind_word();
         transition.action = statement();
         return 5;
     }
@@ -201,6 +208,7 @@ int Parser::transition_clause(Transition& transition) {
 /// `trigger e…`; the old forms `trigger` and `trigger #C` await nothing.
 void Parser::trigger(Transition& transition) {
     const Span word = expect("trigger");
+    pass_sign_behind_word();
     if (peek().kind == TokenKind::identifier) {
         transition.trigger = communication();
         return;

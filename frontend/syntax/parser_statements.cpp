@@ -104,6 +104,9 @@ StmtPtr Parser::basic_statement() {
         return reset;
     }
     if (peek().kind == TokenKind::identifier) return name_statement();
+    const Token before = previous();
+    const bool begins = before.is("entry") || before.is("during") || before.is("exit") || before.is("action");
+    if (at("{") && begins && (peek(1).kind == TokenKind::identifier || peek(1).is("skip"))) return braced_statement();
     missing("a statement");
     return make_statement(StmtKind::error, begin);
 }

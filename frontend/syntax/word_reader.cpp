@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "diagnostics/spelling.hpp"
 #include "diagnostics/text.hpp"
+#include "frontend/syntax/foreign_words.hpp"
 
 namespace robochart::frontend {
 
@@ -15,8 +17,9 @@ std::string quoted_token(const Token& token) {
 }  // namespace
 
 WordReader::WordReader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
-                       const diagnostics::Rule& syntax, diagnostics::Diagnostics& diagnostics)
-    : sources_(sources), syntax_(syntax), diagnostics_(diagnostics) {
+                       const diagnostics::Rule& syntax, diagnostics::Diagnostics& diagnostics,
+                       std::span<const diagnostics::Advice> advice)
+    : sources_(sources), syntax_(syntax), advice_(advice), diagnostics_(diagnostics) {
     const std::size_t before = diagnostics.errors();
     stream_ = tokenize(sources, source, false, diagnostics);
     failed_ = diagnostics.errors() > before || stream_.tokens.empty();
@@ -52,11 +55,19 @@ void WordReader::expect(std::string_view word) {
     if (!failed_ && !take(word)) fail(fmt::format("'{}'", word));
 }
 
-void WordReader::fail(std::string_view expected) {
+void WordReader::fail(std::string_view expected, const std::vector<std::string>& words) {
     if (failed_) return;
     failed_ = true;
     diagnostics::Diagnostic& finding =
         diagnostics_.report(syntax_, token().span, {std::string(expected), quoted_token(token())});
+    const std::string written(token().text);
+    if (const std::string meant = diagnostics::nearest(written, words); !meant.empty() && meant != written)
+        finding.fixes.push_back(
+            {token().span, meant, diagnostics::suggested(diagnostics::is_certain(written, meant, words))});
+    const std::string_view advice = diagnostics::advice_on(advice_, expected, [this](std::ptrdiff_t ahead) {
+        return advice_word(stream_.tokens, static_cast<std::ptrdiff_t>(next_) + ahead);
+    });
+    if (!advice.empty()) finding.notes.push_back({{}, std::string(advice)});
     if (!at_end()) return;
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < next_; ++i) {
@@ -67,8 +78,9 @@ void WordReader::fail(std::string_view expected) {
     if (!open.empty()) finding.notes.push_back({stream_.tokens.at(open.back()).span, "this '{' is not closed"});
 }
 
-void WordReader::report(const diagnostics::Rule& rule, diagnostics::Span span, std::vector<std::string> arguments) {
-    if (!failed_) diagnostics_.report(rule, span, std::move(arguments));
+diagnostics::Diagnostic* WordReader::report(const diagnostics::Rule& rule, diagnostics::Span span,
+                                            std::vector<std::string> arguments) {
+    return failed_ ? nullptr : &diagnostics_.report(rule, span, std::move(arguments));
 }
 
 Word WordReader::name(std::string_view what) {

@@ -2,10 +2,13 @@
 // mappings. After the first syntax error nothing more is read.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "diagnostics/advice/advice.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "frontend/syntax/lexer.hpp"
 
@@ -19,9 +22,9 @@ struct Word {
 
 class WordReader {
 public:
-    /// `syntax` is reported with what was expected and what was found.
+    /// `syntax` is reported with what was expected and what was found, and with what `advice` says of it.
     WordReader(const diagnostics::SourceManager&, diagnostics::SourceId, const diagnostics::Rule& syntax,
-               diagnostics::Diagnostics&);
+               diagnostics::Diagnostics&, std::span<const diagnostics::Advice> advice = {});
 
     [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] bool at(std::string_view word) const;
@@ -42,8 +45,10 @@ public:
     /// A string without its quotes.
     std::string quoted(std::string_view what);
 
-    void fail(std::string_view expected);
-    void report(const diagnostics::Rule&, diagnostics::Span, std::vector<std::string> arguments);
+    /// `words`: those that may stand here; the nearest is suggested.
+    void fail(std::string_view expected, const std::vector<std::string>& words = {});
+    /// Valid until the next report; null behind a syntax error, where nothing is reported.
+    diagnostics::Diagnostic* report(const diagnostics::Rule&, diagnostics::Span, std::vector<std::string> arguments);
 
 protected:
     void advance();
@@ -52,6 +57,7 @@ protected:
 private:
     const diagnostics::SourceManager& sources_;
     const diagnostics::Rule& syntax_;
+    std::span<const diagnostics::Advice> advice_;
     diagnostics::Diagnostics& diagnostics_;
     TokenStream stream_;
     std::size_t next_ = 0;

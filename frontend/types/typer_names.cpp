@@ -130,6 +130,11 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
             finding.fixes.push_back(
                 {name.span, meant, diagnostics::suggested(diagnostics::is_certain(name.parts.front(), meant, clocks))});
     }
+    if (&rule == &rules::te2 && around.machine != nullptr)
+        if (const Declaration* state = breadth_first(*around.machine, name, DeclKind::state))
+            finding.notes.push_back(
+                {state->name_span,
+                 fmt::format("it is a state: `sinceEntry({})` is the time since it was entered", name.text())});
     return nullptr;
 }
 

@@ -73,9 +73,22 @@ TypePtr Typer::unary(Expr& expr, Surroundings& around) {
     return is_form(operand, TypeForm::nat) ? make_type(TypeForm::integer) : operand;
 }
 
+namespace {
+
+bool compares(const Expr& expr) {
+    return expr.kind == ExprKind::binary && *expr.binary >= BinaryOp::equal && *expr.binary <= BinaryOp::less_equal;
+}
+
+}  // namespace
+
 diagnostics::Diagnostic& Typer::report_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right) {
-    return finder_.out().report(rules::operand_type, expr.span,
-                                {std::string(to_text(*expr.binary)), to_string(left), to_string(right)});
+    diagnostics::Diagnostic& finding = finder_.out().report(
+        rules::operand_type, expr.span, {std::string(to_text(*expr.binary)), to_string(left), to_string(right)});
+    if (compares(expr) && compares(*expr.args[0]))
+        finding.notes.push_back({{}, "`a < b < c` is written `a < b /\\ b < c`"});
+    if (*expr.binary == BinaryOp::concat && left && right && is_number(left) && is_number(right))
+        finding.notes.push_back({{}, "`^` joins sequences; there is no operator for powers: `x * x`"});
+    return finding;
 }
 
 TypePtr Typer::mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right) {

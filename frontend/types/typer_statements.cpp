@@ -126,6 +126,12 @@ void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     auto& finding = finder_.unknown(statement.name, "operation", where, finder_.keys(around.scope->operations));
     if (finder_.out().errors() > diagnostics::Diagnostics::max_kept) return;
     const std::string& name = statement.name.parts.back();
+    if (const auto event = around.scope->events.find(name); event != around.scope->events.end()) {
+        const std::string value = event->second->type_expr ? "!v" : "";
+        finding.notes.push_back(
+            {event->second->name_span, fmt::format("`{0}` is an event: it is sent by `{0}{1}`", name, value)});
+        return;
+    }
     for (const auto& [full, declarations] : finder_.names().entries())
         for (const Declaration* declaration : declarations) {
             const auto* interface = dynamic_cast<const Context*>(declaration);

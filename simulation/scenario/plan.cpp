@@ -113,6 +113,7 @@ private:
             diagnostics_.report(rules::unknown_name, name.span, {scenario_.component.text, what, name.text});
         const std::string meant = diagnostics::nearest(name.text, known);
         if (!meant.empty()) finding.fixes.push_back({name.span, meant, diagnostics::suggested(false)});
+        if (!known.empty()) finding.notes.push_back({{}, fmt::format("there is {}", fmt::join(known, ", "))});
     }
 
     void bind_feed(const Feed& feed) {

@@ -53,7 +53,9 @@ void ScenarioReader::measure() {
 std::size_t ScenarioReader::light_named(const Name& name) {
     for (std::size_t i = 0; i < scenario_.lights.size(); ++i)
         if (scenario_.lights[i].name.text == name.text) return i;
-    in_.report(rules::unknown_part, name.span, {"light", name.text});
+    std::vector<std::string> known;
+    for (const Light& each : scenario_.lights) known.push_back(each.name.text);
+    unknown_part("light", name, known);
     return 0;
 }
 
@@ -75,7 +77,9 @@ std::size_t ScenarioReader::measure_named() {
     const Name name = in_.name("a measure");
     for (std::size_t i = 0; i < scenario_.measures.size(); ++i)
         if (scenario_.measures[i].name.text == name.text) return i;
-    in_.report(rules::unknown_part, name.span, {"measure", name.text});
+    std::vector<std::string> known;
+    for (const Measure& each : scenario_.measures) known.push_back(each.name.text);
+    unknown_part("measure", name, known);
     return scenario_.measures.size();
 }
 

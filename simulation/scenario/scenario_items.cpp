@@ -64,7 +64,11 @@ const std::array<ScenarioReader::ItemRow, 25>& ScenarioReader::items() {
 
 void ScenarioReader::item() {
     const auto* row = std::find_if(items().begin(), items().end(), [&](const ItemRow& r) { return in_.at(r.word); });
-    if (row == items().end()) return in_.fail("an item of a scenario or '}'");
+    if (row == items().end()) {
+        std::vector<std::string> words;
+        for (const ItemRow& each : items()) words.emplace_back(each.word);
+        return in_.fail("an item of a scenario or '}'", words);
+    }
     const diagnostics::Span span = in_.token().span;
     in_.take(row->word);
     if (row->once && !said_.emplace(row->word, span).second)

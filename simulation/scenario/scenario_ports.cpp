@@ -2,12 +2,23 @@
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "diagnostics/spelling.hpp"
 #include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {
+
+/// Reported with those that there are; the nearest is suggested.
+void ScenarioReader::unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known) {
+    diagnostics::Diagnostic* const finding = in_.report(rules::unknown_part, name.span, {what, name.text});
+    if (finding == nullptr) return;
+    const std::string meant = diagnostics::nearest(name.text, known);
+    if (!meant.empty()) finding->fixes.push_back({name.span, meant, diagnostics::suggested(false)});
+    if (!known.empty()) finding->notes.push_back({{}, fmt::format("there is {}", fmt::join(known, ", "))});
+}
 
 void ScenarioReader::sensor() {
     Sensor sensor;
@@ -16,7 +27,9 @@ void ScenarioReader::sensor() {
     const Name kind = in_.name("a kind of sensor");
     const auto known = sensor_kind(kind.text);
     if (!known && !in_.failed()) {
-        in_.report(rules::unknown_part, kind.span, {"kind of sensor", kind.text});
+        std::vector<std::string> kinds;
+        for (const SensorName& each : sensor_names()) kinds.emplace_back(each.name);
+        unknown_part("kind of sensor", kind, kinds);
         unknown_sensors_.push_back(sensor.name.text);
     }
     sensor.kind = known.value_or(SensorKind::line_of_sight);
@@ -70,7 +83,7 @@ void ScenarioReader::actuator() {
     in_.expect("is");
     const Name kind = in_.name("a kind of actuator");
     if (!in_.failed() && kind.text != "differential_drive")
-        in_.report(rules::unknown_part, kind.span, {"kind of actuator", kind.text});
+        unknown_part("kind of actuator", kind, {"differential_drive"});
     scenario_.actuators.push_back(actuator);
 }
 
@@ -121,13 +134,18 @@ const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& rea
     const bool reported =
         std::find(unknown_sensors_.begin(), unknown_sensors_.end(), feed.part.text) != unknown_sensors_.end();
     if (!is_sensor && !is_actuator) {
-        if (!reported) in_.report(rules::unknown_part, feed.part.span, {"sensor", feed.part.text});
+        std::vector<std::string> known;
+        for (const Sensor& each : scenario_.sensors) known.push_back(each.name.text);
+        if (!reported) unknown_part("sensor", feed.part, known);
         return nullptr;
     }
     const ReadingRow* row = is_sensor ? reading_of(sensor->kind, reading.text) : reading_of_actuator(reading.text);
-    if (row == nullptr)
-        in_.report(rules::unknown_part, reading.span,
-                   {fmt::format("reading of '{}' named", feed.part.text), reading.text});
+    if (row == nullptr) {
+        std::vector<std::string> known;
+        for (const ReadingRow& each : readings())
+            if (is_sensor ? each.sensor == sensor->kind : !each.sensor) known.emplace_back(each.name);
+        unknown_part(fmt::format("reading of '{}' named", feed.part.text), reading, known);
+    }
     return row;
 }
 
@@ -161,8 +179,11 @@ void ScenarioReader::argument(Feed& feed, const ReadingRow& row) {
 void ScenarioReader::drive() {
     Drive drive;
     drive.actuator = in_.name("an actuator");
-    if (!in_.failed() && !is_actuator_name(drive.actuator.text))
-        in_.report(rules::unknown_part, drive.actuator.span, {"actuator", drive.actuator.text});
+    if (!in_.failed() && !is_actuator_name(drive.actuator.text)) {
+        std::vector<std::string> known;
+        for (const Actuator& each : scenario_.actuators) known.push_back(each.name.text);
+        unknown_part("actuator", drive.actuator, known);
+    }
     in_.expect("by");
     drive.span = in_.token().span;
     if (in_.take("speeds"))

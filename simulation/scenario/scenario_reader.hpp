@@ -74,6 +74,7 @@ private:
     [[nodiscard]] bool is_actuator_name(const std::string& name) const;
     void argument(Feed& feed, const ReadingRow& row);
     void drive();
+    void unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known);
     void speeds(Drive& drive);
     void forward(Drive& drive);
     /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -16,11 +17,63 @@ namespace {
 
 constexpr double largest = 1e9;
 
+using diagnostics::Advice;
+
+constexpr std::string_view scenario_form = "a scenario has the form `scenario NAME for PACKAGE::MODULE { ... }`";
+constexpr std::string_view value_form = "a value follows its word at once: `trials 10`";
+constexpr std::string_view drive_form = "what an operation does is said by `drive motors by stop on halt`";
+constexpr std::string_view feed_form = "an event is fed by `feed EVENT with SENSOR.READING`";
+constexpr std::string_view stimulus_form = "an event from outside comes by `stimulus EVENT at 3 s` or `every 3 s`";
+constexpr std::string_view accept_form =
+    "what is accepted is said of `each M at 10 s <= 5 cm` (in each trial), `mean M ...` (over the trials), or "
+    "`probability P >= 95 % with confidence 99 %`";
+constexpr std::string_view accept_item = "what is accepted stands behind `accept`: `accept each M at 10 s <= 5 cm`";
+constexpr std::string_view place_form =
+    "robots begin at `place at (0 cm, 0 cm) heading 0 deg` or `place random in (X, Y) to (X, Y)`";
+constexpr std::string_view any_item = "an item of a scenario or '}'";
+constexpr std::string_view robot_item = "'radius', 'axle', 'wheel', 'noise', 'place' or '}'";
+
+constexpr std::array advice{
+    Advice{"'for'", "scenario NAME @", scenario_form},
+    Advice{"'{'", "NAME @ .", "a module of a package is named `PACKAGE::MODULE`"},
+    Advice{"'{'", ":: NAME @", scenario_form},
+    Advice{"a number", "robots @", "how many there are is said first: `robots 10 { ... }`"},
+    Advice{"a number", "record @", "how often positions are recorded is said by `record 0.2 s`"},
+    Advice{"a number", "@ =", value_form},
+    Advice{"a number", "@ :", value_form},
+    Advice{"'by'", "drive NAME @", drive_form},
+    Advice{"'by'", "@", "an arena is `arena 300 cm by 200 cm`"},
+    Advice{"'with'", "feed NAME @", feed_form},
+    Advice{"'at'", "stimulus NAME @", stimulus_form},
+    Advice{"'('", "wall @", "a wall is `wall (0 cm, 0 cm) to (50 cm, 0 cm)`"},
+    Advice{"'('", "obstacle @", "an obstacle has corners: `obstacle (0 cm, 0 cm), (20 cm, 0 cm), (0 cm, 20 cm)`"},
+    Advice{"'in'", "place random @", place_form},
+    Advice{"'each', 'mean' or 'probability'", "@", accept_form},
+    Advice{robot_item, "@ position", place_form},
+    Advice{robot_item, "@ pose", place_form},
+    Advice{robot_item, "@ start", place_form},
+    Advice{any_item, "@ ;", "items are not separated by anything"},
+    Advice{any_item, "@ ,", "items are not separated by anything"},
+    Advice{any_item, "@ #", "a comment begins with `//`"},
+    Advice{any_item, "@ event", stimulus_form},
+    Advice{any_item, "@ expect", accept_item},
+    Advice{any_item, "@ assert", accept_item},
+    Advice{any_item, "@ check", accept_item},
+    Advice{any_item, "@ goal", "a place to go to is a light: `light NAME at (X, Y)`"},
+    Advice{any_item, "@ target", "a place to go to is a light: `light NAME at (X, Y)`"},
+    Advice{any_item, "@ time", "how long a trial takes is said by `duration 10 s`"},
+    Advice{any_item, "@ length", "how long a trial takes is said by `duration 10 s`"},
+};
+
 }  // namespace
 
 Reader::Reader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                diagnostics::Diagnostics& diagnostics)
-    : frontend::WordReader(sources, source, rules::syntax, diagnostics) {}
+    : frontend::WordReader(sources, source, rules::syntax, diagnostics, advice) {}
+
+std::span<const diagnostics::Advice> scenario_advice() {
+    return advice;
+}
 
 double Reader::number() {
     const bool negative = take("-");

@@ -12,6 +12,9 @@
 
 namespace robochart::simulation {
 
+/// What is said beside a syntax error about forms that people write: all rows, for the tests.
+[[nodiscard]] std::span<const diagnostics::Advice> scenario_advice();
+
 class Reader : public frontend::WordReader {
 public:
     Reader(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);

@@ -25,12 +25,18 @@ std::span<const ReadingRow> readings() {
     return table;
 }
 
+std::span<const SensorName> sensor_names() {
+    static constexpr std::array<SensorName, 5> table{{{"line_of_sight", SensorKind::line_of_sight},
+                                                      {"range_and_bearing", SensorKind::range_and_bearing},
+                                                      {"light_ring", SensorKind::light},
+                                                      {"proximity", SensorKind::proximity},
+                                                      {"ground", SensorKind::ground}}};
+    return table;
+}
+
 std::optional<SensorKind> sensor_kind(std::string_view name) {
-    if (name == "line_of_sight") return SensorKind::line_of_sight;
-    if (name == "range_and_bearing") return SensorKind::range_and_bearing;
-    if (name == "light_ring") return SensorKind::light;
-    if (name == "proximity") return SensorKind::proximity;
-    if (name == "ground") return SensorKind::ground;
+    for (const SensorName& each : sensor_names())
+        if (each.name == name) return each.kind;
     return std::nullopt;
 }
 

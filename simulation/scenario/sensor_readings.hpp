@@ -19,6 +19,12 @@ struct ReadingRow {
 };
 
 [[nodiscard]] std::span<const ReadingRow> readings();
+/// A kind of sensor by its word in scenarios.
+struct SensorName {
+    std::string_view name;
+    SensorKind kind;
+};
+[[nodiscard]] std::span<const SensorName> sensor_names();
 [[nodiscard]] std::optional<SensorKind> sensor_kind(std::string_view name);
 [[nodiscard]] const ReadingRow* reading_of(SensorKind, std::string_view name);
 [[nodiscard]] const ReadingRow* reading_of_actuator(std::string_view name);

@@ -37,6 +37,16 @@ constexpr std::array<std::string_view, 26> reserved{
     "otherwise",   "unless",        "true",        "false",    "relation_start",
     "relation_end"};
 
+/// What is written for a character of other notations; "" where that is not known.
+std::string_view meant_by(std::string_view character) {
+    if (character == "&") return "conditions are joined by `and`";
+    if (character == "|") return "conditions are joined by `or`";
+    if (character == "!") return "conditions are negated by `not`, values that differ are compared with `<>`";
+    if (character == ";") return "nothing ends a definition or a rule";
+    if (character == "#" || character == "%") return "a comment begins with `//`";
+    return {};
+}
+
 class Lexer {
 public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments)
@@ -115,7 +125,10 @@ private:
         do ++at_;
         while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xc0U) == 0x80U);
         const std::string shown = diagnostics::shown(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
-        diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
+        auto& finding = diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
+        if (const std::string_view advice = meant_by(shown); !advice.empty())
+            finding.notes.push_back({{}, std::string(advice)});
+        if ((shown == "&" || shown == "|") && peek() == shown.front()) ++at_;
     }
 
     std::string_view text_;

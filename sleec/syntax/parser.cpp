@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "diagnostics/spelling.hpp"
 #include "sleec/syntax/rules.hpp"
@@ -11,12 +12,77 @@
 namespace robochart::sleec {
 namespace {
 
+using diagnostics::Advice;
+
+constexpr std::string_view rule_form =
+    "a rule has the form `R1 when EVENT and CONDITION then RESPONSE within 5 seconds unless CONDITION then RESPONSE`";
+constexpr std::string_view limit_form = "a limit of time is `within 5 seconds`, with the unit in full";
+constexpr std::string_view exception_form = "an exception is `unless CONDITION then RESPONSE`";
+constexpr std::string_view comment_form = "a comment begins with `//`";
+constexpr std::string_view constant_form = "a constant is defined by `constant NAME = 5`";
+constexpr std::string_view numeric_form = "numbers are `numeric`";
+constexpr std::string_view rule_name = "the name of a rule or 'rule_end'";
+constexpr std::string_view definition = "a definition or 'def_end'";
+
+constexpr std::array advice{
+    Advice{"'when'", "NAME @ :", "the name of a rule is followed by `when` at once"},
+    Advice{"'when'", "rule @", "a rule begins with its name, without a word in front"},
+    Advice{"'when'", "in @ NUMBER", limit_form},
+    Advice{"'when'", "after @ NUMBER", limit_form},
+    Advice{"'when'", "until @", limit_form},
+    Advice{"'when'", "except @", exception_form},
+    Advice{"'when'", "never NAME @", "a response is forbidden by `not EVENT within 5 seconds`"},
+    Advice{"'when'", "shall @", "a response is an event: `then EVENT within 5 seconds`"},
+    Advice{"'when'", "must @", "a response is an event: `then EVENT within 5 seconds`"},
+    Advice{"'when'", "should @", "a response is an event: `then EVENT within 5 seconds`"},
+    Advice{"'when'", "@", rule_form},
+    Advice{rule_name, "@ when", "a rule begins with a name: `R1 when ...`"},
+    Advice{rule_name, "if @", exception_form},
+    Advice{rule_name, "@ and", "a rule asks for one event: another one has a rule of its own"},
+    Advice{rule_name, "@ or", "a rule asks for one event: another one has a rule of its own"},
+    Advice{"'then'", "@ or",
+           "a rule begins with one event: another one has a rule of its own; conditions are joined "
+           "by `and` and `or` behind it"},
+    Advice{"'then'", "@", rule_form},
+    Advice{"", "within NUMBER @", limit_form},
+    Advice{"", "measure NAME : @ bool", "truth values are `boolean`"},
+    Advice{"", "measure NAME : @ int", numeric_form},
+    Advice{"", "measure NAME : @ integer", numeric_form},
+    Advice{"", "measure NAME : @ real", numeric_form},
+    Advice{"", "measure NAME : @ float", numeric_form},
+    Advice{"", "measure NAME : @ {", "a measure of named levels is `scale(low, high)`"},
+    Advice{"')'", "NAME @ NAME", "levels are separated by commas: `scale(low, high)`"},
+    Advice{"'='", "constant NAME @", constant_form},
+    Advice{definition, "@ const", constant_form},
+    Advice{definition, "event NAME @ ,", "each event has a line of its own: `event NAME`"},
+    Advice{definition, "@ - -", comment_form},
+    Advice{definition, "NAME @ -", "names consist of letters, digits and `_`"},
+    Advice{"", "= @ =", "values are compared with `=`"},
+    Advice{"'def_start'", "@",
+           "a file begins with definitions, `def_start ... def_end`; `rule_start ... rule_end` "
+           "follows"},
+};
+
 std::string found(const Token& token) {
     if (token.kind == Tok::end) return "the end of the text";
     return fmt::format("'{}'", token.text.substr(0, 40));
 }
 
 }  // namespace
+
+std::span<const diagnostics::Advice> syntax_advice() {
+    return advice;
+}
+
+diagnostics::AdviceWord Parser::advice_word(std::ptrdiff_t ahead) const {
+    using enum diagnostics::WordKind;
+    const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at_) + ahead;
+    if (place < 0 || place >= std::ssize(tokens_)) return {end, {}};
+    const Token& token = tokens_[static_cast<std::size_t>(place)];
+    if (token.kind == Tok::end) return {end, {}};
+    if (token.kind == Tok::number) return {number, token.text};
+    return {token.kind == Tok::word && !is_reserved(token.text) ? name : other, token.text};
+}
 
 void Parser::deeper() {
     if (depth_ >= max_depth) {
@@ -73,7 +139,11 @@ void Parser::fail(std::string_view expected, const Words& words) {
     if (!meant.empty() && meant != written)
         finding.fixes.push_back(
             {token.span, meant, diagnostics::suggested(diagnostics::is_certain(written, meant, words))});
-    if (words.empty() && token.kind == Tok::word && is_reserved(token.text))
+    const std::string_view form =
+        diagnostics::advice_on(advice, expected, [this](std::ptrdiff_t ahead) { return advice_word(ahead); });
+    if (!form.empty())
+        finding.notes.push_back({{}, std::string(form)});
+    else if (words.empty() && token.kind == Tok::word && is_reserved(token.text))
         finding.notes.push_back({{}, fmt::format("'{}' is a word of the language, which names nothing", token.text)});
     throw SyntaxError{};
 }

@@ -2,16 +2,22 @@
 // of the file. `and` and `or` bind alike, to the left, looser than `not`, comparisons, sums and products.
 #pragma once
 
+#include <cstddef>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "diagnostics/advice/advice.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "sleec/syntax/lexer.hpp"
 #include "sleec/syntax/syntax.hpp"
 
 namespace robochart::sleec {
+
+/// What is said beside a syntax error about forms that people write: all rows, for the tests.
+[[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
 
 /// Reads tokens; after a mistake it reports one finding and goes on at the next rule or definition.
 class Parser {
@@ -57,6 +63,7 @@ private:
     Name name(std::string_view what);
     [[nodiscard]] Span since(Span from) const;
     /// `words`: those that may stand here; the nearest is suggested.
+    [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
     [[noreturn]] void fail(std::string_view expected, const Words& words = {});
     [[noreturn]] void refuse(std::string_view what, Span span);
     void only_in(Dialect dialect, Span span, std::string_view what) {

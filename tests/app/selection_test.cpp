@@ -95,6 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"MisspeltOption", "check claimed --assertin A", 4, "did you mean '--assertion'?"},
         Row{"OptionOfAnotherVerb", "check claimed --walks 3", 4, "`check` has no option --walks; `conform` has"},
         Row{"MisspeltVerb", "chek claimed", 4, "did you mean 'check'?"},
+        Row{"NoVerbAndNoFile", "overview claimed", 4, "there is no verb, file or folder 'overview'"},
+        Row{"MisspeltFolder", "claimd", 4, "did you mean 'claimed'?"}, Row{"NoFile", "Overview.rct", 2, "RC-F01"},
         Row{"MisspeltThingToEmit", "emit cp claimed", 4, "did you mean 'csp'?"},
         Row{"NothingToEmit", "emit", 4, "csp, cpp, monitor or tests"},
         Row{"MisspeltVerbOfHelp", "help conforn", 4, "did you mean 'conform'?"},

@@ -92,6 +92,34 @@ TEST(Exploration, KeepsAStateThatCannotBeEvaluated) {
     EXPECT_THAT(space.states[1].error, ::testing::HasSubstr("Q"));
 }
 
+/// Events that a component offers and the process does not, by the rules of parallel composition, hiding and priority.
+std::vector<std::string> absences_of(const std::string& text) {
+    ScriptSpace space(text);
+    const Exploration explored = space.explore({1, 100});
+    std::vector<std::string> result;
+    for (const std::size_t each : explored.states.at(0).absences) {
+        const Absence& absence = explored.absences.at(each);
+        result.push_back(absence.component + ": " + absence.text + ": " + absence.reason);
+    }
+    return result;
+}
+
+TEST(Exploration, SaysWhoKeepsAnEventFromHappening) {
+    const std::string parts = "channel a, b, c\nP = a -> P [] b -> P\nQ = b -> Q\n";
+    EXPECT_THAT(absences_of(parts + "assert P [|{a, b}|] Q [T= STOP\n"),
+                ::testing::ElementsAre("P: a: `Q` has to take part, and does not offer it ([|{a, b}|])"));
+    EXPECT_THAT(absences_of(parts + "assert P ||| Q [T= STOP\n"), ::testing::IsEmpty());
+    EXPECT_THAT(absences_of(parts + "assert (P [|{a, b}|] Q) \\ {b} [T= STOP\n"),
+                ::testing::ElementsAre("P: a: `Q` has to take part, and does not offer it ([|{a, b}|])"));
+    EXPECT_THAT(absences_of(parts + "assert P [|{a}|] (Q ||| Q) [T= STOP\n"),
+                ::testing::ElementsAre("P: a: `Q`, `Q` have to take part, and do not offer it ([|{a}|])"));
+    EXPECT_THAT(absences_of(parts + "assert SKIP ||| Q [T= STOP\n"),
+                ::testing::ElementsAre("SKIP: ✓: all parts terminate together, and `Q` cannot yet"));
+    EXPECT_THAT(absences_of(parts + "assert P [{a, b} || {b}] Q [T= STOP\n"), ::testing::IsEmpty());
+    EXPECT_THAT(absences_of(parts + "R = c -> R\nassert P [{a, b} || {a, b, c}] R [T= STOP\n"),
+                ::testing::Contains("P: a: the parts that share it do not all offer it"));
+}
+
 // In On it takes f once the clock allows it; the clock stops above the largest number that it is compared with
 // (semantics 3.10).
 TEST(Exploration, HasMachinesWithTheirActiveStatesAndAbsences) {

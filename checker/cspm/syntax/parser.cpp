@@ -46,6 +46,24 @@ std::string meant_word(std::string_view expected, const Token& found, const Toke
     return diagnostics::nearest(before->text, {"assert", "channel", "datatype", "external", "include", "instance",
                                                "module", "nametype", "subtype", "transparent"});
 }
+
+diagnostics::AdviceWord advice_word(const Token& token) {
+    using enum diagnostics::WordKind;
+    switch (token.kind) {
+        case Tok::identifier:
+            return {name, token.text};
+        case Tok::integer:
+            return {number, token.text};
+        case Tok::string:
+            return {text, token.text};
+        case Tok::newline:
+        case Tok::end:
+            return {end, {}};
+        default:
+            return {other, token.text};
+    }
+}
+
 }  // namespace
 
 const Token& Parser::expect(Tok kind) {
@@ -62,7 +80,12 @@ void Parser::fail(std::string_view expected) {
     const Token* const before = at_ > 0 ? &tokens_[at_ - 1] : nullptr;
     if (const std::string meant = meant_word(expected, found, before); !meant.empty())
         finding.notes.push_back({found.span, "did you mean '" + meant + "'?"});
-    if (const std::string_view advice = advice_on(expected, found.text); !advice.empty())
+    const auto word = [&](std::ptrdiff_t ahead) -> diagnostics::AdviceWord {
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(at_) + ahead;
+        if (at < 0 || at >= std::ssize(tokens_)) return {diagnostics::WordKind::end, {}};
+        return advice_word(tokens_[static_cast<std::size_t>(at)]);
+    };
+    if (const std::string_view advice = diagnostics::advice_on(all_advice(), expected, word); !advice.empty())
         finding.notes.push_back({found.span, std::string(advice)});
     if (found.kind == Tok::newline || found.kind == Tok::end)
         if (const Token* const open = open_bracket(expected))

@@ -148,6 +148,22 @@ TEST(Completions, NameTheOptionsAndNoOthers) {
     EXPECT_EQ(in_zsh, all_names());
 }
 
+/// `explain` and `--allow` complete codes, in small letters too.
+TEST(Completions, OfCodesInBash) {
+    const auto completed = [](const std::string& words, int current) {
+        return run_shell(
+                   "\"$verify\" help --generate bash > c.bash\nbash -c 'source c.bash; COMP_WORDS=(robochart-verify " +
+                   words + "); COMP_CWORD=" + std::to_string(current) +
+                   "; _robochart_verify; echo \"${COMPREPLY[@]}\"'")
+            .out;
+    };
+    EXPECT_THAT(completed("explain RC-P3", 2), HasSubstr("RC-P34"));
+    EXPECT_THAT(completed("explain rc-p3", 2), HasSubstr("RC-P34"));
+    EXPECT_THAT(completed("explain RC-P3", 2), ::testing::Not(HasSubstr("RC-P0")));
+    EXPECT_THAT(completed("check --allow RC-W1", 3), HasSubstr("RC-W17"));
+    EXPECT_EQ(completed("check --allow RC-P01", 3), "\n") << "an error";
+}
+
 /// What is installed and read without the program is what the program writes.
 TEST(Completions, AreKeptAsTheyAreWritten) {
     const auto kept = [](const char* path) { return tests::contents(repository(path)); };

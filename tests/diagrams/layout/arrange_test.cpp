@@ -137,6 +137,65 @@ TEST(Arrange, AChainIsStraight) {
     EXPECT_GT(placed.edges[2].label.x, placed.boxes[2].place.right());
 }
 
+/// From a state (1) a junction (2) leads to three states that all lead back: with the state above the junction each of
+/// these has two lines from above, and some cross; below them none do.
+TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
+    Level level;
+    level.boxes.resize(6);
+    for (layout::Box& box : level.boxes) box.size = {100, 40};
+    level.boxes[0].entry = true;
+    for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {2, 4}, {2, 5}, {3, 1}, {4, 1}, {5, 1}}) {
+        layout::Edge& edge = level.edges.emplace_back();
+        edge.from = static_cast<std::size_t>(from);
+        edge.to = static_cast<std::size_t>(to);
+    }
+    for (const Direction direction : {Direction::down, Direction::right}) {
+        level.direction = direction;
+        const Placement placed = arrange(level);
+        const Scene scene = scene_of(level, placed);
+        EXPECT_THAT(faults_of(scene), ::testing::IsEmpty());
+        EXPECT_EQ(crossings_of(scene), 0U);
+        EXPECT_TRUE(same(placed, arrange(remembering(level, placed))));
+    }
+}
+
+/// Two choices from one state (1) whose outcomes all lead back to it, one of three (5) and one of two (6). A state that
+/// is added below the middle of all outcomes (4) would have the lines of two or three others beside it: these would
+/// change places. Above it there is space.
+TEST(Arrange, WhatIsAddedTurnsItsLineRoundWhereTheRestWouldChangeItsOrder) {
+    Level level;
+    level.boxes.resize(9);
+    for (layout::Box& box : level.boxes) box.size = {100, 40};
+    level.boxes[0].entry = true;
+    for (const auto& [from, to] : {std::pair{1, 6},
+                                   {6, 7},
+                                   {6, 8},
+                                   {7, 1},
+                                   {8, 1},
+                                   {0, 1},
+                                   {1, 5},
+                                   {5, 2},
+                                   {5, 3},
+                                   {5, 4},
+                                   {2, 1},
+                                   {3, 1},
+                                   {4, 1}}) {
+        layout::Edge& edge = level.edges.emplace_back();
+        edge.from = static_cast<std::size_t>(from);
+        edge.to = static_cast<std::size_t>(to);
+        edge.label = {40, 14};
+    }
+    const Placement placed = arrange(level);
+    const Scene before = scene_of(level, placed);
+    EXPECT_EQ(crossings_of(before), 0U);
+    Level edited = remembering(level, placed);
+    add_a_state(edited, 4);
+    const Scene after = scene_of(edited, arrange(edited));
+    EXPECT_THAT(faults_of(after), ::testing::IsEmpty());
+    EXPECT_EQ(crossings_of(after), 0U);
+    EXPECT_EQ(flips_between(before, after).flipped, 0U);
+}
+
 TEST(Arrange, NoBoxesNeedNoSpace) {
     EXPECT_EQ(arrange(Level()).size, (layout::Size{0, 0}));
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "diagnostics/fixes.hpp"
 #include "frontend/syntax/lexer.hpp"
@@ -61,6 +62,7 @@ std::string text_with(const ForeignWord& row) {
                    : row.instead == "operation"                                ? word + " g() { }"
                                                                                : word + " T";
         case ForeignPlace::member:
+            if (row.word == "operation") return "interface I { operation f() }";
             return row.instead == "stm"          ? "controller D { " + word + " S { initial i state A { } } }"
                    : row.instead == "transition" ? before + word + " t1 { from A to A trigger e }" + after
                                                  : before + word + member_rest(row) + after;
@@ -135,12 +137,30 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
         {"var int y", "stands behind the name", "y : int"},
         {"initial state B { }", "a junction of its own", ""},
         {"final state B", "by `final` and its name", "final"},
+        {"clock D = 0", "by its name alone", "D"},
+        {"clock D : real", "by its name alone", "D"},
+        {"event g()", "`event e`", ""},
+        {"event g(int)", "`event e : int`", " : int"},
+        {"event g(v : Seq(int))", "`event e : int`", " : Seq(int)"},
+        {"event e2 event e3 var y : int := 0", "written with `=`", "="},
+        {"state B : { }", "in braces behind its name", ""},
+        {"transition t1 : { from A to A trigger e }", "in braces behind its name", ""},
+        {"transition t1 { from A, to A trigger e }", "not separated by anything", ""},
+        {"transition t1 { from A to A; trigger e }", "not separated by anything", ""},
+        {"transition t1 { from A to A trigger e, condition b }", "not separated by anything", ""},
+        {"transition t1 { from A to A trigger: e }", "follows it at once", ""},
+        {"transition t1 { from A to A condition = b }", "follows it at once", ""},
+        {"state B { entry: skip }", "follows it at once", ""},
+        {"state B { entry { skip } }", "without braces", ""},
+        {"probabilistic p transition t1 { from A to p trigger e } transition t2 { from p to A probability 50% } "
+         "transition t3 { from p to A probability 0.5 }",
+         "a number from 0 to 1", "0.50"},
     };
     for (const Written& form : forms) {
         const auto reading = read(before + form.text + after);
         const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted();
         ASSERT_EQ(findings.size(), 1U) << form.text << reading->report();
-        EXPECT_EQ(findings[0].rule->code, "RC-P34") << form.text;
+        EXPECT_EQ(findings[0].rule->code, std::string_view(form.instead) == "=" ? "RC-P22" : "RC-P34") << form.text;
         EXPECT_THAT(reading->report(), HasSubstr(form.reason));
         const std::string fix = findings[0].fixes.empty() ? "" : findings[0].fixes[0].replacement;
         EXPECT_EQ(fix, form.instead) << form.text;
@@ -175,9 +195,170 @@ TEST(ForeignForms, OfNumbersListsAndOrdersAreFixed) {
               "stm S { transition t { from a to b trigger e condition x } }");
     EXPECT_EQ(fixed("module M { connection r on e to c on e (async) }", "RC-P01"),
               "module M { connection r on e to c on e (_async) }");
+    EXPECT_EQ(fixed("module M { connection r on e to c on e async }", "RC-P34"),
+              "module M { connection r on e to c on e (_async) }");
+    EXPECT_EQ(fixed("module M { connection r on e to c on e [async] }", "RC-P34"),
+              "module M { connection r on e to c on e (_async) }");
+    EXPECT_EQ(fixed("module M { cref c : C }", "RC-P34"), "module M { cref c = C }");
+    EXPECT_EQ(fixed("package p; type T", "RC-P34"), "package p type T");
+    EXPECT_EQ(fixed("package p import q; type T", "RC-P34"), "package p import q type T");
+    EXPECT_EQ(fixed("datatype D { x : int; y : int }", "RC-P34"), "datatype D { x : int y : int }");
+    EXPECT_EQ(fixed("stm S { requires I, uses J }", "RC-P34"), "stm S { requires I uses J }");
+    EXPECT_EQ(fixed("stm S {\n\tinitial i\n\tstate A\n\tstate B;\n}", "RC-P01"),
+              "stm S {\n\tinitial i\n\tstate A { }\n\tstate B { }\n}");
+    EXPECT_EQ(fixed("stm S { transition t { from a to b condition x \u2264 3 \u2227 \u00ACy } }", "RC-P05"),
+              "stm S { transition t { from a to b condition x <= 3 /\\ not y } }");
     EXPECT_EQ(fixed("assertion A : S is determinstic", "RC-P01"), "assertion A : S is deterministic");
     EXPECT_EQ(fixed("assertion A : S refines T in the failures-divergences model", "RC-P34"),
               "assertion A : S refines T in the failures divergences model");
+}
+
+struct Formed {
+    const char* text;  ///< of a file; of assertions where it does not begin with "stm" or a word for a declaration
+    const char* note;
+};
+
+const Formed formed[] = {
+    {"assert P::M is deadlock-free", "has the form `assertion A"},
+    {"check P::M", "has the form `assertion A"},
+    {"property P::M", "has the form `assertion A"},
+    {"assertion P::M is deadlock-free", "has the form `assertion A"},
+    {"untimed A : P::M is deadlock-free", "stand in front"},
+    {"timed A : P::M is deadlock-free", "stand in front"},
+    {"assertion timed A : P::M is deadlock-free", "stand in front"},
+    {"assertion untimed A : P::M is deadlock-free", "stand in front"},
+    {"A[] not deadlock", "is said by a process"},
+    {"E<> S.B", "is said by a process"},
+    {"assertion A : G (P::M)", "is said by a process"},
+    {"P=? [ F done ]", "`prob property A"},
+    {"assertion A : P::M is deadlock-free;", "an assertion of its own"},
+    {"assertion A : P::M is deadlock-free, deterministic", "an assertion of its own"},
+    {"assertion A : P::M is deadlock-free and deterministic", "an assertion of its own"},
+    {"assertion A : P::M is deadlock-free where c = 3", "`with constant c"},
+    {"assertion A : P::M is deadlock-free with constant c = 3", "`with constant c"},
+    {"assertion A : P::M deadlock-free", "stands behind `is`"},
+    {"assertion A : P::M divergence-free", "stands behind `is`"},
+    {"assertion A : P::M deterministic", "stands behind `is`"},
+    {"assertion A : P::S::A reachable", "stands behind `is`"},
+    {"assertion A : P::M does not deadlock", "stands behind `is`"},
+    {"assertion A : P.M is deadlock-free", "is named `P::M`"},
+    {"assertion A : P::S reaches B", "is reachable in"},
+    {"assertion A : P::S::A is reachable", "is reachable in"},
+    {"assertion A : P::S::A is never reached", "is reachable in"},
+    {"assertion A : P::S::A is reached", "is reachable in"},
+    {"assertion A : P::S [T= P::T", "`P equals Q`"},
+    {"assertion A : P::S == P::T", "`P equals Q`"},
+    {"assertion A : P::S = P::T", "`P equals Q`"},
+    {"assertion A : P::S is equivalent to P::T", "`P equals Q`"},
+    {"assertion A : P::M is livelock-free", "`divergence-free`"},
+    {"assertion A : P::M is deadlock_free", "with a hyphen"},
+    {"assertion A : P::M is divergence_free", "with a hyphen"},
+    {"assertion A : P::S is clock-initialised", "`assertion A : clock"},
+    {"assertion A : event e missed in P::S", "is not missed in"},
+    {"assertion A : P::S refines P::T in traces", "`in the traces model`"},
+    {"csp X { X = STOP }", "csp-begin ... csp-end"},
+    {"csp csp-begin X = STOP csp-end", "csp-begin ... csp-end"},
+    {"prob property A : Prob=? of [eventually p]", "`Finally p`"},
+    {"prob property A : Prob=? of [always p]", "`Finally p`"},
+    {"prob property A : Prob=? of [F p]", "`Finally p`"},
+    {"prob property A : Prob=? of [G p]", "`Finally p`"},
+    {"-- words", "begins with `//`"},
+    {"# words", "begins with `//`"},
+    {"package p { type T }", "at the head of the file"},
+    {"import \"core.rct\"", "files of a folder are read together"},
+    {"type T = int", "no second names"},
+    {"enumeration E = A | B", "`enumeration E { A B }`"},
+    {"datatype D = A | B", "`datatype D {"},
+    {"stm S extends T { }", "without parameters or parents"},
+    {"stm S { clock C = x }", "by its name alone"},
+    {"stm S { clock C : 5 }", "by its name alone"},
+    {"stm S { var x = 0 }", "a variable has a type"},
+    {"stm S { const c = 0 }", "a constant has a type"},
+    {"stm S { var x : nat[5] }", "`Seq(nat)`"},
+    {"stm S { var x : int 0..5 }", "`--range T=0..5`"},
+    {"stm S { var x : [0..5] }", "`--range T=0..5`"},
+    {"stm S { var x : 0..5 }", "`--range T=0..5`"},
+    {"interface I { f(int) }", "`x : int`"},
+    {"interface I { f(x : int, int) }", "`x : int`"},
+    {"interface I { f() : int }", "has no result"},
+    {"controller C { S s }", "`sref s = S`"},
+    {"controller C { sref s S }", "`sref s = S`"},
+    {"module M { cref c C }", "`sref s = S`"},
+    {"module M { rref r R }", "`sref s = S`"},
+    {"module M { connection r.e -> c.e }", "`connection a on e to b on f`"},
+    {"module M { connection from r on e to c on e }", "`connection a on e to b on f`"},
+    {"module M { connection r on e to c on e [async, mult] }", "ends with `(_async)`"},
+    {"module M { connection r on e to c on e [_async, mult] }", "ends with `(_async)`"},
+    {"stm S { transition { from A to B } }", "has the form `transition t"},
+    {"stm S { transition t from A to B }", "has the form `transition t"},
+    {"stm S { A -> B }", "has the form `transition t"},
+    {"stm S { transition t { from A -> B } }", "has the form `transition t"},
+    {"stm S { [*] --> A }", "`initial i`"},
+    {"stm S { initial -> A }", "`initial i`"},
+    {"stm S { probabilistic { } }", "`probabilistic p`"},
+    {"stm S { state { } }", "`state S { entry a }`"},
+    {"stm S { state A entry skip }", "`state S { entry a }`"},
+    {"stm S { transition t { from A to B trigger after(5) } }", "measured by a clock"},
+    {"stm S { transition t { from A to B trigger e, f } }", "awaits one event"},
+    {"stm S { transition t { from A to B trigger e or f } }", "awaits one event"},
+    {"stm S { transition t { from A to B trigger e || f } }", "awaits one event"},
+    {"stm S { transition t { from A to B trigger e \\/ f } }", "awaits one event"},
+    {"stm S { transition t { from A to B trigger e(x) } }", "`trigger e?x`"},
+    {"stm S { transition t { from A to B trigger !e } }", "what is sent stands behind `action`"},
+    {"stm S { state A { entry x == 1 } }", "`x = e`"},
+    {"stm S { state A { entry x <- 1 } }", "`x = e`"},
+    {"stm S { state A { entry !e } }", "is sent by `e`"},
+    {"stm S { state A { entry send e to c } }", "is said by the connections"},
+    {"stm S { state A { entry if b x = 1 end } }", "if c then S else T end"},
+    {"stm S { state A { entry if b then x = 1 elif c then x = 2 end } }", "an `end` of its own"},
+    {"stm S { state A { entry if b then x = 1 elsif c then x = 2 end } }", "an `end` of its own"},
+    {"stm S { state A { entry if b then x = 1 elseif c then x = 2 end } }", "an `end` of its own"},
+    {"stm S { state A { entry wait 5 } }", "`wait(n)`"},
+    {"stm S { state A { entry wait(5 s) } }", "no unit"},
+    {"stm S { state A { entry wait(5 ms) } }", "no unit"},
+    {"stm S { state A { entry wait(5 sec) } }", "no unit"},
+    {"stm S { state A { entry wait(5 seconds) } }", "no unit"},
+    {"stm S { state A { entry wait(5 min) } }", "no unit"},
+    {"stm S { transition t { from A to B condition since(C) > 5 time units } }", "no unit"},
+    {"stm S { state A { entry f(5 deg) } }", "no unit"},
+    {"stm S { state A { entry f(5 cm) } }", "no unit"},
+    {"stm S { state A { entry f(5 m) } }", "no unit"},
+    {"stm S { transition t { from A to B condition since C > 5 } }", "is `since(C)`"},
+    {"stm S { transition t { from A to B condition sinceEntry A > 5 } }", "is `sinceEntry(S)`"},
+    {"stm S { transition t { from A to B condition sinceEntry() > 5 } }", "is `sinceEntry(S)`"},
+    {"stm S { state A { entry x = b ? 1 : 2 } }", "`if c then a else b end`"},
+    {"stm S { state A { entry x = y ** 2 } }", "`x * x`"},
+    {"stm S { state A { entry x = |y| } }", "absolute value"},
+    {"stm S { state A { entry x = .5 } }", "both sides of the point"},
+    {"stm S { transition t { from A to B condition x > 1. action skip } }", "both sides of the point"},
+    {"stm S { state A { entry x = 1000% } state B { } }", "`%` is the remainder"},
+    {"stm S { var x : int = 0\n -- a word\n }", "begins with `//`"},
+    {"-- a comment\nstm S { }", "begins with `//`"},
+    {"#include <x>\nstm S { }", "begins with `//`"},
+    {"stm S { #define X 3\n }", "begins with `//`"},
+    {"stm S { state A { # words\n } }", "begins with `//`"},
+};
+
+bool of_a_model(std::string_view text) {
+    for (const std::string_view word : {"stm ", "interface ", "controller ", "module ", "package ", "type ",
+                                        "enumeration ", "datatype ", "-- a comment", "#include", "import "})
+        if (text.starts_with(word)) return true;
+    return false;
+}
+
+TEST(ForeignForms, OfSeveralWordsAreExplained) {
+    std::set<std::string> given;
+    for (const Formed& form : formed) {
+        const auto reading = read(form.text, !of_a_model(form.text));
+        const std::string report = reading->report();
+        EXPECT_THAT(report, HasSubstr(form.note)) << form.text;
+        for (const diagnostics::Diagnostic& each : reading->findings.sorted())
+            for (const diagnostics::Note& note : each.notes) given.insert(note.message);
+    }
+    for (const diagnostics::Advice& row : foreign_forms()) {
+        EXPECT_TRUE(given.contains(std::string(row.advice))) << row.words;
+        EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;
+    }
 }
 
 /// `1e5` is no 1 with a suffix, and no list of two.

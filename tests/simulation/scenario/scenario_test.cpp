@@ -7,8 +7,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "diagnostics/render.hpp"
+#include "simulation/scenario/scenario_words.hpp"
 #include "tests/simulation/harness.hpp"
 
 namespace robochart::simulation {
@@ -257,6 +259,64 @@ TEST(Start, TrialsDifferAndRepeat) {
     EXPECT_EQ(first->position(0), (Vector{90, 0}));
     EXPECT_EQ(first->position(5), again->position(5));
     EXPECT_NE(first->position(5), second->position(5));
+}
+
+struct Mistake {
+    const char* from;  ///< of the good scenario
+    const char* to;
+    const char* note;
+};
+
+const Mistake mistakes[] = {
+    {"scenario World for P::Roam", "scenario World P::Roam", "has the form `scenario NAME"},
+    {"P::Roam {", "P.Roam {", "`PACKAGE::MODULE`"},
+    {"for P::Roam {", "for P::Roam step", "has the form `scenario NAME"},
+    {"robots 12 {", "robots {", "`robots 10 { ... }`"},
+    {"record 200 ms", "record every 200 ms", "`record 0.2 s`"},
+    {"trials 3", "trials = 3", "follows its word at once"},
+    {"trials 3", "trials: 3", "follows its word at once"},
+    {"drive motors by turn", "drive motors turn", "`drive motors by stop on halt`"},
+    {"2 m by 100 cm", "2 m x 100 cm", "`arena 300 cm by 200 cm`"},
+    {"feed a with", "feed a by", "`feed EVENT with"},
+    {"stimulus e at 1 s", "stimulus e after 1 s", "`stimulus EVENT at 3 s`"},
+    {"wall (0 cm, 0 cm) to (50 mm, -0.1 m)", "wall at (0 cm, 0 cm)", "`wall (0 cm, 0 cm) to"},
+    {"wall (0 cm, 0 cm) to (50 mm, -0.1 m)", "obstacle at (0 cm, 0 cm)", "has corners"},
+    {"place random in (40 cm, 40 cm) to (-40 cm, -40 cm)", "place random", "`place random in"},
+    {"accept mean way", "accept way", "`probability P"},
+    {"place at", "position at", "robots begin at"},
+    {"place at", "pose at", "robots begin at"},
+    {"place at", "start at", "robots begin at"},
+    {"trials 3", "trials 3;", "not separated"},
+    {"trials 3", "trials 3,", "not separated"},
+    {"light lamp", "# words\n\tlight lamp", "begins with `//`"},
+    {"stimulus e at", "event e at", "`stimulus EVENT at 3 s`"},
+    {"accept mean way", "expect mean way", "stands behind `accept`"},
+    {"accept mean way", "assert mean way", "stands behind `accept`"},
+    {"accept mean way", "check mean way", "stands behind `accept`"},
+    {"light lamp", "goal lamp", "is a light"},
+    {"light lamp", "target lamp", "is a light"},
+    {"duration 2 s", "time 2 s", "`duration 10 s`"},
+    {"duration 2 s", "length 2 s", "`duration 10 s`"},
+    {"robots 12", "robot 12", "`robots`"},
+    {"is proximity", "is radar", "there is line_of_sight, range_and_bearing, light_ring, proximity, ground"},
+    {"is differential_drive", "is legs", "there is differential_drive"},
+    {"eye.robot", "eye.wal", "`wall`"},
+    {"eye.robot", "ear.robot", "there is eye, radio, ring, skin"},
+    {"distance(lamp)", "distance(sun)", "there is lamp"},
+};
+
+TEST(Scenario, SaysWhatIsProbablyMeant) {
+    std::set<std::string> given;
+    for (const Mistake& each : mistakes) {
+        const Read read(replaced(good, each.from, each.to));
+        EXPECT_THAT(diagnostics::render_text(read.sources, read.diagnostics), HasSubstr(each.note)) << each.to;
+        for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted())
+            for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
+    }
+    for (const diagnostics::Advice& row : scenario_advice()) {
+        EXPECT_TRUE(given.contains(std::string(row.advice))) << row.words;
+        EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;
+    }
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // The grammar of both dialects (docs/rules-language.md): what is read, as which tree, and what is refused where.
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "sleec/syntax/parser.hpp"
 #include "sleec/syntax/printer.hpp"
 #include "tests/sleec/support.hpp"
 
@@ -142,6 +145,66 @@ TEST(SleecReader, LimitsNestingAndChains) {
     std::string braces = "R when Go then Stop unless near then ";
     for (int i = 0; i < 50'000; ++i) braces += "{";
     EXPECT_EQ(Read(with_definitions(braces)).findings(), "SLEEC-P01:7");
+}
+
+struct Mistake {
+    const char* text;  ///< of a rule, or of a whole file where it begins with "def_start" or "rule_start"
+    const char* note;
+};
+
+const Mistake mistakes[] = {
+    {"R: when Go then Stop", "followed by `when` at once"},
+    {"rule R when Go then Stop", "without a word in front"},
+    {"R when Go then Stop in 20 seconds", "`within 5 seconds`"},
+    {"R when Go then Stop after 20 seconds", "`within 5 seconds`"},
+    {"R when Go then Stop until Alarm", "`within 5 seconds`"},
+    {"R when Go then Stop within 20 sec", "with the unit in full"},
+    {"R when Go then Stop except near then Alarm", "`unless CONDITION"},
+    {"R when Go then Stop unless if (near) then Alarm", "`unless CONDITION"},
+    {"R when Go then never Stop within 2 seconds", "forbidden by `not EVENT"},
+    {"R when Go then robot shall Stop", "a response is an event"},
+    {"R when Go then robot must Stop", "a response is an event"},
+    {"R when Go then robot should Stop", "a response is an event"},
+    {"R if Go then Stop", "has the form `R1 when"},
+    {"R when Go -> Stop", "has the form `R1 when"},
+    {"when Go then Stop", "begins with a name"},
+    {"R when Go then Stop and Alarm", "asks for one event"},
+    {"R when Go then Stop or Alarm", "asks for one event"},
+    {"R when Go or near then Stop", "begins with one event"},
+    {"R when Go and level == 3 then Stop", "compared with `=`"},
+    {"def_start measure m : bool def_end", "`boolean`"},
+    {"def_start measure m : int def_end", "`numeric`"},
+    {"def_start measure m : integer def_end", "`numeric`"},
+    {"def_start measure m : real def_end", "`numeric`"},
+    {"def_start measure m : float def_end", "`numeric`"},
+    {"def_start measure m : {low, high} def_end", "`scale(low, high)`"},
+    {"def_start measure m : scale(low high) def_end", "separated by commas"},
+    {"def_start constant C : 5 def_end", "`constant NAME = 5`"},
+    {"def_start const C = 5 def_end", "`constant NAME = 5`"},
+    {"def_start event A, B def_end", "a line of its own"},
+    {"def_start -- words\nevent A def_end", "begins with `//`"},
+    {"def_start event Low-Battery def_end", "letters, digits and `_`"},
+    {"rule_start R when Go then Stop rule_end", "`def_start ... def_end`"},
+    {"R when Go && near then Stop", "joined by `and`"},
+    {"R when Go and near || safe then Stop", "joined by `or`"},
+    {"R when Go and !near then Stop", "negated by `not`"},
+    {"R when Go then Stop;", "nothing ends"},
+    {"# words\nR when Go then Stop", "begins with `//`"},
+};
+
+TEST(SleecReader, SaysWhatIsProbablyMeant) {
+    std::set<std::string> given;
+    for (const Mistake& each : mistakes) {
+        const std::string text = each.text;
+        const Read read(text.starts_with("def_") || text.starts_with("rule_") ? text : with_definitions(text));
+        EXPECT_NE(read.report().find(each.note), std::string::npos) << text << "\n" << read.report();
+        for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted())
+            for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
+    }
+    for (const diagnostics::Advice& row : syntax_advice()) {
+        EXPECT_TRUE(given.contains(std::string(row.advice))) << row.words;
+        EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;
+    }
 }
 
 }  // namespace

@@ -67,6 +67,34 @@ const Mistake mistakes[] = {
     {"P(x) = if x == 1 then STOP esle SKIP\n", "did you mean 'else'?"},
     {"P = STOP\nassert P :[deadlock freee]\n", "did you mean 'deadlock free'?"},
     {"channel c : Int, d : Int\n", "each `channel` line"},
+    {"channel a\nP = a -> STOP\n/* c */\n", "a comment begins with `--`"},
+    {"# c\nchannel a\n", "`include"},
+    {"chan a\n", "`channel NAME`"},
+    {"event a\n", "`channel NAME`"},
+    {"process P = STOP\n", "without a word in front"},
+    {"enum T { A, B }\n", "`datatype T = A | B`"},
+    {"datatype T = A, B\n", "separated by `|`"},
+    {"import x\n", "`include"},
+    {"P = STOP\nP [T= STOP\n", "begins with `assert`"},
+    {"P = STOP\nP [F= STOP\n", "begins with `assert`"},
+    {"P = STOP\nP [FD= STOP\n", "begins with `assert`"},
+    {"P n = STOP\n", "`P(x) = ...`"},
+    {"P(n) = if n == 1 then STOP elseif n == 2 then SKIP else STOP\n", "did you mean 'else'?"},
+    {"P(n) = if n == 1 then STOP elif n == 2 then SKIP else STOP\n", "`else if C then A else B`"},
+    {"P(n) = (if n == 1 then STOP else SKIP endif)\n", "without another word"},
+    {"P(n) = when n == 1 STOP\n", "`C & P`"},
+    {"P(n) = (case n of 1 -> STOP)\n", "`P(0) = A`"},
+    {"channel a\nP = a -> STOP [ ] a -> STOP\n", "without a blank"},
+    {"channel a : 0..2\n", "`{0..2}`"},
+    {"channel a : {0,..,2}\n", "`{0..2}`"},
+    {"P(n) = n =< 2 & STOP\n", "`<=`"},
+    {"P(n) = n <> 2 & STOP\n", "compared with `!=`"},
+    {"P(n) = Q(n mod 2)\n", "remainder is `%`"},
+    {"P(n) = Q(n div 2)\n", "divided by `/`"},
+    {"N = 3;\nP(n) = STOP\n", "no `;` ends"},
+    {"P(n : Int) = STOP\n", "parameters have no types"},
+    {"channel a : {0..2}\nP = a?x in {1} -> STOP\n", "`a?x:S -> P`"},
+    {"channel a, b\nP = STOP[[a -> b]]\n", "`P[[a <- b]]`"},
     {"channel c Int\n", "behind a `:`"},
     {"channel c {0..2}\n", "behind a `:`"},
     {"channel a\nP = a -> STOP()\n", "without parentheses"},
@@ -98,8 +126,8 @@ TEST(ScriptAdvice, SaysWhatIsProbablyMeant) {
 TEST(ScriptAdvice, EveryRowIsGivenForSomeMistake) {
     std::set<std::string> given;
     for (const Mistake& each : mistakes) given.insert(first_finding(each.text).note);
-    for (const Advice& row : all_advice()) {
-        EXPECT_TRUE(given.contains(std::string(row.advice))) << row.expected << " " << row.found;
+    for (const diagnostics::Advice& row : all_advice()) {
+        EXPECT_TRUE(given.contains(std::string(row.advice))) << row.expected << " " << row.words;
         EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;
     }
 }
