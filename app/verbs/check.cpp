@@ -175,7 +175,8 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
         const process::EventSet goal = context.session.events(obligation.recurrence->goal);
         const auto system = context.session.system(obligation.recurrence->process, bounds);
         take(context, obligation, refine::recurrent(*system, goal, bounds), report);
-        if (report.answer == Answer::holds) report.reason = fair_draws;
+        const bool claimed = obligation.kind != ir::PropertyKind::deadlock_free;
+        if (report.answer == Answer::holds && claimed) report.reason = fair_draws;
     } catch (const process::Interrupted& limit) {
         report.answer = Answer::inconclusive;
         report.reason = limit.what();
@@ -282,9 +283,6 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         if (obligation.firing) {
             one.reason.clear();
             decide_firing(context, *obligation.firing, one);
-        } else if (obligation.recurrence) {
-            one.reason.clear();
-            decide_recurrence(context, obligation, one);
         } else if (obligation.kind == ir::PropertyKind::conforms) {
             one.reason.clear();
             rules.decide(project.system.properties[obligation.property], one);
@@ -292,6 +290,10 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
             one.reason.clear();
             decide(context, obligation, one);
             if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
+        }
+        if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
+            one.reason.clear();
+            decide_recurrence(context, obligation, one);
         }
         const auto edit = options.run->edit();
         report.assertions[at++] = std::move(one);

@@ -563,8 +563,9 @@ private:
             return others.empty() ? std::string("Together")
                                   : fmt::format("(Together [| {} |] STOP)", productions(others));
         };
-        text += fmt::format("Acting = {} \\ {}\n", without(""), productions(moves));
+        if (!timed_) text += fmt::format("Acting = {}\n", without(""));
         hidden.push_back("acts");
+        if (timed_) text += activity(without(""), hidden, moves);
         hidden.insert(hidden.end(), moves.begin(), moves.end());
         for (const Observation& each : observations_) {
             text += fmt::format("Seen_{0} = prioritise({1} \\ {2}, <{{}}, {{tock}}>) \\ {3}\n", each.channel(),
@@ -572,6 +573,20 @@ private:
             text += each.meaning();
         }
         return text;
+    }
+
+    /// Whether a robot has done anything since time passed last, as an event that is possible as long as that is so.
+    [[nodiscard]] std::string activity(const std::string& together, std::vector<std::string> done,
+                                       const std::vector<std::string>& moves) const {
+        std::vector<std::string> hidden = done;
+        hidden.insert(hidden.end(), moves.begin(), moves.end());
+        done.insert(done.end(), lazy_.begin(), lazy_.end());
+        return fmt::format(
+            "channel active\n"
+            "Quiet = tock -> Quiet [] ([] e__ : {0} @ e__ -> Busy)\n"
+            "Busy = tock -> Quiet [] active -> Busy [] ([] e__ : {0} @ e__ -> Busy)\n"
+            "Watched = prioritise(({1} [| union({0}, {{tock}}) |] Quiet) \\ {2}, <{{}}, {{tock}}>) \\ {3}\n",
+            productions(done), together, productions(hidden), productions(lazy_));
     }
 
     struct Sensed {
@@ -605,9 +620,7 @@ private:
 std::string assertion_text(const SwarmClaim& claim, std::size_t number, bool timed) {
     switch (claim.question) {
         case SwarmQuestion::deadlock_free:
-            return timed ? "assert Swarm__::Acting :[deadlock free [F]]\n"
-                           "assert prioritise(Swarm__::Acting[[ tock <- tock, tock <- tock' ]], <diff(Events, {tock', "
-                           "tock}), {tock}>) \\ {tock} :[divergence free]\n"
+            return timed ? "assert Swarm__::Watched [| {| Swarm__::active |} |] STOP :[deadlock free [F]]\n"
                          : "assert Swarm__::Acting :[deadlock free [F]]\n";
         case SwarmQuestion::always:
             return fmt::format("assert STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::fails_observe_{0}\n", number);
@@ -633,6 +646,10 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
     result.time = time;
     switch (claim.question) {
         case SwarmQuestion::deadlock_free:
+            if (time == Time::untimed) break;
+            result.reason = "from here on no robot does anything but let time pass";
+            result.recurrence = RecurrenceQuestion{cspm::build::name("Swarm__::Watched"),
+                                                   cspm::build::productions({cspm::build::name("Swarm__::active")})};
             break;
         case SwarmQuestion::always:
             result.kind = ir::PropertyKind::refines;

@@ -85,7 +85,7 @@ struct SwarmCondition {
 };
 
 enum class SwarmQuestion {
-    deadlock_free,  ///< it is never so that from then on no robot does anything but let time pass
+    deadlock_free,  ///< from wherever the swarm may be, some robot can come to do something but let time pass
     always,         ///< the condition holds whenever a time unit has passed
     possible,       ///< some run leads to where it holds
     recurrent,      ///< from wherever the swarm may be, some run leads to where it holds

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <vector>
@@ -44,15 +45,14 @@ const char* word(refine::Outcome outcome) {
 }
 
 refine::Verdict decide(cspm::Session& session, const Obligation& obligation) {
-    if (obligation.recurrence)
-        return refine::recurrent(*session.system(obligation.recurrence->process),
-                                 session.events(obligation.recurrence->goal), with_reduction());
     refine::Verdict verdict;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         verdict = session.check(*assertion, with_reduction()).verdict;
-        if (verdict.outcome != refine::Outcome::holds) break;
+        if (verdict.outcome != refine::Outcome::holds) return verdict;
     }
-    return verdict;
+    if (!obligation.recurrence) return verdict;
+    return refine::recurrent(*session.system(obligation.recurrence->process),
+                             session.events(obligation.recurrence->goal), with_reduction());
 }
 
 /// The claims of a swarm of the model in this folder or file.
@@ -142,10 +142,10 @@ struct World {
     auto operator<=>(const World&) const = default;
 };
 
-constexpr int size = 5;
+constexpr int columns = 5;
 
 bool near(const World& world) {
-    const auto apart = [](int offset) { return std::min(offset, size - offset); };
+    const auto apart = [](int offset) { return std::min(offset, columns - offset); };
     return apart(world.x) <= 1 && apart(world.y) <= 1;
 }
 
@@ -190,8 +190,8 @@ std::vector<World> after(World world) {
         if (robot.doing != 1) continue;
         const auto heading = static_cast<std::size_t>(robot.heading);
         const int away = i == 0 ? -1 : 1;
-        world.x = (world.x + away * along_x[heading] + size) % size;
-        world.y = (world.y + away * along_y[heading] + size) % size;
+        world.x = (world.x + away * along_x[heading] + columns) % columns;
+        world.y = (world.y + away * along_y[heading] + columns) % columns;
     }
     const int heard = near(world) ? 1 : 0;
     std::vector<World> result;
@@ -236,6 +236,58 @@ TEST(Swarm, RecurrenceIsThatOfAnotherSearch) {
                                                           "accept recurrent linked(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{can_always_come_together() ? "holds" : "fails"}));
+}
+
+// ---------------------------------------------------------------- messages
+
+/// Each says its number and then waits for that of another, or says its own again.
+const char* const talkers = R"(
+interface Radio { event say : nat event hear : nat }
+robotic platform Body { uses Radio }
+stm Talker {
+    uses Radio
+    const id : nat
+    var other : nat = 0
+    initial i
+    state Saying { }
+    state Waiting { }
+    transition begin { from i to Saying }
+    transition says { from Saying to Waiting action send say!id }
+    transition hears { from Waiting to Saying trigger hear?other }
+    transition again { from Waiting to Saying }
+}
+controller Brain {
+    uses Radio
+    sref talker = Talker
+    connection talker on say to Brain on say
+    connection Brain on hear to talker on hear
+}
+module Robot {
+    rref body = Body
+    cref brain = Brain
+    connection brain on say to body on say (_async)
+    connection body on hear to brain on hear (_async)
+}
+)";
+
+fs::path written(const std::string& name, const std::string& text) {
+    const fs::path folder = fs::path(testing::TempDir()) / ("swarm_" + name);
+    fs::create_directories(folder);
+    std::ofstream(folder / (name + ".rct")) << text;
+    return folder;
+}
+
+/// With nobody there to hear it a message waits for ever; with others it is said whether or not they listen.
+TEST(Swarm, MessagesNeedOthers) {
+    const std::string folder = written("talkers", talkers).string();
+    const std::string swarm =
+        "swarm Talk for Robot { const id = robot range nat = 0 to 3 connect say to hear accept deadlock free }";
+    for (const std::uint32_t robots : {1U, 2U, 3U})
+        for (const Time time : {Time::untimed, Time::timed}) {
+            const Decided found = decided(folder, swarm, time, {robots, {}});
+            ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+            EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
+        }
 }
 
 // ---------------------------------------------------------------- what does not fit
