@@ -20,6 +20,7 @@
 #include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/shared_folder.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::csp_emit {
@@ -288,6 +289,93 @@ TEST(Swarm, MessagesNeedOthers) {
             ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
             EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
         }
+}
+
+// ---------------------------------------------------------------- exchanged guards
+
+/// The algorithm without memory: after each count a robot turns back, or to any of four directions.
+std::string memoryless(const std::string& turns_back, const std::string& goes_on) {
+    std::string text = R"(
+interface Motors { moveForward() startTurning(degree : real) countNeighbours() }
+interface Sensors { event neighbours : nat event turned }
+robotic platform Body { provides Motors uses Sensors }
+stm Memoryless {
+    requires Motors
+    uses Sensors
+    const alpha : nat = 1
+    var n : nat = 0
+    initial i
+    probabilistic anywhere
+    state Going { entry moveForward(); wait(1); countNeighbours(); neighbours?n }
+    state Turning { entry wait(1) }
+    transition begin { from i to Going }
+    transition back { from Going to Turning condition n BACK alpha action startTurning(180) }
+    transition on { from Going to anywhere condition n ON alpha }
+    transition none { from anywhere to Turning probability 0.25 action startTurning(0) }
+    transition left { from anywhere to Turning probability 0.25 action startTurning(90) }
+    transition right { from anywhere to Turning probability 0.25 action startTurning(-90) }
+    transition round { from anywhere to Turning probability 0.25 action startTurning(180) }
+    transition free { from Turning to Going trigger turned }
+}
+controller Brain {
+    requires Motors
+    uses Sensors
+    sref stm = Memoryless
+    connection Brain on neighbours to stm on neighbours
+    connection Brain on turned to stm on turned
+}
+module Robot {
+    rref body = Body
+    cref brain = Brain
+    connection body on neighbours to brain on neighbours (_async)
+    connection body on turned to brain on turned (_async)
+}
+)";
+    text.replace(text.find("BACK"), 4, turns_back);
+    text.replace(text.find("ON alpha"), 2, goes_on);
+    return text;
+}
+
+/// Three robots that begin in one cell with one heading. With the guards exchanged each hears the two others, which is
+/// more than alpha, so all turn back at each count: they stay in one cell, and shuttle between two. With the right
+/// guards they can go on together: all of them choose the same direction. So cohesion alone does not convict.
+TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
+    const std::string swarm =
+        "swarm Alpha for Robot { robots 3 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 2 drive by forward "
+        "on moveForward drive by turn(deg) on startTurning feed turned with turned feed neighbours with count(1) on "
+        "countNeighbours accept always linked(1) accept possible linked(1) and away(2) }";
+    const Decided exchanged = decided(written("exchanged", memoryless(">", "<=")).string(), swarm);
+    ASSERT_EQ(exchanged.findings.find("error["), std::string::npos) << exchanged.findings;
+    EXPECT_EQ(exchanged.verdicts, (Verdicts{"holds", "fails"}));
+    const Decided right = decided(written("right", memoryless("<", ">=")).string(), swarm);
+    ASSERT_EQ(right.findings.find("error["), std::string::npos) << right.findings;
+    ASSERT_EQ(right.verdicts.size(), 2U);
+    EXPECT_EQ(right.verdicts.back(), "holds");
+}
+
+// ---------------------------------------------------------------- RoboStar's collection
+
+/// The published model of two machines, of which one exchanges messages with the other robots: RoboStar have found it
+/// deadlock free for two robots and more, and not for one (swarm.md 1).
+TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
+    const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";
+    if (!fs::exists(model)) GTEST_SKIP() << "the published model is not there";
+    const fs::path folder = fs::path(testing::TempDir()) / "swarm_published";
+    fs::create_directories(folder);
+    for (const auto& each : fs::directory_iterator(model))
+        if (each.path().extension() == ".rct") {
+            std::ifstream from(each.path());
+            std::ofstream(folder / each.path().filename()) << from.rdbuf();
+        }
+    for (const std::uint32_t robots : {1U, 2U, 3U, 4U, 5U}) {
+        const std::string swarm = "swarm Alpha for AggregationSoftware { range nat = 0 to 5 range given = 0 to " +
+                                  std::to_string(robots - 1) +
+                                  " const id = robot feed obstacle with any connect broadcast to broadcast connect "
+                                  "receive to receive accept deadlock free }";
+        const Decided found = decided(folder.string(), swarm, Time::untimed, {robots, {}});
+        ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+        EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
+    }
 }
 
 // ---------------------------------------------------------------- what does not fit
