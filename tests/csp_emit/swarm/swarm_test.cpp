@@ -310,7 +310,7 @@ stm Memoryless {
     state Turning { entry wait(1) }
     transition begin { from i to Going }
     transition back { from Going to Turning condition n BACK alpha action startTurning(180) }
-    transition on { from Going to anywhere condition n ON alpha }
+    transition goes { from Going to anywhere condition n ON alpha }
     transition none { from anywhere to Turning probability 0.25 action startTurning(0) }
     transition left { from anywhere to Turning probability 0.25 action startTurning(90) }
     transition right { from anywhere to Turning probability 0.25 action startTurning(-90) }
@@ -320,9 +320,9 @@ stm Memoryless {
 controller Brain {
     requires Motors
     uses Sensors
-    sref stm = Memoryless
-    connection Brain on neighbours to stm on neighbours
-    connection Brain on turned to stm on turned
+    sref machine = Memoryless
+    connection Brain on neighbours to machine on neighbours
+    connection Brain on turned to machine on turned
 }
 module Robot {
     rref body = Body
@@ -351,6 +351,29 @@ TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
     ASSERT_EQ(right.findings.find("error["), std::string::npos) << right.findings;
     ASSERT_EQ(right.verdicts.size(), 2U);
     EXPECT_EQ(right.verdicts.back(), "holds");
+}
+
+/// Two robots of corpus/alpha that begin in one cell and drive to the east and to the north. After a step they are a
+/// diagonal step apart, after the second two, and hear each other no more: both turn back at once, for as long as they
+/// hear nobody, and are where they were a step before. So they are never farther apart than three cells. With the
+/// guards exchanged nobody ever hears more than one, so they drive on for ever.
+TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
+    std::ifstream file(fs::path(alpha()) / "alpha.rct");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto exchange = [&](const std::string& from, const std::string& to) {
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    };
+    exchange("heard < alpha", "heard > alpha");
+    exchange("heard >= alpha", "heard <= alpha");
+    const std::string swarm = swarm_of_alpha(
+        "robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 90 deg",
+        "accept deadlock free accept always linked(3) accept possible linked(1) and away(3)");
+    const Decided right = decided(alpha(), swarm);
+    EXPECT_EQ(right.verdicts, (Verdicts{"holds", "holds", "holds"})) << right.findings;
+    const Decided exchanged = decided(written("corpus", text).string(), swarm);
+    ASSERT_EQ(exchanged.verdicts.size(), 3U) << exchanged.findings;
+    EXPECT_EQ(exchanged.verdicts[1], "fails");
 }
 
 // ---------------------------------------------------------------- RoboStar's collection
