@@ -178,5 +178,36 @@ TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
     EXPECT_LT(widest, 0.5);
 }
 
+/// Swarms that in three of five trials are locked for ever where they began, and else leave with a chance of a half in
+/// each step: what follows depends on more than the state. Their chain would leave in the end; fresh trials do not.
+TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> draw(0, 1);
+    const auto trial = [&] {
+        const bool locked = draw(random) < 0.6;
+        statistics::StateSequence seen{0};
+        for (std::size_t step = 0; step < horizon; ++step)
+            seen.push_back(seen.back() == 1 || (!locked && draw(random) < 0.5) ? 1 : 0);
+        return seen;
+    };
+    statistics::TransitionCounts counts(2);
+    for (int i = 0; i < 400; ++i) counts.add(trial());
+    const UncertainChain chain =
+        of(statistics::transition_intervals(counts, {{true, true}, {false, true}}, 0.01));
+    const auto least = reach_bounds(chain, {false, true}, horizon, Direction::minimum);
+    const auto greatest = reach_bounds(chain, {false, true}, horizon, Direction::maximum);
+    std::array<std::uint64_t, horizon + 1> left{};
+    constexpr std::uint64_t fresh = 400;
+    for (std::uint64_t i = 0; i < fresh; ++i) {
+        const statistics::StateSequence seen = trial();
+        for (std::size_t step = 0; step <= horizon; ++step) left[step] += seen[step];
+    }
+    const auto refuted = [&](std::size_t step) {
+        return statistics::contradicts(left[step], fresh, 0.01 / horizon, {least[step][0], greatest[step][0]});
+    };
+    EXPECT_FALSE(refuted(1));
+    EXPECT_TRUE(refuted(horizon));
+}
+
 }  // namespace
 }  // namespace robochart::markov
