@@ -45,7 +45,8 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
         if (choices == 0) throw std::invalid_argument("no transition of a state is permitted");
         for (std::size_t to = 0; to < counts.states(); ++to) {
             if (!permitted[from][to]) {
-                if (counts.count(from, to) > 0) throw std::invalid_argument("a transition that is not permitted was seen");
+                if (counts.count(from, to) > 0)
+                    throw std::invalid_argument("a transition that is not permitted was seen");
                 continue;
             }
             result[from][to] = choices == 1 ? Interval{1, 1}

@@ -410,7 +410,9 @@ csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sou
         diagnostics.report(frontend::syntax::unreadable, {}, {options.swarm, error});
         return {};
     }
-    return csp_emit::read_swarm(sources, *source, diagnostics, {options.robots, options.grid.empty() ? std::nullopt : std::optional(grid_of(options.grid))});
+    return csp_emit::read_swarm(
+        sources, *source, diagnostics,
+        {options.robots, options.grid.empty() ? std::nullopt : std::optional(grid_of(options.grid))});
 }
 
 /// Whether an option of the form NAME=VALUE sets this name.

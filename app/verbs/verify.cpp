@@ -212,7 +212,9 @@ bool write_csp(Project& project, const Options& options, Report& report) {
         if (skipped) continue;
         const csp_emit::Emission& emission = emit_csp(project, options, time);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all("", csp_emit::files(emission, time, options.swarm.empty() ? project.name : project.name + "_swarm"), report.csp_files, options, project))
+        if (!write_all("",
+                       csp_emit::files(emission, time, options.swarm.empty() ? project.name : project.name + "_swarm"),
+                       report.csp_files, options, project))
             return false;
     }
     return true;

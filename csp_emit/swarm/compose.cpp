@@ -100,9 +100,7 @@ private:
         diagnostics_.report(swarm_rules::unknown_name, word.span,
                             {where, what, word.text, meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)});
     }
-    void unfit(const Word& word, const std::string& why) {
-        diagnostics_.report(swarm_rules::no_fit, word.span, {why});
-    }
+    void unfit(const Word& word, const std::string& why) { diagnostics_.report(swarm_rules::no_fit, word.span, {why}); }
 
     /// The port of a name with what its channel's name ends in; null with a diagnostic.
     const Port* port(const Word& word, const std::string& ending, const char* what) {
@@ -124,7 +122,8 @@ private:
             return each.motion == SwarmMotion::turn && each.operation.text == word.text;
         });
         channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
-        if (turns && call->types.size() != 1) unfit(word, fmt::format("'{}' has not one argument to turn by", word.text));
+        if (turns && call->types.size() != 1)
+            unfit(word, fmt::format("'{}' has not one argument to turn by", word.text));
         rename(*call, channel + ".i__" + (turns ? ".steps(a__)" : ""));
         operations_[word.text] = channel;
         own_.push_back(channel);
@@ -184,10 +183,10 @@ private:
                 return unfit(feed.event, fmt::format("'{}' carries no whole number", feed.event.text));
             const auto& carrier = kind == ir::TypeKind::nat ? instantiation_.nat : instantiation_.integer;
             if (carrier.empty() || carrier.back() + 1 < swarm_.robots)
-                return unfit(feed.event, fmt::format("{} robots hear up to {}, and the model calculates up to {}: give "
-                                                     "it more with `range`, or with --range",
-                                                     swarm_.robots, swarm_.robots - 1,
-                                                     carrier.empty() ? 0 : carrier.back()));
+                return unfit(feed.event,
+                             fmt::format("{} robots hear up to {}, and the model calculates up to {}: give "
+                                         "it more with `range`, or with --range",
+                                         swarm_.robots, swarm_.robots - 1, carrier.empty() ? 0 : carrier.back()));
             value = ".card(s__)";
         } else if (kind == ir::TypeKind::boolean) {
             value = ".not empty(s__)";
@@ -250,7 +249,8 @@ private:
         if (!some) unknown(swarm_.component.text, "constant that is open", constant.name, {});
     }
 
-    /// What nothing is bound to: what the robot does by itself it can do at any time, what it would receive never comes.
+    /// What nothing is bound to: what the robot does by itself it can do at any time, what it would receive never
+    /// comes.
     void rest() {
         std::vector<std::string> never;
         for (const auto& [name, port] : ports_) {
@@ -292,8 +292,9 @@ private:
     std::string whole() {
         std::string text = "module Swarm__\nexports\n";
         text += fmt::format("Robots = {{0..{}}}\nHeadings = {{0..{}}}\n", swarm_.robots - 1, swarm_.headings - 1);
-        text += "Pairs = {(i__,j__) | i__ <- Robots, j__ <- Robots, i__ < j__}\nothers(i__) = diff(Robots,{i__})\n"
-                "channel acts : Robots\n";
+        text +=
+            "Pairs = {(i__,j__) | i__ <- Robots, j__ <- Robots, i__ < j__}\nothers(i__) = diff(Robots,{i__})\n"
+            "channel acts : Robots\n";
         text +=
             "joined(a__,s__) =\n"
             "let more__ = union(a__, union({j__ | (i__,j__) <- s__, member(i__,a__)}, {i__ | (i__,j__) <- s__, "
@@ -326,8 +327,8 @@ private:
                 "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
                 "member(i__,s__) |}}))",
                 events, each.channel);
-        return fmt::format("Robot(i__) = dbisim(({}{}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n", process(),
-                           blocked_, renamings_, events);
+        return fmt::format("Robot(i__) = dbisim(({}{}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
+                           process(), blocked_, renamings_, events);
     }
 
     // Of the world, each part with the events that it has a say in.
@@ -364,9 +365,9 @@ private:
             together = fmt::format("({} [ {} || {} ] {})", together, alphabet, parts[k].alphabet, parts[k].process);
             alphabet = fmt::format("union({}, {})", alphabet, parts[k].alphabet);
         }
-        return text + fmt::format("World = {}\nshared = diff({}, {})\n", together, alphabet,
-                                  productions(swarm_.grid ? with_observations({"go", "stay"})
-                                                          : std::vector<std::string>{}));
+        return text +
+               fmt::format("World = {}\nshared = diff({}, {})\n", together, alphabet,
+                           productions(swarm_.grid ? with_observations({"go", "stay"}) : std::vector<std::string>{}));
     }
     [[nodiscard]] std::string pattern(const std::string& channel) const {
         const auto found = driven_.find(channel);
@@ -467,12 +468,11 @@ private:
             else
                 text += fmt::format("Start({0}) = |~| h__ : Headings @ Body({0},h__,0)\n", robot);
         }
-        const std::string alphabet =
-            productions([&] {
-                std::vector<std::string> channels = of_robot(driving_channels(), "i__");
-                channels.insert(channels.end(), {"go.i__", "stay.i__", "tock"});
-                return channels;
-            }());
+        const std::string alphabet = productions([&] {
+            std::vector<std::string> channels = of_robot(driving_channels(), "i__");
+            channels.insert(channels.end(), {"go.i__", "stay.i__", "tock"});
+            return channels;
+        }());
         return text + fmt::format("Bodies = || i__ : Robots @ [ {} ] Start(i__)\n", alphabet);
     }
 
@@ -494,10 +494,8 @@ private:
             }
         for (const Sensed& each : messages_) {
             if (each.distance == 0) continue;
-            const std::string value = channels_.find("channel " + each.channel + " : Robots.Set(Robots).") !=
-                                              std::string::npos
-                                          ? "?v__"
-                                          : "";
+            const std::string value =
+                channels_.find("channel " + each.channel + " : Robots.Set(Robots).") != std::string::npos ? "?v__" : "";
             for (const auto& [robot, other] : {std::pair{"i__", "j__"}, std::pair{"j__", "i__"}}) {
                 text += fmt::format(
                     "[] {0}.{1}?s__:{{s__ | s__ <- Set(others({1})), not member({2},s__) or near(x__,y__,{3})}}{4} -> "
@@ -605,10 +603,10 @@ private:
     std::map<std::string, std::string> operations_;  // by name: the channel
     std::map<std::string, SwarmMotion> driven_;      // by channel
     std::size_t feeds_ = 0;
-    std::vector<std::string> own_;      // channels of one robot and its world
-    std::vector<std::string> settled_;  // of these, those that say that no turn is under way
-    std::vector<std::string> lazy_;     // of these, those that the environment decides
-    std::vector<Sensed> sensed_;        // on a grid, those with the set of those near
+    std::vector<std::string> own_;                              // channels of one robot and its world
+    std::vector<std::string> settled_;                          // of these, those that say that no turn is under way
+    std::vector<std::string> lazy_;                             // of these, those that the environment decides
+    std::vector<Sensed> sensed_;                                // on a grid, those with the set of those near
     std::vector<std::pair<std::string, std::string>> answers_;  // asked by, answered with
     std::vector<Sensed> messages_;
     std::set<std::string> used_;      // channels of the component that are renamed
@@ -625,7 +623,8 @@ std::string assertion_text(const SwarmClaim& claim, std::size_t number, bool tim
         case SwarmQuestion::always:
             return fmt::format("assert STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::fails_observe_{0}\n", number);
         case SwarmQuestion::possible:
-            return fmt::format("assert not STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::holds_observe_{0}\n", number);
+            return fmt::format("assert not STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::holds_observe_{0}\n",
+                               number);
         case SwarmQuestion::recurrent:
             break;
     }
@@ -661,9 +660,8 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
         case SwarmQuestion::recurrent:
             result.kind = ir::PropertyKind::refines;
             result.reason = "from here on it can never hold again";
-            result.recurrence =
-                RecurrenceQuestion{cspm::build::name(fmt::format("Swarm__::Seen_observe_{}", number)),
-                                   cspm::build::name(fmt::format("Swarm__::holds_observe_{}", number))};
+            result.recurrence = RecurrenceQuestion{cspm::build::name(fmt::format("Swarm__::Seen_observe_{}", number)),
+                                                   cspm::build::name(fmt::format("Swarm__::holds_observe_{}", number))};
             break;
     }
     return result;

@@ -84,8 +84,8 @@ std::string Observation::meaning() const {
     std::string sets;
     for (std::size_t k = 0; k < atoms_.size(); ++k) {
         event += fmt::format(".a{}__", k);
-        sets += fmt::format("{}a{}__ <- {}", k == 0 ? "" : ", ", k,
-                            atoms_[k].kind == Kind::away ? "Bool" : "Set(Pairs)");
+        sets +=
+            fmt::format("{}a{}__ <- {}", k == 0 ? "" : ", ", k, atoms_[k].kind == Kind::away ? "Bool" : "Set(Pairs)");
     }
     const std::string holds = text(condition_);
     return fmt::format("holds_{0} = {{{1} | {2}, {3}}}\nfails_{0} = {{{1} | {2}, not ({3})}}\n", channel_, event, sets,

@@ -42,11 +42,10 @@ private:
     void item() {
         using Read = void (SwarmReader::*)();
         static const std::vector<std::pair<const char*, Read>> items{
-            {"robots", &SwarmReader::robots},     {"grid", &SwarmReader::grid},
-            {"headings", &SwarmReader::headings}, {"place", &SwarmReader::place},
-            {"drive", &SwarmReader::drive},       {"feed", &SwarmReader::feed},
-            {"connect", &SwarmReader::connect},   {"const", &SwarmReader::constant},
-            {"range", &SwarmReader::range},       {"accept", &SwarmReader::accept}};
+            {"robots", &SwarmReader::robots},   {"grid", &SwarmReader::grid},      {"headings", &SwarmReader::headings},
+            {"place", &SwarmReader::place},     {"drive", &SwarmReader::drive},    {"feed", &SwarmReader::feed},
+            {"connect", &SwarmReader::connect}, {"const", &SwarmReader::constant}, {"range", &SwarmReader::range},
+            {"accept", &SwarmReader::accept}};
         for (const auto& [word, read] : items)
             if (take(word)) return (this->*read)();
         fail("'robots', 'grid', 'headings', 'place', 'drive', 'feed', 'connect', 'const', 'range', 'accept' or '}'");

@@ -8,8 +8,8 @@ _robochart_verify_options() {
     'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --swarm --robots --grid --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit csp') echo '--timed --untimed --core --swarm --robots --grid --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
@@ -35,6 +35,9 @@ _robochart_verify_argument() {
   case "$1 $2" in
     'verify --assertion' | 'check --assertion') echo '<value>' ;;
     'cspm --assertion') echo '<value>' ;;
+    'check --swarm' | 'emit csp --swarm') echo '<file>' ;;
+    'check --robots' | 'emit csp --robots') echo '<value>' ;;
+    'check --grid' | 'emit csp --grid') echo '<value>' ;;
     'prism --property') echo '<value>' ;;
     'verify --encoding' | 'check --encoding') echo 'csp robotool' ;;
     'verify --scheduler' | 'check --scheduler') echo 'any urgent uniform' ;;

@@ -142,9 +142,9 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
         if (word == "$") continue;
         if (word == "MODEL")
             word = folder.string();
-        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp") ||
-                                                         word.ends_with(".scenario") || word.ends_with(".ros2") ||
-                                                         word.ends_with(".swarm")))
+        else if (word.find('=') == std::string::npos &&
+                 (word.ends_with(".rct") || word.ends_with(".csp") || word.ends_with(".scenario") ||
+                  word.ends_with(".ros2") || word.ends_with(".swarm")))
             word = (folder / word).string();
         words.push_back(word);
     }

@@ -1,6 +1,7 @@
 // Markov chains whose probabilities are known within bounds only: what every chain within them has in common. Robust
 // value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean, Artificial Intelligence
-// 122, 2000). Nature chooses anew in each step, so what holds of all her choices holds of every chain within the bounds.
+// 122, 2000). Nature chooses anew in each step, so what holds of all her choices holds of every chain within the
+// bounds.
 #pragma once
 
 #include <cstdint>

@@ -138,16 +138,14 @@ void confirm_no_return(lts::TransitionSystem& system, const process::EventSet& g
 
 Verdict recurrent(lts::TransitionSystem& system, const process::EventSet& goal, const Limits& limits) {
     return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
-        const SearchQuestion question{
-            [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation*) {
-                return explore_backwards(searched, goal, own, size);
-            },
-            [&](const lts::EventPermutation& exchange) {
-                return std::all_of(exchange.begin(), exchange.end(), [&](const auto& pair) {
-                    return among(goal, pair.first) == among(goal, pair.second);
-                });
-            },
-            false};
+        const SearchQuestion question{[&](lts::TransitionSystem& searched, Budget& own, Statistics& size,
+                                          const Violation*) { return explore_backwards(searched, goal, own, size); },
+                                      [&](const lts::EventPermutation& exchange) {
+                                          return std::all_of(exchange.begin(), exchange.end(), [&](const auto& pair) {
+                                              return among(goal, pair.first) == among(goal, pair.second);
+                                          });
+                                      },
+                                      false};
         const std::optional<Violation> violation = search_reduced(system, budget, verdict.statistics, question);
         verdict.outcome = violation ? Outcome::fails : Outcome::holds;
         if (!violation) return;

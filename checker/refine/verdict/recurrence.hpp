@@ -6,9 +6,9 @@
 
 namespace robochart::refine {
 
-/// Whether from every state that can be reached some run leads to one in which an event of `goal` can happen (ascending,
-/// without tau). Fails with a run to a state from which none does (ViolationKind::no_return), and to a nearest one of
-/// the states that were searched.
+/// Whether from every state that can be reached some run leads to one in which an event of `goal` can happen
+/// (ascending, without tau). Fails with a run to a state from which none does (ViolationKind::no_return), and to a
+/// nearest one of the states that were searched.
 ///
 /// All states are explored; those in which an event of the goal is possible are marked, and so are, backwards, those
 /// that lead to marked ones: linear in states and transitions. With reduction, states that confluent taus lead on from

@@ -98,7 +98,8 @@ std::string alpha() {
 
 std::string swarm_of_alpha(const std::string& size, const std::string& claims) {
     return "swarm Alpha for alpha::Robot {" + size +
-           " const alpha = 1 const cadence = 1 range nat = 0 to 4 drive by forward on moveForward drive by turn(deg) on "
+           " const alpha = 1 const cadence = 1 range nat = 0 to 4 drive by forward on moveForward drive by turn(deg) "
+           "on "
            "startTurning feed turned with turned feed neighbours with count(1) on countNeighbours " +
            claims + " }";
 }
@@ -131,10 +132,10 @@ TEST(Swarm, WhoDrivesApartIsLost) {
 /// The machine of corpus/alpha with cadence 1 in words of its own. A time unit: all that drive move one cell; then each
 /// robot, by itself, does what its machine does until it waits for time to pass.
 struct Robot {
-    int heading = 0;   // 0 east, 1 north, 2 west, 3 south
-    int doing = 0;     // 0 stands, 1 drives, 2 turns
-    int control = 0;   // 0 waits to count in Forward, 1 in Coherence, 2 in TurningBack, 3 in Turning
-    int before = 0;    // the last count
+    int heading = 0;  // 0 east, 1 north, 2 west, 3 south
+    int doing = 0;    // 0 stands, 1 drives, 2 turns
+    int control = 0;  // 0 waits to count in Forward, 1 in Coherence, 2 in TurningBack, 3 in Turning
+    int before = 0;   // the last count
     auto operator<=>(const Robot&) const = default;
 };
 struct World {
@@ -233,8 +234,8 @@ bool can_always_come_together() {
 }
 
 TEST(Swarm, RecurrenceIsThatOfAnotherSearch) {
-    const Decided found = decided(alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading any",
-                                                          "accept recurrent linked(1)"));
+    const Decided found = decided(
+        alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading any", "accept recurrent linked(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{can_always_come_together() ? "holds" : "fails"}));
 }
@@ -341,7 +342,8 @@ module Robot {
 /// guards they can go on together: all of them choose the same direction. So cohesion alone does not convict.
 TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
     const std::string swarm =
-        "swarm Alpha for Robot { robots 3 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 2 drive by forward "
+        "swarm Alpha for Robot { robots 3 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 2 drive by "
+        "forward "
         "on moveForward drive by turn(deg) on startTurning feed turned with turned feed neighbours with count(1) on "
         "countNeighbours accept always linked(1) accept possible linked(1) and away(2) }";
     const Decided exchanged = decided(written("exchanged", memoryless(">", "<=")).string(), swarm);
@@ -366,9 +368,9 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
     };
     exchange("heard < alpha", "heard > alpha");
     exchange("heard >= alpha", "heard <= alpha");
-    const std::string swarm = swarm_of_alpha(
-        "robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 90 deg",
-        "accept deadlock free accept always linked(3) accept possible linked(1) and away(3)");
+    const std::string swarm =
+        swarm_of_alpha("robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 90 deg",
+                       "accept deadlock free accept always linked(3) accept possible linked(1) and away(3)");
     const Decided right = decided(alpha(), swarm);
     EXPECT_EQ(right.verdicts, (Verdicts{"holds", "holds", "holds"})) << right.findings;
     const Decided exchanged = decided(written("corpus", text).string(), swarm);

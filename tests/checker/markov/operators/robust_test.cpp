@@ -192,8 +192,7 @@ TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
     };
     statistics::TransitionCounts counts(2);
     for (int i = 0; i < 400; ++i) counts.add(trial());
-    const UncertainChain chain =
-        of(statistics::transition_intervals(counts, {{true, true}, {false, true}}, 0.01));
+    const UncertainChain chain = of(statistics::transition_intervals(counts, {{true, true}, {false, true}}, 0.01));
     const auto least = reach_bounds(chain, {false, true}, horizon, Direction::minimum);
     const auto greatest = reach_bounds(chain, {false, true}, horizon, Direction::maximum);
     std::array<std::uint64_t, horizon + 1> left{};
