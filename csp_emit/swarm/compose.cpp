@@ -33,17 +33,10 @@ std::map<std::string, Port> ports_of(const Provenance& provenance, const std::st
         if (!event.starts_with(prefix)) continue;
         const std::string name = event.substr(prefix.size());
         if (name.find("::") != std::string::npos) continue;
-        switch (meaning.kind) {
-            case MeaningKind::trigger:
-            case MeaningKind::output:
-            case MeaningKind::call:
-            case MeaningKind::assignment:
-            case MeaningKind::external_write:
-                ports[name] = {event, meaning.kind, meaning.types};
-                break;
-            default:
-                break;
-        }
+        const bool port = meaning.kind == MeaningKind::trigger || meaning.kind == MeaningKind::output ||
+                          meaning.kind == MeaningKind::call || meaning.kind == MeaningKind::assignment ||
+                          meaning.kind == MeaningKind::external_write;
+        if (port) ports[name] = {event, meaning.kind, meaning.types};
     }
     return ports;
 }
@@ -327,8 +320,11 @@ private:
                 "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
                 "member(i__,s__) |}}))",
                 events, each.channel);
-        return fmt::format("Robot(i__) = dbisim(({}{}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
-                           process(), blocked_, renamings_, events);
+        // In time, whether it has done any of this is asked for.
+        std::vector<std::string> own{"acts.i__"};
+        for (const std::string& each : lazy_) own.push_back(each + ".i__");
+        return fmt::format("Robot(i__) = dbisim((({}{}){}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
+                           process(), blocked_, renamings_, timed_ ? std::string() : " \\ " + productions(own), events);
     }
 
     // Of the world, each part with the events that it has a say in.
@@ -561,8 +557,9 @@ private:
             return others.empty() ? std::string("Together")
                                   : fmt::format("(Together [| {} |] STOP)", productions(others));
         };
-        if (!timed_) text += fmt::format("Acting = {}\n", without(""));
         hidden.push_back("acts");
+        if (!timed_)
+            text += fmt::format("Acting = ({} \\ {}) \\ {}\n", without(""), productions(hidden), productions(lazy_));
         if (timed_) text += activity(without(""), hidden, moves);
         hidden.insert(hidden.end(), moves.begin(), moves.end());
         for (const Observation& each : observations_) {
