@@ -338,6 +338,8 @@ EndKind Interpreter::end_kind() const {
             return EndKind::deadlock;
         case ViolationKind::nondeterminism:
             return EndKind::nondeterminism;
+        case ViolationKind::no_return:
+            return EndKind::no_return;
         case ViolationKind::no_trace:
             break;
     }
@@ -423,6 +425,8 @@ std::string Interpreter::why() const {
             return "the clock is read before its first reset";
         case EndKind::clock_initialised:
         case EndKind::missed:
+            return obligation_.reason;
+        case EndKind::no_return:
             return obligation_.reason;
         case EndKind::no_trace:
             return "the trace cannot go on";

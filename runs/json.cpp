@@ -80,6 +80,8 @@ const char* word(EndKind kind) {
             return "clockInitialised";
         case EndKind::missed:
             return "missed";
+        case EndKind::no_return:
+            return "noReturn";
         case EndKind::no_trace:
             return "noTrace";
     }

@@ -128,6 +128,7 @@ enum class EndKind {
     clock_not_initialised,  ///< a clock is read before its first reset
     clock_initialised,      ///< it is reset, where the claim is that it is not
     missed,                 ///< an event is refused while time passes
+    no_return,              ///< what is asked for can never happen again
     no_trace,               ///< the process has no such trace
 };
 

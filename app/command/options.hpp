@@ -95,6 +95,9 @@ struct Options {
     bool ros2 = false;           ///< init: with a mapping to messages
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
+    std::string swarm;         ///< file of a swarm whose claims are meant instead of the model's; "": none
+    std::uint32_t robots = 0;  ///< of the swarm, instead of the file's; 0: as it says
+    std::string grid;          ///< of the swarm, WIDTHxHEIGHT; "": as it says
     bool core = false;
     bool sizes = false;                   ///< check: how large the components' processes are
     bool check = false;                   ///< format: write nothing, tell what would change

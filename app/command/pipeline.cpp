@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -22,6 +23,8 @@
 #include "app/command/run.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "csp_emit/swarm/compose.hpp"
+#include "csp_emit/swarm/read_swarm.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "diagnostics/spelling.hpp"
@@ -379,7 +382,65 @@ bool core_wanted(const Part& part, const Options& options) {
                    std::any_of(file->kept.begin(), file->kept.end(), [](const auto& kept) { return kept.claims; });
         });
     const bool instead = checks && !claims && options.claims.empty() && !options.sizes;
-    return !part.again && (options.core || instead);
+    return !part.again && (options.core || instead) && options.swarm.empty();
+}
+
+namespace {
+
+/// "5x8".
+csp_emit::SwarmGrid grid_of(const std::string& text) {
+    constexpr std::uint32_t most = 64;
+    csp_emit::SwarmGrid grid;
+    const char* const end = text.data() + text.size();
+    const auto [middle, first] = std::from_chars(text.data(), end, grid.width);
+    const bool whole = first == std::errc() && middle != end && *middle == 'x' &&
+                       std::from_chars(middle + 1, end, grid.height).ptr == end;
+    const auto fits = [](std::uint32_t side) { return side >= 2 && side <= most; };
+    if (!whole || !fits(grid.width) || !fits(grid.height))
+        throw UsageError(fmt::format("--grid {}: two numbers from 2 to {} are wanted, as 5x8", text, most));
+    return grid;
+}
+
+/// The swarm that --swarm names, with what other options say of it.
+csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sources,
+                         diagnostics::Diagnostics& diagnostics) {
+    std::string error;
+    const auto source = load_input(sources, options.swarm, error);
+    if (!source) {
+        diagnostics.report(frontend::syntax::unreadable, {}, {options.swarm, error});
+        return {};
+    }
+    return csp_emit::read_swarm(
+        sources, *source, diagnostics,
+        {options.robots, options.grid.empty() ? std::nullopt : std::optional(grid_of(options.grid))});
+}
+
+/// Whether an option of the form NAME=VALUE sets this name.
+bool is_set(const std::vector<std::string>& options, const std::string& name) {
+    return std::any_of(options.begin(), options.end(),
+                       [&](const std::string& each) { return each.starts_with(name + "="); });
+}
+
+}  // namespace
+
+Options with_swarm(Options options) {
+    if (options.swarm.empty()) {
+        if (options.robots > 0 || !options.grid.empty())
+            throw UsageError("--robots and --grid are about a swarm: name its file with --swarm");
+        return options;
+    }
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;  // reported where the swarm is composed
+    const csp_emit::Swarm swarm = swarm_of(options, sources, found);
+    if (!found.ok()) return options;
+    for (const csp_emit::SwarmConstant& each : swarm.constants)
+        if (!each.value.empty() && !is_set(options.constants, each.name.text))
+            options.constants.push_back(each.name.text + "=" + each.value);
+    for (const csp_emit::SwarmRange& each : swarm.ranges)
+        if (!is_set(options.ranges, each.type.text))
+            options.ranges.push_back(fmt::format("{}={}..{}", each.type.text, each.low, each.high));
+    if (swarm.grid && options.times == Times::both) options.times = Times::timed;
+    return options;
 }
 
 const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp_emit::Time time) {
@@ -393,6 +454,13 @@ const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp
                                           project.diagnostics))
             .first->second;
     if (!project.diagnostics.ok()) return emission;
+    if (!options.swarm.empty()) {
+        const csp_emit::Swarm swarm = swarm_of(options, project.sources, project.diagnostics);
+        if (!project.diagnostics.ok()) return emission;
+        csp_emit::make_swarm(project.scripts.at(time), swarm, time, project.system, project.instantiation,
+                             project.sources, project.diagnostics);
+        if (!project.diagnostics.ok()) return emission;
+    }
     if (!emission.captured.empty())
         throw std::logic_error(
             fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));

@@ -41,6 +41,11 @@ struct Project {
 /// has them, and what the options name and the model does not have.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
 
+/// The options with what the swarm's file says where they leave it open: constants, ranges, and with a grid the timed
+/// semantics. Errors of that file are reported where the swarm is composed. Throws UsageError where options about a
+/// swarm are given and none is named, or cannot be meant.
+[[nodiscard]] Options with_swarm(Options);
+
 /// The inputs, part by part: what does not belong together is resolved and made finite apart
 /// (frontend/project/units.hpp), each part as if it were alone. One part where it all belongs together. A part with
 /// errors is not lowered or made finite; its diagnostics have them. What the options name has to be in some part.

@@ -14,6 +14,7 @@
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/ros2/rules.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "csp_emit/swarm/rules.hpp"
 #include "diagrams/stored/rules.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -72,6 +73,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(diagrams::rules::all());
     add(ir::rules::all());
     add(csp_emit::rules::all());
+    add(csp_emit::swarm_rules::all());
     add(cpp_emit::rules::all());
     add(cpp_emit::ros2::rules::all());
     add(cspm::rules::all());

@@ -55,6 +55,8 @@ const char* counterexample_type(ViolationKind kind) {
             return "deadlock";
         case ViolationKind::nondeterminism:
             return "determinism";
+        case ViolationKind::no_return:
+            return "no_return";
         case ViolationKind::no_trace:
             return "stuck";
     }

@@ -69,6 +69,8 @@ std::string offence(const refine::Counterexample& c, const Names& names) {
         case ViolationKind::nondeterminism:
             return fmt::format("then may accept {} and may refuse it: a state it can be in offers {}", event,
                                names.set(c.offered));
+        case ViolationKind::no_return:
+            return "then can never again do what is asked for";
         case ViolationKind::no_trace:
             return fmt::format("then cannot perform {}", event);
     }
@@ -116,6 +118,8 @@ const char* title(ViolationKind kind) {
             return "Deadlock";
         case ViolationKind::nondeterminism:
             return "Determinism";
+        case ViolationKind::no_return:
+            return "No return";
         case ViolationKind::no_trace:
             return "Stuck";
     }

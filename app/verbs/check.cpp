@@ -15,6 +15,7 @@
 #include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/refine/verdict/recurrence.hpp"
 #include "diagnostics/escape.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -161,6 +162,30 @@ void decide_firing(const Context& context, const csp_emit::FiringQuestion& quest
     }
 }
 
+/// What else is said where it holds: without chances that is no more than a possibility.
+const char* const fair_draws =
+    "it happens again and again with probability 1 only if every choice between steps is a draw, each with a chance "
+    "above 0";
+
+/// Whether something can always come again, by a search backwards through all states.
+void decide_recurrence(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    const refine::Limits bounds = limits(context.options, obligation.title);
+    report.answer = Answer::holds;
+    try {
+        const process::EventSet goal = context.session.events(obligation.recurrence->goal);
+        const auto system = context.session.system(obligation.recurrence->process, bounds);
+        take(context, obligation, refine::recurrent(*system, goal, bounds), report);
+        const bool claimed = obligation.kind != ir::PropertyKind::deadlock_free;
+        if (report.answer == Answer::holds && claimed) report.reason = fair_draws;
+    } catch (const process::Interrupted& limit) {
+        report.answer = Answer::inconclusive;
+        report.reason = limit.what();
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.reason = said(context.project, error);
+    }
+}
+
 /// All assertions must hold: the first that does not ends it. Or one suffices: the first that holds does, and only if
 /// each of them fails the claim does; where one of them is not known and none holds, nothing is known of the claim.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
@@ -214,7 +239,7 @@ void announce(const Context& context, Report& report) {
         }
         if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
         const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
-        const bool decidable = obligation.firing || of_rule || !obligation.assertions.empty();
+        const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
         one.reason = decidable ? not_decided : obligation.reason;
         report.assertions.push_back(std::move(one));
@@ -266,6 +291,10 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
             decide(context, obligation, one);
             if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
         }
+        if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
+            one.reason.clear();
+            decide_recurrence(context, obligation, one);
+        }
         const auto edit = options.run->edit();
         report.assertions[at++] = std::move(one);
         report.bounds = bounds_met;
@@ -302,8 +331,10 @@ void set_place(const Project& project, diagnostics::Span span, AssertionReport& 
 }
 
 void check_assertions(Project& project, const Options& options, Report& report) {
-    check_probabilities(project, options, report);
-    report_unchecked(project, options, report);
+    if (options.swarm.empty()) {
+        check_probabilities(project, options, report);
+        report_unchecked(project, options, report);
+    }
     if (options.times != Times::timed) check_time(project, options, Time::untimed, report);
     if (options.times != Times::untimed && project.diagnostics.ok()) check_time(project, options, Time::timed, report);
 }

@@ -212,7 +212,9 @@ bool write_csp(Project& project, const Options& options, Report& report) {
         if (skipped) continue;
         const csp_emit::Emission& emission = emit_csp(project, options, time);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project))
+        if (!write_all("",
+                       csp_emit::files(emission, time, options.swarm.empty() ? project.name : project.name + "_swarm"),
+                       report.csp_files, options, project))
             return false;
     }
     return true;
@@ -553,7 +555,8 @@ Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) 
 
 }  // namespace
 
-Exit run_model(const Options& options) {
+Exit run_model(const Options& given) {
+    const Options options = with_swarm(given);
     const bool rules = std::all_of(options.inputs.begin(), options.inputs.end(),
                                    [](const std::string& each) { return each.ends_with(".sleec"); });
     if (options.verb == Verb::conform && !options.traces.empty() && rules) return conform_rules(options);

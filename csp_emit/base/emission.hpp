@@ -109,6 +109,13 @@ struct FiringQuestion {
     std::vector<TransitionInside> transitions;
 };
 
+/// The question whether from each state that the process reaches it can come to an event of the goal: decided by a
+/// search backwards (checker/refine/verdict/recurrence.hpp), as no refinement says it.
+struct RecurrenceQuestion {
+    cspm::ExprPtr process;
+    cspm::ExprPtr goal;  ///< a set of events
+};
+
 /// One check to be made: an assertion of the model in one time as one or more CSPM assertions, an assert line of a CSP
 /// block, or a core property.
 struct Obligation {
@@ -121,11 +128,12 @@ struct Obligation {
     ir::Origin origin = {};              ///< core properties: the state or clock; of a block's assert line: its place
     std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
     Time time = Time::untimed;
-    std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too
-    std::vector<cspm::DeclPtr> assertions;   ///< members of the script below; empty: no check exists (`reason`)
-    std::optional<FiringQuestion> firing;    ///< decided without an assertion: whether all of these fire
-    bool one_suffices = false;               ///< the claim holds if one of the assertions does; else all must hold
-    std::string reason;  ///< why there is no check; else what is so if it fails and no single run shows it
+    std::vector<cspm::DeclPtr> preparation;        ///< what the assertions mention and no other does; in the script too
+    std::vector<cspm::DeclPtr> assertions;         ///< members of the script below; empty: no check exists (`reason`)
+    std::optional<FiringQuestion> firing;          ///< decided without an assertion: whether all of these fire
+    std::optional<RecurrenceQuestion> recurrence;  ///< decided beside the assertions: whether it can always come again
+    bool one_suffices = false;  ///< the claim holds if one of the assertions does; else all must hold
+    std::string reason;         ///< why there is no check; else what is so if it fails and no single run shows it
 };
 
 /// A component's processes with the values that an assertion without others takes (semantics 3.12).

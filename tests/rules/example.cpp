@@ -142,8 +142,9 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
         if (word == "$") continue;
         if (word == "MODEL")
             word = folder.string();
-        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp") ||
-                                                         word.ends_with(".scenario") || word.ends_with(".ros2")))
+        else if (word.find('=') == std::string::npos &&
+                 (word.ends_with(".rct") || word.ends_with(".csp") || word.ends_with(".scenario") ||
+                  word.ends_with(".ros2") || word.ends_with(".swarm")))
             word = (folder / word).string();
         words.push_back(word);
     }
@@ -169,12 +170,13 @@ void take(const app::ConformanceReport& report, Judgement& result) {
 }
 
 /// Everything a verb does that may report: reading, lowering, writing, and of searches those of `conform`.
-void run(const app::Options& options, Judgement& result) {
-    if (options.verb == app::Verb::cspm) return read_script(options.inputs.front(), result);
-    if (options.verb == app::Verb::simulate) {
-        const auto simulation = app::load_simulation(options);
+void run(const app::Options& given, Judgement& result) {
+    if (given.verb == app::Verb::cspm) return read_script(given.inputs.front(), result);
+    if (given.verb == app::Verb::simulate) {
+        const auto simulation = app::load_simulation(given);
         return take(simulation->project->sources, simulation->project->diagnostics, result);
     }
+    const app::Options options = app::with_swarm(given);
     const auto project = app::load(options);
     app::Report report;
     const bool all = options.verb == app::Verb::verify || options.verb == app::Verb::check;

@@ -10,6 +10,7 @@ enum class ViolationKind {
     divergence,      ///< the reached state can do taus for ever (loop), where the specification may not
     deadlock,        ///< nothing is possible in the reached state
     nondeterminism,  ///< after the trace, `event` may be both accepted and refused
+    no_return,       ///< from the reached state on none of the events that were asked for can happen
     no_trace,        ///< has trace: the process cannot perform it; steps hold the longest possible prefix
 };
 

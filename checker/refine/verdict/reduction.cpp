@@ -75,6 +75,10 @@ private:
     }
 
     Violation shortest(Violation known) {
+        if (!question_.shortest) {
+            known.shortest = false;
+            return known;
+        }
         const Limits limits = leaving_time(budget_.limits());
         Budget own(limits);
         Statistics ignored;

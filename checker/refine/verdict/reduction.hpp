@@ -20,6 +20,8 @@ struct SearchQuestion {
     /// Whether a state has the same answer as its images where automorphisms exchange these events. Asked for exchanges
     /// of at least two events.
     std::function<bool(const lts::EventPermutation&)> indifferent;
+    /// Whether a shortest run is looked for in the whole system after one has been found in its reduced form.
+    bool shortest = true;
 };
 
 /// What the question's search finds in the system, or where limits allow it and there is one, in its reduced form;

@@ -1,0 +1,690 @@
+#include "csp_emit/swarm/compose.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/swarm/conditions.hpp"
+#include "csp_emit/swarm/rules.hpp"
+#include "diagnostics/spelling.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using frontend::Word;
+
+/// An event or call that a component shows to its platform.
+struct Port {
+    std::string channel;  ///< "P::M::e.in", "P::M::opCall"
+    MeaningKind kind = MeaningKind::step;
+    std::vector<ir::TypeId> types;
+};
+
+/// All of a component, by the name of its channel there: "e.in", "opCall", "set_x".
+std::map<std::string, Port> ports_of(const Provenance& provenance, const std::string& path) {
+    const std::string prefix = path + "::";
+    std::map<std::string, Port> ports;
+    for (const auto& [event, meaning] : provenance.events) {
+        if (!event.starts_with(prefix)) continue;
+        const std::string name = event.substr(prefix.size());
+        if (name.find("::") != std::string::npos) continue;
+        const bool port = meaning.kind == MeaningKind::trigger || meaning.kind == MeaningKind::output ||
+                          meaning.kind == MeaningKind::call || meaning.kind == MeaningKind::assignment ||
+                          meaning.kind == MeaningKind::external_write;
+        if (port) ports[name] = {event, meaning.kind, meaning.types};
+    }
+    return ports;
+}
+
+/// What a component's name in a swarm may be: "P::M", or "M" where that is one component.
+const ComponentProcesses* component_named(const Emission& emission, const std::string& name) {
+    const ComponentProcesses* found = nullptr;
+    for (const ComponentProcesses& each : emission.components) {
+        if (each.path == name) return &each;
+        if (!each.path.ends_with("::" + name)) continue;
+        if (found != nullptr) return nullptr;
+        found = &each;
+    }
+    return found;
+}
+
+/// The text of the swarm's module.
+class SwarmModule {
+public:
+    SwarmModule(const Emission& emission, const Swarm& swarm, Time time, const ir::System& system,
+                const ir::Instantiation& instantiation, diagnostics::Diagnostics& diagnostics)
+        : emission_(emission),
+          swarm_(swarm),
+          timed_(time == Time::timed),
+          system_(system),
+          instantiation_(instantiation),
+          diagnostics_(diagnostics) {}
+
+    /// "" with a diagnostic where something does not fit.
+    std::string text() {
+        component_ = component_named(emission_, swarm_.component.text);
+        if (component_ == nullptr) {
+            std::vector<std::string> known;
+            for (const ComponentProcesses& each : emission_.components) known.push_back(each.path);
+            unknown("the model", "component", swarm_.component, known);
+            return "";
+        }
+        if (swarm_.grid && !timed_) {
+            unfit(swarm_.name, "robots move where time passes: a grid has no untimed semantics");
+            return "";
+        }
+        ports_ = ports_of(emission_.provenance, component_->path);
+        bind();
+        if (!diagnostics_.ok()) return "";
+        return whole();
+    }
+
+private:
+    // ------------------------------------------------------------ what is bound to what
+
+    void unknown(const std::string& where, const std::string& what, const Word& word,
+                 const std::vector<std::string>& known) {
+        const std::string meant = diagnostics::nearest(word.text, known);
+        diagnostics_.report(swarm_rules::unknown_name, word.span,
+                            {where, what, word.text, meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)});
+    }
+    void unfit(const Word& word, const std::string& why) { diagnostics_.report(swarm_rules::no_fit, word.span, {why}); }
+
+    /// The port of a name with what its channel's name ends in; null with a diagnostic.
+    const Port* port(const Word& word, const std::string& ending, const char* what) {
+        if (const auto found = ports_.find(word.text + ending); found != ports_.end()) return &found->second;
+        std::vector<std::string> known;
+        for (const auto& [name, each] : ports_)
+            if (name.ends_with(ending)) known.push_back(name.substr(0, name.size() - ending.size()));
+        unknown(swarm_.component.text, what, word, known);
+        return nullptr;
+    }
+    /// The channel that stands for an operation: one for all that is bound to it.
+    std::string operation(const Word& word) {
+        const auto known = operations_.find(word.text);
+        if (known != operations_.end()) return known->second;
+        const Port* const call = port(word, "Call", "operation");
+        if (call == nullptr) return "";
+        const std::string channel = fmt::format("operation_{}", operations_.size() + 1);
+        const bool turns = std::any_of(swarm_.drives.begin(), swarm_.drives.end(), [&](const SwarmDrive& each) {
+            return each.motion == SwarmMotion::turn && each.operation.text == word.text;
+        });
+        channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
+        if (turns && call->types.size() != 1)
+            unfit(word, fmt::format("'{}' has not one argument to turn by", word.text));
+        rename(*call, channel + ".i__" + (turns ? ".steps(a__)" : ""));
+        operations_[word.text] = channel;
+        own_.push_back(channel);
+        return channel;
+    }
+    /// All of the port's events become this one, in which a__ is their value.
+    void rename(const Port& port, const std::string& target) {
+        used_.insert(port.channel);
+        renamings_ += port.types.empty()
+                          ? fmt::format("\n[[ {} <- {} ]]", port.channel, target)
+                          : fmt::format("\n[[ {0}.a__ <- {1} | a__ <- extensions({0}) ]]", port.channel, target);
+    }
+
+    void bind() {
+        for (const SwarmDrive& drive : swarm_.drives) {
+            if (!swarm_.grid) unfit(drive.operation, "without a grid nothing drives");
+            const std::string channel = operation(drive.operation);
+            if (!channel.empty() && !driven_.emplace(channel, drive.motion).second)
+                unfit(drive.operation, fmt::format("'{}' drives twice", drive.operation.text));
+        }
+        for (const SwarmFeed& feed : swarm_.feeds) bind(feed);
+        for (const SwarmConnection& connection : swarm_.connections) bind(connection);
+        for (const SwarmConstant& constant : swarm_.constants)
+            if (constant.value.empty()) number(constant);
+        rest();
+    }
+
+    bool once(const Word& word, const Port& port) {
+        if (!used_.contains(port.channel)) return true;
+        unfit(word, fmt::format("'{}' is fed or connected twice", word.text));
+        return false;
+    }
+
+    void bind(const SwarmFeed& feed) {
+        const Port* const event = port(feed.event, ".in", "event that it receives");
+        if (event == nullptr || !once(feed.event, *event)) return;
+        const std::string channel = fmt::format("feed_{}", ++feeds_);
+        const bool near = feed.reading == SwarmReading::count || feed.reading == SwarmReading::near;
+        if (near)
+            sense(feed, *event, channel);
+        else
+            signal(feed, *event, channel);
+        own_.push_back(channel);
+        if (near && swarm_.grid) sensed_.push_back({channel, feed.distance});
+        if (!feed.on) return;
+        const std::string asked = operation(*feed.on);
+        if (!asked.empty()) answers_.push_back({asked, channel});
+    }
+    void sense(const SwarmFeed& feed, const Port& event, const std::string& channel) {
+        channels_ += fmt::format("channel {} : Robots.Set(Robots)\n", channel);
+        used_.insert(event.channel);
+        std::string value;
+        std::string condition;
+        const ir::TypeKind kind = event.types.size() == 1 ? system_.type(event.types.front()).kind : ir::TypeKind::unit;
+        if (feed.reading == SwarmReading::count) {
+            if (kind != ir::TypeKind::nat && kind != ir::TypeKind::integer)
+                return unfit(feed.event, fmt::format("'{}' carries no whole number", feed.event.text));
+            const auto& carrier = kind == ir::TypeKind::nat ? instantiation_.nat : instantiation_.integer;
+            if (carrier.empty() || carrier.back() + 1 < swarm_.robots)
+                return unfit(feed.event,
+                             fmt::format("{} robots hear up to {}, and the model calculates up to {}: give "
+                                         "it more with `range`, or with --range",
+                                         swarm_.robots, swarm_.robots - 1, carrier.empty() ? 0 : carrier.back()));
+            value = ".card(s__)";
+        } else if (kind == ir::TypeKind::boolean) {
+            value = ".not empty(s__)";
+        } else if (event.types.empty()) {
+            condition = ", not empty(s__)";
+        } else {
+            return unfit(feed.event, fmt::format("'{}' carries more than whether somebody is near", feed.event.text));
+        }
+        if (value == ".not empty(s__)") value = ".(not empty(s__))";
+        renamings_ += fmt::format("\n[[ {}{} <- {}.i__.s__ | s__ <- Set(others(i__)){} ]]", event.channel, value,
+                                  channel, condition);
+    }
+    void signal(const SwarmFeed& feed, const Port& event, const std::string& channel) {
+        channels_ += fmt::format("channel {} : Robots\n", channel);
+        if (feed.reading == SwarmReading::turned) {
+            if (!event.types.empty()) unfit(feed.event, fmt::format("'{}' carries a value", feed.event.text));
+            if (!swarm_.grid) unfit(feed.event, "without a grid nothing turns");
+            settled_.push_back(channel);
+        } else {
+            lazy_.push_back(channel);
+        }
+        rename(event, channel + ".i__");
+    }
+
+    void bind(const SwarmConnection& connection) {
+        const Port* const from = port(connection.from, ".out", "event that it sends");
+        const Port* const to = port(connection.to, ".in", "event that it receives");
+        if (from == nullptr || to == nullptr || !once(connection.from, *from) || !once(connection.to, *to)) return;
+        if (from->types.size() != to->types.size() || from->types.size() > 1 ||
+            (!from->types.empty() && from->types.front().index != to->types.front().index))
+            return unfit(connection.to, "what is sent is not what is received");
+        if (connection.distance > 0 && !swarm_.grid)
+            return unfit(connection.from, "how far others are is known on a grid alone");
+        used_.insert(from->channel);
+        used_.insert(to->channel);
+        const std::string channel = fmt::format("message_{}", messages_.size() + 1);
+        const bool value = !from->types.empty();
+        channels_ += fmt::format("channel {} : Robots.Set(Robots){}\n", channel,
+                                 value ? fmt::format(".{{v__ | v__ <- extensions({})}}", from->channel) : "");
+        const std::string values = value ? fmt::format(", v__ <- extensions({})", from->channel) : "";
+        renamings_ += fmt::format("\n[[ {0}{1} <- {2}.i__.s__{1} | s__ <- Set(others(i__)){3} ]]", from->channel,
+                                  value ? ".v__" : "", channel, values);
+        renamings_ += fmt::format(
+            "\n[[ {0}{1} <- {2}.j__.s__{1} | j__ <- others(i__), s__ <- Set(others(j__)), member(i__,s__){3} ]]",
+            to->channel, value ? ".v__" : "", channel, values);
+        messages_.push_back({channel, connection.distance});
+    }
+
+    /// The constant becomes the robot's number where the process takes it.
+    void number(const SwarmConstant& constant) {
+        std::string ending = "_" + constant.name.text;
+        for (std::size_t at = ending.find("::"); at != std::string::npos; at = ending.find("::"))
+            ending.replace(at, 2, "_");
+        bool some = false;
+        for (const cspm::ExprPtr& argument : component_->compressed->args) {
+            if (argument->kind != cspm::ExprKind::name || !argument->text.ends_with(ending)) continue;
+            numbered_.insert(argument->text);
+            some = true;
+        }
+        if (!some) unknown(swarm_.component.text, "constant that is open", constant.name, {});
+    }
+
+    /// What nothing is bound to: what the robot does by itself it can do at any time, what it would receive never
+    /// comes.
+    void rest() {
+        std::vector<std::string> never;
+        for (const auto& [name, port] : ports_) {
+            if (used_.contains(port.channel)) continue;
+            if (port.kind == MeaningKind::trigger || port.kind == MeaningKind::external_write)
+                never.push_back(port.channel);
+            else
+                rename(port, "acts.i__");
+        }
+        if (!never.empty()) blocked_ = fmt::format("\n[| {{| {} |}} |] STOP", fmt::join(never, ", "));
+    }
+
+    // ------------------------------------------------------------ the text
+
+    [[nodiscard]] std::string process() const {
+        std::vector<std::string> arguments;
+        const cspm::Expr& call = *component_->compressed;
+        std::string function;
+        for (const cspm::ExprPtr& each : call.args) {
+            const bool numbered = each->kind == cspm::ExprKind::name && numbered_.contains(each->text);
+            const std::string text = numbered ? "i__" : cspm::print(each);
+            if (function.empty())
+                function = text;
+            else
+                arguments.push_back(text);
+        }
+        return arguments.empty() ? function : fmt::format("{}({})", function, fmt::join(arguments, ", "));
+    }
+
+    static std::string productions(const std::vector<std::string>& channels) {
+        return channels.empty() ? "{}" : fmt::format("{{| {} |}}", fmt::join(channels, ", "));
+    }
+    static std::vector<std::string> of_robot(const std::vector<std::string>& channels, const char* robot) {
+        std::vector<std::string> result;
+        for (const std::string& each : channels) result.push_back(each + "." + robot);
+        return result;
+    }
+
+    std::string whole() {
+        std::string text = "module Swarm__\nexports\n";
+        text += fmt::format("Robots = {{0..{}}}\nHeadings = {{0..{}}}\n", swarm_.robots - 1, swarm_.headings - 1);
+        text +=
+            "Pairs = {(i__,j__) | i__ <- Robots, j__ <- Robots, i__ < j__}\nothers(i__) = diff(Robots,{i__})\n"
+            "channel acts : Robots\n";
+        text +=
+            "joined(a__,s__) =\n"
+            "let more__ = union(a__, union({j__ | (i__,j__) <- s__, member(i__,a__)}, {i__ | (i__,j__) <- s__, "
+            "member(j__,a__)}))\nwithin if more__ == a__ then a__ == Robots else joined(more__,s__)\n";
+        text += channels_ + turns() + robots();
+        for (std::size_t k = 0; k < swarm_.claims.size(); ++k)
+            if (swarm_.claims[k].question != SwarmQuestion::deadlock_free)
+                observations_.emplace_back(swarm_.claims[k].condition, fmt::format("observe_{}", k + 1));
+        for (const Observation& each : observations_) text += each.channel_declaration();
+        text += world();
+        text += processes();
+        return text + "endmodule\n";
+    }
+
+    /// Angles of the model are in units of 1/scale of a degree; each is rounded to the nearest heading.
+    [[nodiscard]] std::string turns() const {
+        if (!swarm_.grid) return "";
+        const std::int64_t unit = 360 * instantiation_.scale / swarm_.headings;
+        const std::int64_t around = unit * swarm_.headings;
+        return fmt::format("steps(a__) = (((a__ + {0}) % {1} + {1}) % {1}) / {2}\n", unit / 2, around, unit);
+    }
+
+    [[nodiscard]] std::string robots() const {
+        std::vector<std::string> alphabet = of_robot(own_, "i__");
+        alphabet.push_back("acts.i__");
+        if (timed_) alphabet.push_back("tock");
+        std::string events = productions(alphabet);
+        for (const Sensed& each : messages_)
+            events = fmt::format(
+                "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
+                "member(i__,s__) |}}))",
+                events, each.channel);
+        // In time, whether it has done any of this is asked for.
+        std::vector<std::string> own{"acts.i__"};
+        for (const std::string& each : lazy_) own.push_back(each + ".i__");
+        return fmt::format("Robot(i__) = dbisim((({}{}){}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
+                           process(), blocked_, renamings_, timed_ ? std::string() : " \\ " + productions(own), events);
+    }
+
+    // Of the world, each part with the events that it has a say in.
+    struct WorldPart {
+        std::string process;
+        std::string alphabet;
+    };
+
+    std::string world() {
+        std::string text;
+        std::vector<WorldPart> parts;
+        if (swarm_.grid) {
+            text += grid();
+            parts.push_back({"Bodies", bodies_alphabet()});
+            if (swarm_.robots > 1) parts.push_back({"AllPairs", pairs_alphabet()});
+            parts.push_back({"Still", phase_alphabet()});
+            if (away()) parts.push_back({fmt::format("Way({},{})", place(0).x, place(0).y), way_alphabet()});
+        }
+        for (std::size_t k = 0; k < answers_.size(); ++k) {
+            const auto& [asked, answer] = answers_[k];
+            text += fmt::format(
+                "Asked_{0}(i__) = {1} -> Answer_{0}(i__)\n"
+                "Answer_{0}(i__) = {2} -> Asked_{0}(i__) [] {1} -> Answer_{0}(i__)\n",
+                k + 1, asked + ".i__" + pattern(asked), answer_event(answer));
+            parts.push_back({fmt::format("(||| i__ : Robots @ Asked_{}(i__))", k + 1), productions({asked, answer})});
+        }
+        // With nobody to hear it a message waits.
+        if (swarm_.robots == 1)
+            for (const Sensed& each : messages_) parts.push_back({"STOP", productions({each.channel})});
+        if (parts.empty()) return text + "World = SKIP\nshared = {}\n";
+        std::string together = parts.front().process;
+        std::string alphabet = parts.front().alphabet;
+        for (std::size_t k = 1; k < parts.size(); ++k) {
+            together = fmt::format("({} [ {} || {} ] {})", together, alphabet, parts[k].alphabet, parts[k].process);
+            alphabet = fmt::format("union({}, {})", alphabet, parts[k].alphabet);
+        }
+        return text +
+               fmt::format("World = {}\nshared = diff({}, {})\n", together, alphabet,
+                           productions(swarm_.grid ? with_observations({"go", "stay"}) : std::vector<std::string>{}));
+    }
+    [[nodiscard]] std::string pattern(const std::string& channel) const {
+        const auto found = driven_.find(channel);
+        return found != driven_.end() && found->second == SwarmMotion::turn ? "?h__" : "";
+    }
+    [[nodiscard]] std::string answer_event(const std::string& channel) const {
+        const bool set = channels_.find("channel " + channel + " : Robots.Set(Robots)") != std::string::npos;
+        return channel + ".i__" + (set ? "?s__" : "");
+    }
+    [[nodiscard]] std::vector<std::string> with_observations(std::vector<std::string> channels) const {
+        for (const Observation& each : observations_) channels.push_back(each.channel());
+        return channels;
+    }
+
+    [[nodiscard]] bool away() const {
+        return std::any_of(observations_.begin(), observations_.end(),
+                           [](const Observation& each) { return each.asks(SwarmCondition::Kind::away); });
+    }
+
+    [[nodiscard]] std::vector<std::string> driving_channels() const {
+        std::vector<std::string> result = settled_;
+        for (const auto& [channel, motion] : driven_) result.push_back(channel);
+        return result;
+    }
+    [[nodiscard]] std::string bodies_alphabet() const {
+        std::vector<std::string> channels = driving_channels();
+        channels.insert(channels.end(), {"go", "stay", "tock"});
+        return productions(channels);
+    }
+    [[nodiscard]] std::string pairs_alphabet() const {
+        std::vector<std::string> channels{"go"};
+        for (const Sensed& each : sensed_) channels.push_back(each.channel);
+        for (const Sensed& each : messages_)
+            if (each.distance > 0) channels.push_back(each.channel);
+        for (const Observation& each : observations_)
+            if (each.asks_pairs()) channels.push_back(each.channel());
+        return productions(channels);
+    }
+    [[nodiscard]] std::vector<std::string> phase_channels() const {
+        std::vector<std::string> channels = driving_channels();
+        for (const Sensed& each : sensed_) channels.push_back(each.channel);
+        for (const Sensed& each : messages_) channels.push_back(each.channel);
+        return with_observations(channels);
+    }
+    [[nodiscard]] std::string phase_alphabet() const {
+        std::vector<std::string> channels = phase_channels();
+        channels.insert(channels.end(), {"go", "stay", "tock"});
+        return productions(channels);
+    }
+    [[nodiscard]] std::string way_alphabet() const {
+        std::vector<std::string> channels{"go.0"};
+        for (const Observation& each : observations_)
+            if (each.asks(SwarmCondition::Kind::away)) channels.push_back(each.channel());
+        return productions(channels);
+    }
+
+    [[nodiscard]] SwarmPlace place(std::size_t robot) const {
+        SwarmPlace result;
+        if (!swarm_.places.empty()) result = swarm_.places[std::min(robot, swarm_.places.size() - 1)];
+        result.x = around(result.x, swarm_.grid->width);
+        result.y = around(result.y, swarm_.grid->height);
+        return result;
+    }
+    static std::int64_t around(std::int64_t value, std::int64_t size) { return ((value % size) + size) % size; }
+
+    [[nodiscard]] std::string grid() const {
+        const bool four = swarm_.headings == 4;
+        std::string text = fmt::format("columns = {}\nrows = {}\n", swarm_.grid->width, swarm_.grid->height);
+        text += fmt::format("along_x = <{}>\nalong_y = <{}>\n", four ? "1,0,-1,0" : "1,1,0,-1,-1,-1,0,1",
+                            four ? "0,1,0,-1" : "0,1,1,1,0,-1,-1,-1");
+        text +=
+            "chosen(<x__>^s__,n__) = if n__ == 0 then x__ else chosen(s__,n__-1)\n"
+            "column(x__) = (x__ + columns) % columns\nrow(y__) = (y__ + rows) % rows\n"
+            "shorter(x__,m__) = if x__ + x__ > m__ then m__ - x__ else x__\n"
+            "near(x__,y__,d__) = shorter(x__,columns) <= d__ and shorter(y__,rows) <= d__\n"
+            "channel go : Robots.Headings\nchannel stay : Robots\n";
+        return text + bodies() + pairs() + phases() + (away() ? way() : "");
+    }
+
+    /// m__: 0 standing, 1 driving, 2 turning until the next time unit has passed.
+    [[nodiscard]] std::string bodies() const {
+        std::string text = "Body(i__,h__,m__) =\n";
+        for (const auto& [channel, motion] : driven_) {
+            if (motion == SwarmMotion::turn)
+                text += fmt::format("{}.i__?a__ -> Body(i__,(h__ + a__) % {},2)\n[] ", channel, swarm_.headings);
+            else
+                text += fmt::format("{}.i__ -> Body(i__,h__,{})\n[] ", channel, motion == SwarmMotion::forward ? 1 : 0);
+        }
+        for (const std::string& channel : settled_)
+            text += fmt::format("m__ != 2 & {}.i__ -> Body(i__,h__,m__)\n[] ", channel);
+        text +=
+            "m__ == 1 & go.i__.h__ -> Body(i__,h__,m__)\n[] m__ != 1 & stay.i__ -> Body(i__,h__,0)\n"
+            "[] tock -> Body(i__,h__,m__)\n";
+        for (std::uint32_t robot = 0; robot < swarm_.robots; ++robot) {
+            const SwarmPlace at = place(robot);
+            if (at.degrees)
+                text += fmt::format("Start({0}) = Body({0},steps({1}),0)\n", robot, *at.degrees * instantiation_.scale);
+            else
+                text += fmt::format("Start({0}) = |~| h__ : Headings @ Body({0},h__,0)\n", robot);
+        }
+        const std::string alphabet = productions([&] {
+            std::vector<std::string> channels = of_robot(driving_channels(), "i__");
+            channels.insert(channels.end(), {"go.i__", "stay.i__", "tock"});
+            return channels;
+        }());
+        return text + fmt::format("Bodies = || i__ : Robots @ [ {} ] Start(i__)\n", alphabet);
+    }
+
+    /// Of robots i__ < j__: where j__ is, seen from i__.
+    [[nodiscard]] std::string pairs() const {
+        if (swarm_.robots == 1) return "";
+        std::string text =
+            "Pair(i__,j__,x__,y__) =\n"
+            "go.i__?h__ -> Pair(i__,j__,column(x__-chosen(along_x,h__)),row(y__-chosen(along_y,h__)))\n"
+            "[] go.j__?h__ -> Pair(i__,j__,column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
+        std::vector<std::string> alphabet{"go.i__", "go.j__"};
+        for (const Sensed& each : sensed_)
+            for (const auto& [robot, other] : {std::pair{"i__", "j__"}, std::pair{"j__", "i__"}}) {
+                text += fmt::format(
+                    "[] {0}.{1}?s__:{{s__ | s__ <- Set(others({1})), member({2},s__) == near(x__,y__,{3})}} -> "
+                    "Pair(i__,j__,x__,y__)\n",
+                    each.channel, robot, other, each.distance);
+                alphabet.push_back(each.channel + "." + robot);
+            }
+        for (const Sensed& each : messages_) {
+            if (each.distance == 0) continue;
+            const std::string value =
+                channels_.find("channel " + each.channel + " : Robots.Set(Robots).") != std::string::npos ? "?v__" : "";
+            for (const auto& [robot, other] : {std::pair{"i__", "j__"}, std::pair{"j__", "i__"}}) {
+                text += fmt::format(
+                    "[] {0}.{1}?s__:{{s__ | s__ <- Set(others({1})), not member({2},s__) or near(x__,y__,{3})}}{4} -> "
+                    "Pair(i__,j__,x__,y__)\n",
+                    each.channel, robot, other, each.distance, value);
+                alphabet.push_back(each.channel + "." + robot);
+            }
+        }
+        for (const Observation& each : observations_) {
+            if (!each.asks_pairs()) continue;
+            text += "[] " + each.seen_by_pair() + " -> Pair(i__,j__,x__,y__)\n";
+            alphabet.push_back(each.channel());
+        }
+        text += fmt::format("pair_events(i__,j__) = {}\n", productions(alphabet));
+        std::string together;
+        std::string events;
+        for (std::uint32_t i = 0; i < swarm_.robots; ++i)
+            for (std::uint32_t j = i + 1; j < swarm_.robots; ++j) {
+                const std::string one =
+                    fmt::format("Pair({},{},{},{})", i, j, around(place(j).x - place(i).x, swarm_.grid->width),
+                                around(place(j).y - place(i).y, swarm_.grid->height));
+                const std::string own = fmt::format("pair_events({},{})", i, j);
+                together = together.empty() ? one : fmt::format("({} [ {} || {} ] {})", together, events, own, one);
+                events = events.empty() ? own : fmt::format("union({}, {})", events, own);
+            }
+        return text + fmt::format("AllPairs = {}\n", together);
+    }
+
+    /// After each tock all move, and nothing else happens meanwhile.
+    [[nodiscard]] std::string phases() const {
+        const std::vector<std::string> channels = phase_channels();
+        std::string text = "Still = tock -> Moving(0)";
+        if (!channels.empty()) text += fmt::format(" [] ([] e__ : {} @ e__ -> Still)", productions(channels));
+        return text +
+               "\nMoving(i__) = if member(i__,Robots) then (go.i__?h__ -> Moving(i__+1) [] stay.i__ -> Moving(i__+1)) "
+               "else Still\n";
+    }
+
+    /// Where robot 0 is.
+    [[nodiscard]] std::string way() const {
+        std::string text =
+            "Way(x__,y__) = go.0?h__ -> Way(column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
+        const SwarmPlace from = place(0);
+        for (const Observation& each : observations_)
+            if (each.asks(SwarmCondition::Kind::away))
+                text += "[] " + each.seen_on_way(from.x, from.y) + " -> Way(x__,y__)\n";
+        return text;
+    }
+
+    [[nodiscard]] std::string processes() const {
+        std::vector<std::string> hidden = own_;
+        std::erase_if(hidden, [&](const std::string& each) {
+            return std::find(lazy_.begin(), lazy_.end(), each) != lazy_.end();
+        });
+        for (const Sensed& each : messages_) hidden.push_back(each.channel);
+        std::vector<std::string> moves;
+        if (swarm_.grid) moves = {"go", "stay"};
+        std::string text = "Together = AllRobots [| shared |] World\n";
+        const auto without = [&](const std::string& kept) {
+            std::vector<std::string> others;
+            for (const Observation& each : observations_)
+                if (each.channel() != kept) others.push_back(each.channel());
+            return others.empty() ? std::string("Together")
+                                  : fmt::format("(Together [| {} |] STOP)", productions(others));
+        };
+        hidden.push_back("acts");
+        if (!timed_)
+            text += fmt::format("Acting = ({} \\ {}) \\ {}\n", without(""), productions(hidden), productions(lazy_));
+        if (timed_) text += activity(without(""), hidden, moves);
+        hidden.insert(hidden.end(), moves.begin(), moves.end());
+        for (const Observation& each : observations_) {
+            text += fmt::format("Seen_{0} = prioritise({1} \\ {2}, <{{}}, {{tock}}>) \\ {3}\n", each.channel(),
+                                without(each.channel()), productions(hidden), productions(lazy_));
+            text += each.meaning();
+        }
+        return text;
+    }
+
+    /// Whether a robot has done anything since time passed last, as an event that is possible as long as that is so.
+    [[nodiscard]] std::string activity(const std::string& together, std::vector<std::string> done,
+                                       const std::vector<std::string>& moves) const {
+        std::vector<std::string> hidden = done;
+        hidden.insert(hidden.end(), moves.begin(), moves.end());
+        done.insert(done.end(), lazy_.begin(), lazy_.end());
+        return fmt::format(
+            "channel active\n"
+            "Quiet = tock -> Quiet [] ([] e__ : {0} @ e__ -> Busy)\n"
+            "Busy = tock -> Quiet [] active -> Busy [] ([] e__ : {0} @ e__ -> Busy)\n"
+            "Watched = prioritise(({1} [| union({0}, {{tock}}) |] Quiet) \\ {2}, <{{}}, {{tock}}>) \\ {3}\n",
+            productions(done), together, productions(hidden), productions(lazy_));
+    }
+
+    struct Sensed {
+        std::string channel;
+        std::uint32_t distance = 0;
+    };
+
+    const Emission& emission_;
+    const Swarm& swarm_;
+    bool timed_;
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    diagnostics::Diagnostics& diagnostics_;
+    const ComponentProcesses* component_ = nullptr;
+    std::map<std::string, Port> ports_;
+    std::map<std::string, std::string> operations_;  // by name: the channel
+    std::map<std::string, SwarmMotion> driven_;      // by channel
+    std::size_t feeds_ = 0;
+    std::vector<std::string> own_;                              // channels of one robot and its world
+    std::vector<std::string> settled_;                          // of these, those that say that no turn is under way
+    std::vector<std::string> lazy_;                             // of these, those that the environment decides
+    std::vector<Sensed> sensed_;                                // on a grid, those with the set of those near
+    std::vector<std::pair<std::string, std::string>> answers_;  // asked by, answered with
+    std::vector<Sensed> messages_;
+    std::set<std::string> used_;      // channels of the component that are renamed
+    std::set<std::string> numbered_;  // arguments that are the robot's number
+    std::vector<Observation> observations_;
+    std::string channels_, renamings_, blocked_;
+};
+
+std::string assertion_text(const SwarmClaim& claim, std::size_t number, bool timed) {
+    switch (claim.question) {
+        case SwarmQuestion::deadlock_free:
+            return timed ? "assert Swarm__::Watched [| {| Swarm__::active |} |] STOP :[deadlock free [F]]\n"
+                         : "assert Swarm__::Acting :[deadlock free [F]]\n";
+        case SwarmQuestion::always:
+            return fmt::format("assert STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::fails_observe_{0}\n", number);
+        case SwarmQuestion::possible:
+            return fmt::format("assert not STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::holds_observe_{0}\n",
+                               number);
+        case SwarmQuestion::recurrent:
+            break;
+    }
+    return "";
+}
+
+/// How a report names a claim.
+std::string title_of(const Swarm& swarm, const SwarmClaim& claim) {
+    const std::string where = swarm.grid ? fmt::format("{} by {}", swarm.grid->width, swarm.grid->height) : "no grid";
+    return fmt::format("{}: {} [{} robot{}, {}]", swarm.name.text, claim.text, swarm.robots,
+                       swarm.robots == 1 ? "" : "s", where);
+}
+
+Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_t number, Time time) {
+    Obligation result;
+    result.title = title_of(swarm, claim);
+    result.origin.span = claim.span;
+    result.time = time;
+    switch (claim.question) {
+        case SwarmQuestion::deadlock_free:
+            if (time == Time::untimed) break;
+            result.reason = "from here on no robot does anything but let time pass";
+            result.recurrence = RecurrenceQuestion{cspm::build::name("Swarm__::Watched"),
+                                                   cspm::build::productions({cspm::build::name("Swarm__::active")})};
+            break;
+        case SwarmQuestion::always:
+            result.kind = ir::PropertyKind::refines;
+            break;
+        case SwarmQuestion::possible:
+            result.kind = ir::PropertyKind::refines;
+            result.reason = "no run leads to where this holds";
+            break;
+        case SwarmQuestion::recurrent:
+            result.kind = ir::PropertyKind::refines;
+            result.reason = "from here on it can never hold again";
+            result.recurrence = RecurrenceQuestion{cspm::build::name(fmt::format("Swarm__::Seen_observe_{}", number)),
+                                                   cspm::build::name(fmt::format("Swarm__::holds_observe_{}", number))};
+            break;
+    }
+    return result;
+}
+
+}  // namespace
+
+void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::System& system,
+                const ir::Instantiation& instantiation, diagnostics::SourceManager& sources,
+                diagnostics::Diagnostics& diagnostics) {
+    const std::string module = SwarmModule(emission, swarm, time, system, instantiation, diagnostics).text();
+    emission.script = emission.definitions;
+    emission.obligations.clear();
+    if (module.empty()) return;
+    const auto read = [&](const std::string& name, const std::string& text) {
+        const cspm::Script script = cspm::read(sources, sources.add(name, text), diagnostics);
+        emission.script.decls.insert(emission.script.decls.end(), script.decls.begin(), script.decls.end());
+        return script.decls;
+    };
+    (void)read("the swarm's CSP", module);
+    for (std::size_t k = 0; k < swarm.claims.size(); ++k) {
+        Obligation one = obligation_of(swarm, swarm.claims[k], k + 1, time);
+        const std::string text = assertion_text(swarm.claims[k], k + 1, time == Time::timed);
+        if (!text.empty()) one.assertions = read("the swarm's claims", text);
+        emission.obligations.push_back(std::move(one));
+    }
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,95 @@
+#include "csp_emit/swarm/conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robochart::csp_emit {
+
+using Kind = SwarmCondition::Kind;
+
+Observation::Observation(const SwarmCondition& condition, std::string channel)
+    : channel_(std::move(channel)), condition_(condition) {
+    collect(condition_);
+}
+
+void Observation::collect(const SwarmCondition& condition) {
+    for (const SwarmCondition& part : condition.parts) collect(part);
+    if (condition.parts.empty() && place(condition) == atoms_.size())
+        atoms_.push_back({condition.kind, condition.distance});
+}
+
+std::size_t Observation::place(const SwarmCondition& condition) const {
+    const auto found = std::find_if(atoms_.begin(), atoms_.end(), [&](const Atom& each) {
+        return each.kind == condition.kind && each.distance == condition.distance;
+    });
+    return static_cast<std::size_t>(found - atoms_.begin());
+}
+
+bool Observation::asks(Kind kind) const {
+    return std::any_of(atoms_.begin(), atoms_.end(), [&](const Atom& each) { return each.kind == kind; });
+}
+
+bool Observation::asks_pairs() const {
+    return asks(Kind::linked) || asks(Kind::apart);
+}
+
+std::string Observation::channel_declaration() const {
+    std::string fields;
+    for (const Atom& each : atoms_)
+        fields += fmt::format("{}{}", fields.empty() ? "" : ".", each.kind == Kind::away ? "Bool" : "Set(Pairs)");
+    return fmt::format("channel {} : {}\n", channel_, fields);
+}
+
+std::string Observation::seen_by_pair() const {
+    std::string event = channel_;
+    for (std::size_t k = 0; k < atoms_.size(); ++k)
+        event += atoms_[k].kind == Kind::away
+                     ? fmt::format("?a{}__", k)
+                     : fmt::format("?a{0}__:{{s__ | s__ <- Set(Pairs), member((i__,j__),s__) == near(x__,y__,{1})}}", k,
+                                   atoms_[k].distance);
+    return event;
+}
+
+std::string Observation::seen_on_way(std::int64_t x, std::int64_t y) const {
+    std::string event = channel_;
+    for (std::size_t k = 0; k < atoms_.size(); ++k)
+        event += atoms_[k].kind == Kind::away
+                     ? fmt::format("!(not near(column(x__ - {}), row(y__ - {}), {}))", x, y, atoms_[k].distance - 1)
+                     : fmt::format("?a{}__", k);
+    return event;
+}
+
+std::string Observation::text(const SwarmCondition& condition) const {
+    const auto field = [&] { return fmt::format("a{}__", place(condition)); };
+    switch (condition.kind) {
+        case Kind::linked:
+            return fmt::format("joined({{0}},{})", field());
+        case Kind::apart:
+            return fmt::format("empty({})", field());
+        case Kind::away:
+            return field();
+        case Kind::negation:
+            return fmt::format("not ({})", text(condition.parts.front()));
+        case Kind::both:
+            return fmt::format("({} and {})", text(condition.parts.front()), text(condition.parts.back()));
+        case Kind::either:
+            return fmt::format("({} or {})", text(condition.parts.front()), text(condition.parts.back()));
+    }
+    return "";
+}
+
+std::string Observation::meaning() const {
+    std::string event = channel_;
+    std::string sets;
+    for (std::size_t k = 0; k < atoms_.size(); ++k) {
+        event += fmt::format(".a{}__", k);
+        sets +=
+            fmt::format("{}a{}__ <- {}", k == 0 ? "" : ", ", k, atoms_[k].kind == Kind::away ? "Bool" : "Set(Pairs)");
+    }
+    const std::string holds = text(condition_);
+    return fmt::format("holds_{0} = {{{1} | {2}, {3}}}\nfails_{0} = {{{1} | {2}, not ({3})}}\n", channel_, event, sets,
+                       holds);
+}
+
+}  // namespace robochart::csp_emit

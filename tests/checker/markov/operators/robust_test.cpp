@@ -1,0 +1,212 @@
+// Bounds of chains with uncertain probabilities: by hand, against each vertex of the bounds, and how often they hold of
+// chains that were estimated.
+#include "checker/markov/operators/robust.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <stdexcept>
+
+#include "statistics/chains.hpp"
+
+namespace robochart::markov {
+namespace {
+
+/// From 0 to 1 with a chance between 0.2 and 0.4, else back to 0.
+UncertainChain waiting() {
+    return {{{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {}, 2}, {{{1, 1, 1}}, {}, 2}};
+}
+
+TEST(Robust, ByHand) {
+    const StateSet goal{false, true};
+    const auto least = reach_bounds(waiting(), goal, 3, Direction::minimum);
+    const auto greatest = reach_bounds(waiting(), goal, 3, Direction::maximum);
+    ASSERT_EQ(least.size(), 4U);
+    EXPECT_EQ(least[0][0], 0);
+    EXPECT_EQ(least[0][1], 1);
+    // 1 - 0.8^3 and 1 - 0.6^3, and rounding is to the outside.
+    EXPECT_NEAR(least[3][0], 0.488, 1e-12);
+    EXPECT_LE(least[3][0], 0.488 + 1e-16);
+    EXPECT_NEAR(greatest[3][0], 0.784, 1e-12);
+    EXPECT_GE(greatest[3][0], 0.784 - 1e-16);
+    EXPECT_EQ(greatest[3][1], 1);
+}
+
+/// Three successors with values 1, 0.5 and 0 after one step each; the bounds do not bind where mass is short.
+TEST(Robust, MassGoesWhereItCounts) {
+    const UncertainChain chain{
+        {{{1, 0.1, 0.5}, {2, 0.2, 0.6}, {3, 0.1, 0.9}}, {}, 2},
+        {{{1, 1, 1}}, {}, 2},
+        {{{1, 0.5, 0.5}, {3, 0.5, 0.5}}, {}, 2},
+        {{{3, 1, 1}}, {}, 2},
+    };
+    const StateSet goal{false, true, false, false};
+    // Most: 0.5 to the goal, 0.4 to the half, 0.1 lost. Least: 0.1, 0.2 and 0.7.
+    EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::maximum)[2][0], 0.5 + 0.5 * 0.4, 1e-12);
+    EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::minimum)[2][0], 0.1 + 0.5 * 0.2, 1e-12);
+}
+
+TEST(Robust, Ball) {
+    const UncertainChain chain{
+        {{{0, 0, 1}, {1, 0, 1}}, {0.7, 0.3}, 0.2},
+        {{{1, 1, 1}}, {}, 2},
+    };
+    const StateSet goal{false, true};
+    EXPECT_NEAR(reach_bounds(chain, goal, 1, Direction::maximum)[1][0], 0.4, 1e-12);
+    EXPECT_NEAR(reach_bounds(chain, goal, 1, Direction::minimum)[1][0], 0.2, 1e-12);
+    UncertainChain wide = chain;
+    wide[0].radius = 2;
+    EXPECT_EQ(reach_bounds(wide, goal, 1, Direction::maximum)[1][0], 1);
+    EXPECT_EQ(reach_bounds(wide, goal, 1, Direction::minimum)[1][0], 0);
+}
+
+TEST(Robust, RowsThatHoldNothingAreRefused) {
+    EXPECT_THROW((void)reach_bounds({{{{0, 0.6, 0.8}, {1, 0.6, 0.7}}, {}, 2}, {{{1, 1, 1}}, {}, 2}}, {false, true}, 1,
+                                    Direction::maximum),
+                 std::invalid_argument);
+    EXPECT_THROW((void)reach_bounds({{{{0, 0, 0.3}, {1, 0, 0.3}}, {}, 2}, {{{1, 1, 1}}, {}, 2}}, {false, true}, 1,
+                                    Direction::maximum),
+                 std::invalid_argument);
+}
+
+// ---------------------------------------------------------------- a swarm that can be lumped
+
+/// Robots that search and carry, each by itself: how many carry is a Markov chain.
+constexpr std::size_t robots = 3;
+constexpr double finds = 0.15;
+constexpr double drops = 0.25;
+constexpr std::size_t horizon = 12;
+
+std::size_t carrying(unsigned swarm) {
+    return static_cast<std::size_t>(__builtin_popcount(swarm));
+}
+
+statistics::StateSequence run(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> draw(0, 1);
+    unsigned swarm = 0;
+    statistics::StateSequence seen{0};
+    for (std::size_t step = 0; step < horizon; ++step) {
+        for (unsigned robot = 0; robot < robots; ++robot) {
+            const unsigned bit = 1U << robot;
+            const double chance = (swarm & bit) != 0 ? drops : finds;
+            if (draw(random) < chance) swarm ^= bit;
+        }
+        seen.push_back(carrying(swarm));
+    }
+    return seen;
+}
+
+/// The chance that all carry at some time up to each step, by the eight states of single robots.
+std::array<double, horizon + 1> truth() {
+    std::array<double, 8> now{1};
+    std::array<double, horizon + 1> result{};
+    for (std::size_t step = 1; step <= horizon; ++step) {
+        std::array<double, 8> next{};
+        for (unsigned from = 0; from < 8; ++from)
+            for (unsigned to = 0; to < 8; ++to) {
+                double chance = from == 7 ? (to == 7 ? 1 : 0) : 1;  // the goal is not left
+                for (unsigned robot = 0; robot < robots && from != 7; ++robot) {
+                    const unsigned bit = 1U << robot;
+                    const double turns = (from & bit) != 0 ? drops : finds;
+                    chance *= ((from ^ to) & bit) != 0 ? turns : 1 - turns;
+                }
+                next[to] += now[from] * chance;
+            }
+        now = next;
+        result[step] = now[7];
+    }
+    return result;
+}
+
+UncertainChain of(const std::vector<std::vector<statistics::Interval>>& intervals) {
+    UncertainChain chain;
+    for (const auto& row : intervals) {
+        UncertainRow& added = chain.emplace_back();
+        for (State to = 0; to < row.size(); ++to) added.branches.push_back({to, row[to].low, row[to].high});
+    }
+    return chain;
+}
+
+/// The same by balls around the frequencies, the error divided among the states.
+UncertainChain balls(const statistics::TransitionCounts& counts, double error) {
+    UncertainChain chain;
+    for (std::size_t from = 0; from < counts.states(); ++from) {
+        UncertainRow& added = chain.emplace_back();
+        const auto visits = static_cast<double>(counts.visits(from));
+        for (State to = 0; to < counts.states(); ++to) {
+            added.branches.push_back({to, 0, 1});
+            added.centre.push_back(visits > 0 ? static_cast<double>(counts.count(from, to)) / visits
+                                              : 1 / static_cast<double>(counts.states()));
+        }
+        added.radius = statistics::weissman_radius(counts.states(), counts.visits(from),
+                                                   error / static_cast<double>(counts.states()));
+    }
+    return chain;
+}
+
+bool covers(const UncertainChain& chain) {
+    const StateSet goal{false, false, false, true};
+    const auto least = reach_bounds(chain, goal, horizon, Direction::minimum);
+    const auto greatest = reach_bounds(chain, goal, horizon, Direction::maximum);
+    const auto exact = truth();
+    for (std::size_t step = 0; step <= horizon; ++step)
+        if (exact[step] < least[step][0] - 1e-12 || exact[step] > greatest[step][0] + 1e-12) return false;
+    return true;
+}
+
+/// A chain that the sequences are no runs of is to be found out: bounds from too few would hold of anything.
+TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
+    constexpr int repetitions = 200;
+    int intervals = 0;
+    int with_balls = 0;
+    double widest = 0;
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        std::mt19937_64 random(static_cast<std::uint64_t>(repetition) + 1);
+        statistics::TransitionCounts counts(robots + 1);
+        for (int trial = 0; trial < 500; ++trial) counts.add(run(random));
+        const UncertainChain chain =
+            of(statistics::transition_intervals(counts, statistics::all_permitted(robots + 1), 0.05));
+        if (covers(chain)) ++intervals;
+        if (covers(balls(counts, 0.05))) ++with_balls;
+        const StateSet goal{false, false, false, true};
+        widest = std::max(widest, reach_bounds(chain, goal, horizon, Direction::maximum)[horizon][0] -
+                                      reach_bounds(chain, goal, horizon, Direction::minimum)[horizon][0]);
+    }
+    EXPECT_GE(intervals, 190);
+    EXPECT_GE(with_balls, 190);
+    EXPECT_LT(widest, 0.5);
+}
+
+/// Swarms that in three of five trials are locked for ever where they began, and else leave with a chance of a half in
+/// each step: what follows depends on more than the state. Their chain would leave in the end; fresh trials do not.
+TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> draw(0, 1);
+    const auto trial = [&] {
+        const bool locked = draw(random) < 0.6;
+        statistics::StateSequence seen{0};
+        for (std::size_t step = 0; step < horizon; ++step)
+            seen.push_back(seen.back() == 1 || (!locked && draw(random) < 0.5) ? 1 : 0);
+        return seen;
+    };
+    statistics::TransitionCounts counts(2);
+    for (int i = 0; i < 400; ++i) counts.add(trial());
+    const UncertainChain chain = of(statistics::transition_intervals(counts, {{true, true}, {false, true}}, 0.01));
+    const auto least = reach_bounds(chain, {false, true}, horizon, Direction::minimum);
+    const auto greatest = reach_bounds(chain, {false, true}, horizon, Direction::maximum);
+    std::array<std::uint64_t, horizon + 1> left{};
+    constexpr std::uint64_t fresh = 400;
+    for (std::uint64_t i = 0; i < fresh; ++i) {
+        const statistics::StateSequence seen = trial();
+        for (std::size_t step = 0; step <= horizon; ++step) left[step] += seen[step];
+    }
+    const auto refuted = [&](std::size_t step) {
+        return statistics::contradicts(left[step], fresh, 0.01 / horizon, {least[step][0], greatest[step][0]});
+    };
+    EXPECT_FALSE(refuted(1));
+    EXPECT_TRUE(refuted(horizon));
+}
+
+}  // namespace
+}  // namespace robochart::markov

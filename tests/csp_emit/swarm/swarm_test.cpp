@@ -1,0 +1,429 @@
+// Swarms of generated robots: verdicts that follow from the rules of the grid, and those of a search that knows nothing
+// of CSP.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "checker/refine/verdict/recurrence.hpp"
+#include "csp_emit/emit.hpp"
+#include "csp_emit/swarm/compose.hpp"
+#include "csp_emit/swarm/read_swarm.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
+#include "tests/shared_folder.hpp"
+#include "tests/source_folder.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Decided {
+    std::vector<std::string> verdicts;  ///< "holds", "fails", or what went wrong
+    std::vector<std::uint64_t> states;
+    std::string findings;
+};
+
+refine::Limits with_reduction() {
+    refine::Limits limits;
+    limits.reduction = true;
+    limits.threads = 1;
+    return limits;
+}
+
+const char* word(refine::Outcome outcome) {
+    return outcome == refine::Outcome::holds ? "holds" : outcome == refine::Outcome::fails ? "fails" : "open";
+}
+
+refine::Verdict decide(cspm::Session& session, const Obligation& obligation) {
+    refine::Verdict verdict;
+    for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        verdict = session.check(*assertion, with_reduction()).verdict;
+        if (verdict.outcome != refine::Outcome::holds) return verdict;
+    }
+    if (!obligation.recurrence) return verdict;
+    return refine::recurrent(*session.system(obligation.recurrence->process),
+                             session.events(obligation.recurrence->goal), with_reduction());
+}
+
+/// The claims of a swarm of the model in this folder or file.
+Decided decided(const std::string& path, const std::string& text, Time time = Time::timed, SwarmSize size = {}) {
+    Decided result;
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;
+    const auto finish = [&] {
+        result.findings = diagnostics::render_text(sources, found);
+        return result;
+    };
+    const auto parsed = frontend::load_project(sources, path, found);
+    if (!found.ok()) return finish();
+    const ir::System system = ir::lower(*parsed, sources, found);
+    const Swarm swarm = read_swarm(sources, sources.add("test.swarm", text), found, size);
+    if (!found.ok()) return finish();
+    ir::InstantiationOptions options;
+    for (const SwarmConstant& each : swarm.constants)
+        if (!each.value.empty()) options.constants[each.name.text] = each.value;
+    for (const SwarmRange& each : swarm.ranges) options.ranges[each.type.text] = {each.low, each.high};
+    const ir::Instantiation instantiation = ir::instantiate(system, options, found);
+    Emission emission = emit(system, instantiation, time, {}, sources, found);
+    make_swarm(emission, swarm, time, system, instantiation, sources, found);
+    if (found.ok()) (void)cspm::check_types(emission.script, found);
+    if (!found.ok()) return finish();
+    cspm::Session session(emission.script);
+    for (const Obligation& obligation : emission.obligations) {
+        try {
+            const refine::Verdict verdict = decide(session, obligation);
+            result.verdicts.emplace_back(word(verdict.outcome));
+            result.states.push_back(verdict.statistics.states);
+        } catch (const cspm::EvaluationError& error) {
+            result.verdicts.push_back(std::string("error: ") + error.what());
+        }
+    }
+    return finish();
+}
+
+std::string alpha() {
+    return (tests::source_folder() / "corpus/alpha").string();
+}
+
+std::string swarm_of_alpha(const std::string& size, const std::string& claims) {
+    return "swarm Alpha for alpha::Robot {" + size +
+           " const alpha = 1 const cadence = 1 range nat = 0 to 4 drive by forward on moveForward drive by turn(deg) "
+           "on "
+           "startTurning feed turned with turned feed neighbours with count(1) on countNeighbours " +
+           claims + " }";
+}
+
+using Verdicts = std::vector<std::string>;
+
+/// On a torus of three by three cells everybody is always near everybody, diagonal steps being one: nobody is ever
+/// lost, nobody turns, and two that begin with one heading stay in one cell.
+TEST(Swarm, WhoCannotGetAwayIsNeverLost) {
+    const Decided found =
+        decided(alpha(), swarm_of_alpha("robots 2 grid 3 by 3 place at (0, 0) heading 0 deg",
+                                        "accept deadlock free accept always linked(1) accept recurrent linked(1) "
+                                        "accept possible apart accept always not apart accept possible away(1)"));
+    ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+    EXPECT_EQ(found.verdicts, (Verdicts{"holds", "holds", "holds", "fails", "holds", "holds"}));
+}
+
+/// Two that drive apart, one to the east and one to the west, are two cells farther apart with each step: on a torus of
+/// five columns they lose each other at once.
+TEST(Swarm, WhoDrivesApartIsLost) {
+    const Decided found = decided(alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading 0 deg "
+                                                          "place at (0, 0) heading 180 deg",
+                                                          "accept always linked(1) accept possible not linked(1)"));
+    ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+    EXPECT_EQ(found.verdicts, (Verdicts{"fails", "holds"}));
+}
+
+// ---------------------------------------------------------------- two robots by another search
+
+/// The machine of corpus/alpha with cadence 1 in words of its own. A time unit: all that drive move one cell; then each
+/// robot, by itself, does what its machine does until it waits for time to pass.
+struct Robot {
+    int heading = 0;  // 0 east, 1 north, 2 west, 3 south
+    int doing = 0;    // 0 stands, 1 drives, 2 turns
+    int control = 0;  // 0 waits to count in Forward, 1 in Coherence, 2 in TurningBack, 3 in Turning
+    int before = 0;   // the last count
+    auto operator<=>(const Robot&) const = default;
+};
+struct World {
+    std::array<Robot, 2> robots;
+    int x = 0, y = 0;  // where the second is, seen from the first
+    auto operator<=>(const World&) const = default;
+};
+
+constexpr int columns = 5;
+
+bool near(const World& world) {
+    const auto apart = [](int offset) { return std::min(offset, columns - offset); };
+    return apart(world.x) <= 1 && apart(world.y) <= 1;
+}
+
+/// What a robot may be after its time unit.
+std::vector<Robot> after(Robot robot, int heard) {
+    std::vector<Robot> result;
+    if (robot.control >= 2) {  // it has turned by now, and drives on
+        robot.control = robot.control == 2 ? 1 : 0;
+        robot.doing = 1;
+        return {robot};
+    }
+    const bool fewer = heard < robot.before && heard < 1;
+    const bool more = heard > robot.before;
+    const bool forward = robot.control == 0;
+    robot.before = heard;
+    if (fewer) {
+        robot.heading = (robot.heading + 2) % 4;
+        robot.doing = 2;
+        robot.control = 2;
+        return {robot};
+    }
+    if (!forward && more) {
+        for (int turn = 0; turn < 4; ++turn) {
+            Robot turned = robot;
+            turned.heading = (robot.heading + turn) % 4;
+            turned.doing = 2;
+            turned.control = 3;
+            result.push_back(turned);
+        }
+        return result;
+    }
+    robot.doing = 1;
+    return {robot};
+}
+
+std::vector<World> after(World world) {
+    constexpr std::array<int, 4> along_x{1, 0, -1, 0};
+    constexpr std::array<int, 4> along_y{0, 1, 0, -1};
+    for (int i = 0; i < 2; ++i) {
+        Robot& robot = world.robots[static_cast<std::size_t>(i)];
+        if (robot.doing == 2) robot.doing = 0;
+        if (robot.doing != 1) continue;
+        const auto heading = static_cast<std::size_t>(robot.heading);
+        const int away = i == 0 ? -1 : 1;
+        world.x = (world.x + away * along_x[heading] + columns) % columns;
+        world.y = (world.y + away * along_y[heading] + columns) % columns;
+    }
+    const int heard = near(world) ? 1 : 0;
+    std::vector<World> result;
+    for (const Robot& first : after(world.robots[0], heard))
+        for (const Robot& second : after(world.robots[1], heard)) result.push_back({{first, second}, world.x, world.y});
+    return result;
+}
+
+/// Whether from everywhere the two can come together again.
+bool can_always_come_together() {
+    std::map<World, std::vector<World>> into;
+    std::set<World> found;
+    std::vector<World> waiting;
+    for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) waiting.push_back({{Robot{a, 1}, Robot{b, 1}}, 0, 0});
+    found.insert(waiting.begin(), waiting.end());
+    while (!waiting.empty()) {
+        const World world = waiting.back();
+        waiting.pop_back();
+        for (const World& next : after(world)) {
+            into[next].push_back(world);
+            if (found.insert(next).second) waiting.push_back(next);
+        }
+    }
+    std::set<World> good;
+    for (const World& world : found)
+        if (near(world)) {
+            good.insert(world);
+            waiting.push_back(world);
+        }
+    while (!waiting.empty()) {
+        const World world = waiting.back();
+        waiting.pop_back();
+        for (const World& before : into[world])
+            if (good.insert(before).second) waiting.push_back(before);
+    }
+    return good.size() == found.size();
+}
+
+TEST(Swarm, RecurrenceIsThatOfAnotherSearch) {
+    const Decided found = decided(
+        alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading any", "accept recurrent linked(1)"));
+    ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+    EXPECT_EQ(found.verdicts, (Verdicts{can_always_come_together() ? "holds" : "fails"}));
+}
+
+// ---------------------------------------------------------------- messages
+
+/// Each says its number and then waits for that of another, or says its own again.
+const char* const talkers = R"(
+interface Radio { event say : nat event hear : nat }
+robotic platform Body { uses Radio }
+stm Talker {
+    uses Radio
+    const id : nat
+    var other : nat = 0
+    initial i
+    state Saying { }
+    state Waiting { }
+    transition begin { from i to Saying }
+    transition says { from Saying to Waiting action send say!id }
+    transition hears { from Waiting to Saying trigger hear?other }
+    transition again { from Waiting to Saying }
+}
+controller Brain {
+    uses Radio
+    sref talker = Talker
+    connection talker on say to Brain on say
+    connection Brain on hear to talker on hear
+}
+module Robot {
+    rref body = Body
+    cref brain = Brain
+    connection brain on say to body on say (_async)
+    connection body on hear to brain on hear (_async)
+}
+)";
+
+fs::path written(const std::string& name, const std::string& text) {
+    const fs::path folder = fs::path(testing::TempDir()) / ("swarm_" + name);
+    fs::create_directories(folder);
+    std::ofstream(folder / (name + ".rct")) << text;
+    return folder;
+}
+
+/// With nobody there to hear it a message waits for ever; with others it is said whether or not they listen.
+TEST(Swarm, MessagesNeedOthers) {
+    const std::string folder = written("talkers", talkers).string();
+    const std::string swarm =
+        "swarm Talk for Robot { const id = robot range nat = 0 to 3 connect say to hear accept deadlock free }";
+    for (const std::uint32_t robots : {1U, 2U, 3U})
+        for (const Time time : {Time::untimed, Time::timed}) {
+            const Decided found = decided(folder, swarm, time, {robots, {}});
+            ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+            EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
+        }
+}
+
+// ---------------------------------------------------------------- exchanged guards
+
+/// The algorithm without memory: after each count a robot turns back, or to any of four directions.
+std::string memoryless(const std::string& turns_back, const std::string& goes_on) {
+    std::string text = R"(
+interface Motors { moveForward() startTurning(degree : real) countNeighbours() }
+interface Sensors { event neighbours : nat event turned }
+robotic platform Body { provides Motors uses Sensors }
+stm Memoryless {
+    requires Motors
+    uses Sensors
+    const alpha : nat = 1
+    var n : nat = 0
+    initial i
+    probabilistic anywhere
+    state Going { entry moveForward(); wait(1); countNeighbours(); neighbours?n }
+    state Turning { entry wait(1) }
+    transition begin { from i to Going }
+    transition back { from Going to Turning condition n BACK alpha action startTurning(180) }
+    transition goes { from Going to anywhere condition n ON alpha }
+    transition none { from anywhere to Turning probability 0.25 action startTurning(0) }
+    transition left { from anywhere to Turning probability 0.25 action startTurning(90) }
+    transition right { from anywhere to Turning probability 0.25 action startTurning(-90) }
+    transition round { from anywhere to Turning probability 0.25 action startTurning(180) }
+    transition free { from Turning to Going trigger turned }
+}
+controller Brain {
+    requires Motors
+    uses Sensors
+    sref machine = Memoryless
+    connection Brain on neighbours to machine on neighbours
+    connection Brain on turned to machine on turned
+}
+module Robot {
+    rref body = Body
+    cref brain = Brain
+    connection body on neighbours to brain on neighbours (_async)
+    connection body on turned to brain on turned (_async)
+}
+)";
+    text.replace(text.find("BACK"), 4, turns_back);
+    text.replace(text.find("ON alpha"), 2, goes_on);
+    return text;
+}
+
+/// Three robots that begin in one cell with one heading. With the guards exchanged each hears the two others, which is
+/// more than alpha, so all turn back at each count: they stay in one cell, and shuttle between two. With the right
+/// guards they can go on together: all of them choose the same direction. So cohesion alone does not convict.
+TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
+    const std::string swarm =
+        "swarm Alpha for Robot { robots 3 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 2 drive by "
+        "forward "
+        "on moveForward drive by turn(deg) on startTurning feed turned with turned feed neighbours with count(1) on "
+        "countNeighbours accept always linked(1) accept possible linked(1) and away(2) }";
+    const Decided exchanged = decided(written("exchanged", memoryless(">", "<=")).string(), swarm);
+    ASSERT_EQ(exchanged.findings.find("error["), std::string::npos) << exchanged.findings;
+    EXPECT_EQ(exchanged.verdicts, (Verdicts{"holds", "fails"}));
+    const Decided right = decided(written("right", memoryless("<", ">=")).string(), swarm);
+    ASSERT_EQ(right.findings.find("error["), std::string::npos) << right.findings;
+    ASSERT_EQ(right.verdicts.size(), 2U);
+    EXPECT_EQ(right.verdicts.back(), "holds");
+}
+
+/// Two robots of corpus/alpha that begin in one cell and drive to the east and to the north. After a step they are a
+/// diagonal step apart, after the second two, and hear each other no more: both turn back at once, for as long as they
+/// hear nobody, and are where they were a step before. So they are never farther apart than three cells. With the
+/// guards exchanged nobody ever hears more than one, so they drive on for ever.
+TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
+    std::ifstream file(fs::path(alpha()) / "alpha.rct");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto exchange = [&](const std::string& from, const std::string& to) {
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    };
+    exchange("heard < alpha", "heard > alpha");
+    exchange("heard >= alpha", "heard <= alpha");
+    const std::string swarm =
+        swarm_of_alpha("robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 90 deg",
+                       "accept deadlock free accept always linked(3) accept possible linked(1) and away(3)");
+    const Decided right = decided(alpha(), swarm);
+    EXPECT_EQ(right.verdicts, (Verdicts{"holds", "holds", "holds"})) << right.findings;
+    const Decided exchanged = decided(written("corpus", text).string(), swarm);
+    ASSERT_EQ(exchanged.verdicts.size(), 3U) << exchanged.findings;
+    EXPECT_EQ(exchanged.verdicts[1], "fails");
+}
+
+// ---------------------------------------------------------------- RoboStar's collection
+
+/// The published model of two machines, of which one exchanges messages with the other robots: RoboStar have found it
+/// deadlock free for two robots and more, and not for one (swarm.md 1).
+TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
+    const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";
+    if (!fs::exists(model)) GTEST_SKIP() << "the published model is not there";
+    const fs::path folder = fs::path(testing::TempDir()) / "swarm_published";
+    fs::create_directories(folder);
+    for (const auto& each : fs::directory_iterator(model))
+        if (each.path().extension() == ".rct") {
+            std::ifstream from(each.path());
+            std::ofstream(folder / each.path().filename()) << from.rdbuf();
+        }
+    for (const std::uint32_t robots : {1U, 2U, 3U, 4U, 5U}) {
+        const std::string swarm = "swarm Alpha for AggregationSoftware { range nat = 0 to 5 range given = 0 to " +
+                                  std::to_string(robots - 1) +
+                                  " const id = robot feed obstacle with any connect broadcast to broadcast connect "
+                                  "receive to receive accept deadlock free }";
+        const Decided found = decided(folder.string(), swarm, Time::untimed, {robots, {}});
+        ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
+        EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
+    }
+}
+
+// ---------------------------------------------------------------- what does not fit
+
+std::string findings(const std::string& swarm, Time time = Time::timed) {
+    return decided(alpha(), swarm, time).findings;
+}
+
+TEST(Swarm, WhatDoesNotFitIsReported) {
+    EXPECT_NE(findings("swarm A for alpha::Robot { robots 0 }").find("RC-V01"), std::string::npos);
+    EXPECT_NE(findings("swarm A for alpha::Robt { robots 2 }").find("did you mean"), std::string::npos);
+    EXPECT_NE(findings("swarm A for alpha::Robot { grid 5 by 5 drive by forward on moveForwards }").find("RC-V02"),
+              std::string::npos);
+    EXPECT_NE(findings("swarm A for alpha::Robot { accept always linked(1) }").find("RC-V03"), std::string::npos);
+    EXPECT_NE(findings(swarm_of_alpha("robots 6 grid 5 by 5", "accept deadlock free")).find("hear up to 5"),
+              std::string::npos);
+    EXPECT_NE(findings(swarm_of_alpha("grid 5 by 5", "accept deadlock free"), Time::untimed).find("untimed"),
+              std::string::npos);
+    EXPECT_NE(findings(swarm_of_alpha("grid 5 by 5", "feed neighbours with any")).find("twice"), std::string::npos);
+    std::string deep = "swarm A for alpha::Robot { grid 5 by 5 accept always ";
+    for (int i = 0; i < 100'000; ++i) deep += "(";
+    EXPECT_NE(findings(deep).find("RC-V01"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit

@@ -1,0 +1,82 @@
+// Counts by hand, intervals against those of Clopper and Pearson, the radius against its formula, coverage.
+#include "statistics/chains.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace robochart::statistics {
+namespace {
+
+TEST(TransitionCounts, TakesFirstVisits) {
+    TransitionCounts counts(3);
+    counts.add({0, 0, 1, 0, 2});  // first visits: 0 to 0, 1 to 0; the end of the sequence has no successor
+    counts.add({1, 2});
+    counts.add({2});
+    EXPECT_EQ(counts.count(0, 0), 1U);
+    EXPECT_EQ(counts.count(0, 1), 0U);
+    EXPECT_EQ(counts.count(1, 0), 1U);
+    EXPECT_EQ(counts.count(1, 2), 1U);
+    EXPECT_EQ(counts.visits(0), 1U);
+    EXPECT_EQ(counts.visits(1), 2U);
+    EXPECT_EQ(counts.visits(2), 0U);
+}
+
+TEST(TransitionIntervals, ErrorIsDividedAndNothingUnseenIsImpossible) {
+    TransitionCounts counts(2);
+    for (int i = 0; i < 20; ++i) counts.add({0, 0});
+    const auto intervals = transition_intervals(counts, all_permitted(2), 0.04);
+    // Four transitions share the error.
+    EXPECT_EQ(intervals[0][0], clopper_pearson(20, 20, 0.01));
+    EXPECT_EQ(intervals[0][1], clopper_pearson(0, 20, 0.01));
+    EXPECT_GT(intervals[0][1].high, 0);
+    EXPECT_EQ(intervals[1][0], (Interval{0, 1}));  // never visited
+}
+
+TEST(TransitionIntervals, WhatTheModelForbidsIsExcluded) {
+    TransitionCounts counts(2);
+    for (int i = 0; i < 20; ++i) counts.add({0, 0});
+    const auto intervals = transition_intervals(counts, {{true, false}, {true, true}}, 0.04);
+    EXPECT_EQ(intervals[0][0], (Interval{1, 1}));
+    EXPECT_EQ(intervals[0][1], (Interval{0, 0}));
+    counts.add({0, 1});
+    counts.add({1, 1});
+    EXPECT_THROW((void)transition_intervals(counts, {{true, false}, {true, true}}, 0.04), std::invalid_argument);
+    EXPECT_THROW((void)transition_intervals(counts, {{false, false}, {true, true}}, 0.04), std::invalid_argument);
+}
+
+TEST(Weissman, IsTheFormula) {
+    EXPECT_EQ(weissman_radius(1, 10, 0.05), 0);
+    EXPECT_EQ(weissman_radius(3, 0, 0.05), 2);
+    EXPECT_NEAR(weissman_radius(2, 200, 0.05), std::sqrt(2 * std::log(2 / 0.05) / 200), 1e-9);
+    EXPECT_NEAR(weissman_radius(4, 1000, 0.01), std::sqrt(2 * std::log(14 / 0.01) / 1000), 1e-9);
+    EXPECT_EQ(weissman_radius(4, 1, 0.01), 2);
+}
+
+/// The ball misses the distribution in at most the share that it may.
+TEST(Weissman, Covers) {
+    std::mt19937_64 random(1);
+    std::discrete_distribution<std::size_t> draw{0.5, 0.3, 0.2};
+    int missed = 0;
+    constexpr int repetitions = 1000;
+    for (int i = 0; i < repetitions; ++i) {
+        std::vector<double> seen(3);
+        for (int k = 0; k < 100; ++k) seen[draw(random)] += 0.01;
+        const double away = std::abs(seen[0] - 0.5) + std::abs(seen[1] - 0.3) + std::abs(seen[2] - 0.2);
+        if (away > weissman_radius(3, 100, 0.1)) ++missed;
+    }
+    EXPECT_LE(missed, repetitions / 10);
+}
+
+TEST(Validation, CanFail) {
+    // 40 of 100 successes at an error of 0.01: between 0.276 and 0.534.
+    EXPECT_TRUE(contradicts(40, 100, 0.01, {0.6, 1}));
+    EXPECT_TRUE(contradicts(40, 100, 0.01, {0, 0.2}));
+    EXPECT_FALSE(contradicts(40, 100, 0.01, {0.5, 0.6}));
+    EXPECT_FALSE(contradicts(40, 100, 0.01, {0, 1}));
+}
+
+}  // namespace
+}  // namespace robochart::statistics
