@@ -204,6 +204,7 @@ void LevelSearch::take() {
         }
     }
     for (const std::uint32_t i : own_) enter(expansion_.row(i), expansion_.hash(i), note_taus_ && expansion_.by_tau(i));
+    expansion_.clear(store_.width());
 }
 
 /// A tau to a row of the same level or an earlier one leads back: every cycle of taus has one.
