@@ -70,7 +70,7 @@ std::vector<Ask> questions(lts::TransitionSystem& specification, lts::Transition
 }
 
 TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
-    const int wanted = refine::wanted_checks(1'000) / 8 + 1;
+    const int wanted = refine::wanted_checks(1'000) / 50 + 1;
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2027);
