@@ -18,7 +18,7 @@ using process::Event;
 namespace {
 
 constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
-constexpr std::size_t rows_a_block = 1024;
+constexpr std::size_t rows_a_block = 256;
 
 /// Adds the processor time of this thread while it lives.
 class Timed {
@@ -154,7 +154,9 @@ void LevelSearch::expand_level(Level level) {
 
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
-    for (std::size_t done = 0; done < rows_a_round && !batches_.full();) {
+    // What waits takes little beside what is kept.
+    const std::uint64_t most_waiting = std::max<std::uint64_t>(std::uint64_t{1} << 14U, store_.bytes() / 32);
+    for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
         block_.clear();
         const std::size_t count = store_.read(level, next, rows_a_block, block_);
         if (count == 0) return;
@@ -193,10 +195,11 @@ void LevelSearch::expand(StateView row) {
 /// Rows of others are put aside, and this rank's own entered.
 void LevelSearch::take() {
     const unsigned ranks = exchange_.ranks();
+    const unsigned self = exchange_.rank();
     own_.clear();
     for (std::uint32_t i = 0; i < expansion_.size(); ++i) {
         const unsigned owner = ranks == 1 ? 0 : owner_of(expansion_.hash(i), ranks);
-        if (owner == exchange_.rank()) {
+        if (owner == self) {
             store_.prefetch(expansion_.hash(i));
             own_.push_back(i);
         } else {

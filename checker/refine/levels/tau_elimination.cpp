@@ -78,8 +78,8 @@ std::optional<TauCycle> TauElimination::least_cycle() {
 /// Rounds until no rank has a row waiting: the taus of rows that wait are sent to the ranks of their targets.
 void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
     constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
+    constexpr std::uint64_t most_waiting = std::uint64_t{1} << 22U;
     const unsigned ranks = exchange_.ranks();
-    std::vector<std::pair<Words, std::uint64_t>> own;
     const OnRow route = [&](StateView row, std::uint64_t hash) {
         const unsigned owner = owner_of(hash, ranks);
         if (owner == exchange_.rank())
@@ -93,7 +93,7 @@ void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
         left[0] = 0;
         work_.attempt([&] {
             std::size_t done = 0;
-            for (; done < rows_a_round && !batches_.full(); ++done) {
+            for (; done < rows_a_round && !batches_.full(most_waiting); ++done) {
                 const std::optional<StateIndex> next = waiting();
                 if (!next) break;
                 budget_.charge();
