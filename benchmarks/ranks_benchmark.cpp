@@ -4,7 +4,9 @@
 // of the levels. Prints a table; exits with 1 where the numbers of states or transitions differ between numbers of
 // ranks.
 //
-//   benchmark_ranks SCRIPT NUMBER RANKS...    the process of the script's assertion of this number, all its states
+//   benchmark_ranks SCRIPT NUMBER TIMES RANKS...    the process of the script's assertion of this number, all its
+//   states;
+//                                                   of so many times the one with the shortest critical path
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,7 +143,16 @@ void print_predictions(const Measured& alone, double a_transition, double bytes_
         }
 }
 
-int run(const std::string& path, std::size_t number, const std::vector<unsigned>& counts) {
+Measured best_of(unsigned times, const lts::TransitionSystem& system, unsigned ranks) {
+    Measured best = measure(system, ranks);
+    for (unsigned i = 1; i < times; ++i) {
+        Measured next = measure(system, ranks);
+        if (next.critical < best.critical) best = std::move(next);
+    }
+    return best;
+}
+
+int run(const std::string& path, std::size_t number, unsigned times, const std::vector<unsigned>& counts) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
     cspm::Session session(cspm::read_file(sources, path, found));
@@ -167,7 +178,7 @@ int run(const std::string& path, std::size_t number, const std::vector<unsigned>
                  "crossing | B a crossing row | messages | rounds | B a state and rank | of one's share |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const unsigned ranks : counts) {
-        all.push_back(measure(*system, ranks));
+        all.push_back(best_of(times, *system, ranks));
         const Measured& one = all.front();
         const Measured& now = all.back();
         same = same && now.states == one.states && now.transitions == one.transitions;
@@ -195,11 +206,11 @@ int run(const std::string& path, std::size_t number, const std::vector<unsigned>
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 4) {
-        std::cerr << "benchmark_ranks SCRIPT NUMBER RANKS...\n";
+    if (argc < 5) {
+        std::cerr << "benchmark_ranks SCRIPT NUMBER TIMES RANKS...\n";
         return 4;
     }
     std::vector<unsigned> counts;
-    for (int i = 3; i < argc; ++i) counts.push_back(static_cast<unsigned>(std::stoul(argv[i])));
-    return run(argv[1], std::stoul(argv[2]), counts);
+    for (int i = 4; i < argc; ++i) counts.push_back(static_cast<unsigned>(std::stoul(argv[i])));
+    return run(argv[1], std::stoul(argv[2]), static_cast<unsigned>(std::stoul(argv[3])), counts);
 }
