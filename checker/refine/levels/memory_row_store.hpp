@@ -17,6 +17,7 @@ public:
     void close_level() override { ends_.push_back(rows_.size()); }
     std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) override;
     [[nodiscard]] std::uint64_t bytes() const override;
+    [[nodiscard]] bool has(lts::StateView row) const { return rows_.find(row) != lts::no_state; }
 
 private:
     [[nodiscard]] std::uint64_t begin(Level level) const { return level == 0 ? 0 : ends_[level - 1]; }

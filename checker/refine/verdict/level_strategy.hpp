@@ -9,6 +9,7 @@
 #include "checker/refine/levels/level_search.hpp"
 #include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/normal_table.hpp"
+#include "diagnostics/cache/cache.hpp"
 
 namespace robochart::refine {
 
@@ -47,6 +48,13 @@ public:
     LevelStrategy(const LevelStrategy&) = delete;
     LevelStrategy& operator=(const LevelStrategy&) = delete;
     virtual ~LevelStrategy() = default;
+    /// The searches that follow belong to this question. The digest is of all that its answer depends on; none: that is
+    /// not known, or the states of its processes are not the same in every run.
+    virtual void begin_question(const std::string& /*text*/, const std::optional<diagnostics::Digest>& /*digest*/) {}
+    /// `decided`: nobody will ask it again.
+    virtual void end_question(bool /*decided*/) {}
+    /// Where answers of earlier searches of this kind are kept, which have other figures than others; null: nowhere.
+    [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
     /// What the question's search finds in the system. Throws LimitReached, also where the system cannot be searched in
     /// this way, and says why.
     virtual std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question,
