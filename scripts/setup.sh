@@ -7,6 +7,7 @@ packages=(
   g++ clang clang-format cmake ninja-build ccache mold
   libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev
   libsodium-dev libexpat1-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev libenki-dev librsvg2-bin graphviz
+  openmpi-bin libopenmpi-dev  # robochart-verify-mpi; without them all else is built
   pngcheck poppler-utils  # tests have pictures read by them
 )
 # For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.

@@ -108,6 +108,7 @@ constexpr Verbs checking = of(Verb::verify) | of(Verb::check);
 constexpr Verbs models = checking | emitting | of(Verb::conform);
 constexpr Verbs coding =
     of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
+constexpr Verbs deciding = of(Verb::check) | of(Verb::cspm);
 constexpr Verbs searching = models | of(Verb::cspm) | of(Verb::rules);
 constexpr Verbs limited = searching | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) |
                           of(Verb::format) | of(Verb::simulate) | of(Verb::tune);
@@ -462,6 +463,19 @@ const std::vector<OptionRow>& option_table() {
         {"--no-reduction", Group::limits, searching | of(Verb::tune), {},
          "search all states, also those that confluent hidden steps lead on from",
          [](Options& o, const std::string&) { o.reduction = false; }},
+        {"--checkpoint", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
+         "keep in this folder what searches have found, so that --resume goes on from there",
+         [](Options& o, const std::string& word) { o.checkpoint = word; }},
+        {"--every", Group::limits, deciding,
+         {.kind = Kind::seconds, .name = "MINUTES", .usual = "10", .most = 1'000'000},
+         "minutes between checkpoints of --checkpoint, --resume and --disk; there is one when the run ends at a limit, too",
+         [](Options& o, const std::string& word) { o.minutes_between = std::strtod(word.c_str(), nullptr); }},
+        {"--resume", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
+         "go on from the checkpoints in this folder, with the same model and options, and keep more of them there",
+         [](Options& o, const std::string& word) { o.resume = word; }},
+        {"--disk", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
+         "keep states that --memory does not hold in this folder, and checkpoints as --checkpoint does",
+         [](Options& o, const std::string& word) { o.disk = word; }},
         {"--max-states", Group::limits, of(Verb::prism),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "bound on states of the model",

@@ -157,9 +157,14 @@ struct Options {
     std::uint64_t memory_bytes = 0;  ///< 0: what `default_memory` says
     double timeout_seconds = 0;      ///< of the whole run; 0: none
     std::uint64_t max_states = 500'000'000;
-    bool reduction = true;  ///< states that confluent taus lead on from are left out
-    unsigned threads = 0;   ///< 0: one a core
-    Run* run = nullptr;     ///< the run that these options are of: its budget, and signals
+    bool reduction = true;                       ///< states that confluent taus lead on from are left out
+    unsigned threads = 0;                        ///< 0: one a core
+    std::string checkpoint;                      ///< folder for checkpoints; "": none
+    std::string resume;                          ///< folder with checkpoints to go on from; "": none
+    std::string disk;                            ///< folder for states that memory does not hold; "": all are in memory
+    double minutes_between = 10;                 ///< checkpoints
+    refine::LevelStrategy* by_levels = nullptr;  ///< of searches by several programs (app/mpi); null: there is one
+    Run* run = nullptr;                          ///< the run that these options are of: its budget, and signals
 };
 
 }  // namespace robochart::app

@@ -15,6 +15,8 @@
 
 #include "app/command/command_line.hpp"
 #include "app/command/output.hpp"
+#include "checker/refine/verdict/kept_search.hpp"
+#include "checker/storage/storage_error.hpp"
 
 namespace robochart::app {
 namespace {
@@ -38,7 +40,7 @@ diagnostics::Limits limits_of(const Options& options) {
 
 }  // namespace
 
-Run::Run(const Options& options) : budget_(limits_of(options)) {
+Run::Run(const Options& options) : options_(options), budget_(limits_of(options)) {
     constexpr std::uint64_t most_cached_bytes = std::uint64_t{512} << 20U;
     if (options.cache) cache_.emplace(diagnostics::cache_folder(), diagnostics::program_identity(), most_cached_bytes);
     last_word_ = [](const std::string& why) {
@@ -60,6 +62,27 @@ Run::~Run() {
     over_ = true;
     watcher_.join();
     pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+}
+
+refine::LevelStrategy* Run::kept_searches() {
+    const std::vector<std::string> named{options_.disk, options_.resume, options_.checkpoint};
+    const auto folder = std::find_if(named.begin(), named.end(), [](const auto& each) { return !each.empty(); });
+    if (folder == named.end()) return nullptr;
+    if (kept_searches_) return kept_searches_.get();
+    for (const std::string& other : named)
+        if (!other.empty() && other != *folder)
+            throw UsageError("--checkpoint, --resume and --disk name the same folder, or one of them is enough");
+    constexpr double milliseconds = 60'000;
+    refine::KeptSettings settings;
+    settings.folder = *folder;
+    settings.resume = !options_.resume.empty();
+    settings.disk = !options_.disk.empty();
+    settings.every = std::chrono::milliseconds(static_cast<std::int64_t>(options_.minutes_between * milliseconds));
+    settings.ranks = std::max(1U, options_.threads);
+    settings.program = diagnostics::program_identity();
+    settings.undisturbed = [this] { return std::make_shared<std::unique_lock<std::mutex>>(edit()); };
+    kept_searches_ = std::make_unique<refine::KeptSearch>(std::move(settings));
+    return kept_searches_.get();
 }
 
 void Run::last_word(LastWord word) {
@@ -171,6 +194,9 @@ int run_command(const char* program, int argc, const char* const* argv,
         return static_cast<int>(exit);
     } catch (const OutputError& error) {
         return static_cast<int>(error.report());
+    } catch (const storage::BadFile& error) {
+        print_error("robochart-verify: {}\n", error.what());
+        return static_cast<int>(Exit::bad_input);
     } catch (const UsageError& error) {
         print_error("robochart-verify: {}\ntry: robochart-verify --help\n", error.what());
         return static_cast<int>(Exit::usage);

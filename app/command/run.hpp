@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -18,6 +19,10 @@
 #include "app/command/options.hpp"
 #include "diagnostics/budget.hpp"
 #include "diagnostics/cache/cache.hpp"
+
+namespace robochart::refine {
+class LevelStrategy;
+}
 
 namespace robochart::app {
 
@@ -32,6 +37,9 @@ public:
     [[nodiscard]] diagnostics::Budget& budget() { return budget_; }
     /// What earlier runs have worked out; null where it is not wanted.
     [[nodiscard]] diagnostics::Cache* cache() { return cache_ ? &*cache_ : nullptr; }
+    /// How searches are kept in files; null where that is not wanted. Throws UsageError, storage::BadFile or
+    /// storage::CannotWrite where it cannot be.
+    [[nodiscard]] refine::LevelStrategy* kept_searches();
     /// A signal has come.
     [[nodiscard]] bool interrupted() const { return signals_.load() > 0; }
 
@@ -55,8 +63,10 @@ private:
     void say_and_end(const std::string& why);
     [[noreturn]] void end_at_once(int code);
 
+    const Options& options_;
     diagnostics::Budget budget_;
     std::optional<diagnostics::Cache> cache_;
+    std::unique_ptr<refine::LevelStrategy> kept_searches_;
     sigset_t signals_taken_{};
     sigset_t mask_before_{};
     std::atomic<int> signals_{0};

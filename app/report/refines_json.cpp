@@ -203,6 +203,7 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
     json["chased_states"] = verdict.statistics.chased;
+    if (verdict.statistics.ranks > 0) json["ranks"] = verdict.statistics.ranks;
     json["replicas"] = verdict.statistics.replicas;
     json["distinguished_replicas"] = verdict.statistics.distinguished;
     if (verdict.known) json["known"] = true;

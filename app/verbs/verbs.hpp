@@ -10,6 +10,9 @@
 
 namespace robochart::app {
 
+/// Whichever verb the options name.
+Exit run_verb(const Options&);
+
 Exit run_model(const Options&);  ///< verify, check, emit, conform
 Exit run_cspm(const Options&);
 Exit export_process(const Options&);  ///< cspm --export

@@ -18,6 +18,7 @@
 #include "checker/process/operational_semantics.hpp"
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
 #include "diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
@@ -222,16 +223,44 @@ struct Session::Impl {
         refine::Budget evaluation(quiet);
         const Polling polling(*this, evaluation);
         const auto ask = [&](refine::Earlier earlier) { return ask_of(both, assertion, in, limits, earlier); };
+        if (limits.by_levels != nullptr)
+            return decide_by_levels(question_of(both, assertion, limits), assertion, *limits.by_levels, evaluation,
+                                    ask);
         if (memory.cache == nullptr || asked.kind == AssertionKind::has_trace) return ask(nullptr);
-        const bool two = asked.kind == AssertionKind::refinement;
-        const Question question{asked.kind,
-                                in,
-                                two ? both.first.get() : nullptr,
-                                two ? both.second.get() : both.first.get(),
-                                limits.max_states,
-                                limits.reduction};
+        const Question question = question_of(both, assertion, limits);
         const auto key = key_of(question, [&evaluation] { evaluation.charge(); });
         return key ? answer(question, *key, memory, ask) : ask(nullptr);
+    }
+
+    Question question_of(const Sides& both, const Decl& assertion, const refine::Limits& limits) const {
+        const bool two = assertion.assertion.kind == AssertionKind::refinement;
+        return {assertion.assertion.kind,
+                model(assertion),
+                two ? both.first.get() : nullptr,
+                two ? both.second.get() : both.first.get(),
+                limits.max_states,
+                limits.reduction};
+    }
+
+    /// Such a search may go on from that of an earlier run, whatever bound ended it. Its answers have a place of their
+    /// own, since figures of searches that find something are others.
+    refine::Verdict decide_by_levels(Question question, const Decl& assertion, refine::LevelStrategy& strategy,
+                                     refine::Budget& evaluation,
+                                     const std::function<refine::Verdict(refine::Earlier)>& ask) {
+        question.max_states = 0;
+        std::optional<QuestionKey> key;
+        if (question.kind != AssertionKind::has_trace) key = key_of(question, [&evaluation] { evaluation.charge(); });
+        strategy.begin_question(written(assertion), key ? std::optional(key->digest) : std::nullopt);
+        refine::Verdict verdict;
+        try {
+            const Memory kept{strategy.answers(), memory.fewest_states};
+            verdict = key && kept.cache != nullptr ? answer(question, *key, kept, ask) : ask(nullptr);
+        } catch (...) {
+            strategy.end_question(false);
+            throw;
+        }
+        strategy.end_question(verdict.outcome != refine::Outcome::inconclusive);
+        return verdict;
     }
 
     refine::Verdict ask_of(const Sides& both, const Decl& assertion, refine::Model in, const refine::Limits& limits,

@@ -26,6 +26,9 @@ public:
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
     void watch(const std::function<void()>& poll) override;
     [[nodiscard]] std::uint64_t chased() const override { return system_->chased(); }
+    /// What it was made of.
+    [[nodiscard]] const TransitionSystem& unfolded() const { return *system_; }
+    [[nodiscard]] const Symmetry& symmetry() const { return symmetry_; }
 
 private:
     void add(Event event, StateView target, Event revealed) override;

@@ -27,6 +27,8 @@ public:
     void watch(const std::function<void()>& poll) override;
     [[nodiscard]] std::uint64_t chased() const override { return chased_; }
     [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
+    /// The compiled process that it is the reduced form of.
+    [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
 private:
     void add(Event event, lts::StateView target, Event revealed) override;

@@ -17,6 +17,7 @@ mv "$manifest" "$folder/ours"
 expected="$(
   {
     echo bin/robochart-verify
+    [ ! -e "$build/app/mpi/robochart-verify-mpi" ] || echo bin/robochart-verify-mpi
     echo share/bash-completion/completions/robochart-verify
     echo share/zsh/vendor-completions/_robochart-verify
     echo share/fish/vendor_completions.d/robochart-verify.fish

@@ -39,21 +39,28 @@ Expander::Expander(lts::TransitionSystem& system, Monitor& monitor, const lts::S
 
 void Expander::expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out) {
     out.clear(pairs_.width());
-    out_ = &out;
     for (lts::StateIndex pair = first; pair != end && out.size() < enough_rows; ++pair) {
-        const std::size_t before = out.size();
         try {
-            expand(pair);
+            expand(pairs_[pair], out);
         } catch (...) {
-            out.shrink(before);
             out.error = std::current_exception();
             return;
         }
     }
 }
 
-void Expander::expand(lts::StateIndex pair) {
-    const lts::StateView words = pairs_[pair];
+void Expander::expand(lts::StateView words, Expansion& out) {
+    out_ = &out;
+    const std::size_t before = out.size();
+    try {
+        expand_into(words);
+    } catch (...) {
+        out.shrink(before);
+        throw;
+    }
+}
+
+void Expander::expand_into(lts::StateView words) {
     node_ = nodes_ ? words[0] : 0;
     offer_.tau = false;
     offer_.events.clear();

@@ -59,13 +59,16 @@ public:
 
     /// From `first` on, until `end` is reached, there are enough rows, or a pair has met an error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
+    /// One more pair, by its words; `out` was cleared for rows of their number. Throws what the system throws, with the
+    /// pair's rows left out.
+    void expand(lts::StateView words, Expansion& out);
     /// From now on events that are no taus are not followed.
     void follow_taus_alone() { taus_alone_ = true; }
 
 private:
     void add(process::Event event, lts::StateView target, process::Event revealed) override;
     void add_row(Monitor::Node node, lts::StateView target, bool by_tau);
-    void expand(lts::StateIndex pair);
+    void expand_into(lts::StateView words);
     Monitor::Advance advance(process::Event event);
     void settle_offer();
 

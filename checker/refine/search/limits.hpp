@@ -10,6 +10,8 @@
 
 namespace robochart::refine {
 
+class LevelStrategy;
+
 /// How far a check has come, for those who wait.
 struct Progress {
     enum class Phase { compiling, searching };
@@ -34,6 +36,9 @@ struct Limits : diagnostics::Limits {
         2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
     /// Whether states that confluent taus lead on from are left out (docs/search.md). Verdicts do not depend on it.
     bool reduction = false;
+    /// Searches go by levels, as this says (verdict/level_strategy.hpp); null: they do not. Verdicts do not depend on
+    /// it.
+    LevelStrategy* by_levels = nullptr;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
 };
@@ -48,6 +53,7 @@ struct Statistics {
     std::uint64_t chased = 0;    ///< states left out: a step of a transition led to each, and a confluent tau led on
     std::uint64_t replicas = 0;  ///< the most equal components whose exchange gives no further state; 0: none
     std::uint64_t distinguished = 0;  ///< equal components that the question distinguishes, so that it does
+    std::uint64_t ranks = 0;          ///< of a search by levels; 0: it was another one
 };
 
 }  // namespace robochart::refine

@@ -9,6 +9,7 @@
 #include "checker/refine/search/steps.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
 #include "checker/refine/verdict/indifference.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
 #include "checker/refine/verdict/reduction.hpp"
@@ -86,6 +87,23 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
     return counterexample;
 }
 
+/// A refinement as a question for a search by levels; none where there is no such search, or the normal form is not
+/// known in whole: it is too large, or some of it that the search may never meet cannot be evaluated.
+std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model model, Search::Pairs pairs,
+                                                  const Budget& budget) {
+    if (budget.limits().by_levels == nullptr || pairs == Search::Pairs::antichain) return std::nullopt;
+    try {
+        std::optional<NormalTable> table = table_of(normal, model);
+        if (!table) return std::nullopt;
+        return LevelQuestion{LevelQuestion::Kind::refinement, model,
+                             std::make_shared<const NormalTable>(std::move(*table))};
+    } catch (const process::Interrupted&) {
+        throw;
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+}
+
 /// The first fault of the implementation's runs against the normal form.
 std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
                                            Search::Pairs pairs, Budget& budget, Statistics& statistics,
@@ -93,6 +111,13 @@ std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSy
     const bool with_divergence =
         known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
     if (pairs == Search::Pairs::all) normal.refuse_growth();
+    if (std::optional<LevelQuestion> question = refinement_by_levels(normal, model, pairs, budget)) {
+        statistics.spec_nodes = question->specification->nodes.size();
+        if (with_divergence && question->specification->nodes.front().diverges) return std::nullopt;
+        question->divergence = with_divergence;
+        question->events_until = events_until(known);
+        return budget.limits().by_levels->search(implementation, *question, budget, statistics);
+    }
     RefinementMonitor monitor(normal, model);
     Search search(implementation, monitor, budget, with_divergence, pairs);
     const Tally tally(search, statistics, &normal);
@@ -125,6 +150,13 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
 
 std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
                                        Budget& budget, Statistics& statistics, const Violation* known) {
+    if (LevelStrategy* const by_levels = budget.limits().by_levels) {
+        LevelQuestion question;
+        if (forbid_deadlock) question.kind = LevelQuestion::Kind::deadlock;
+        question.divergence = forbid_divergence;
+        question.events_until = events_until(known);
+        return by_levels->search(system, question, budget, statistics);
+    }
     StateMonitor monitor(forbid_deadlock);
     Search search(system, monitor, budget, forbid_divergence);
     const Tally tally(search, statistics);

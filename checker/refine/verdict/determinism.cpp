@@ -13,6 +13,7 @@
 
 #include "checker/refine/search/steps.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
 #include "checker/refine/verdict/reduction.hpp"
@@ -71,6 +72,12 @@ Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity
 
 std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
                                        const Violation* known) {
+    if (LevelStrategy* const by_levels = budget.limits().by_levels) {
+        LevelQuestion question;
+        question.divergence = true;
+        question.events_until = events_until(known);
+        return by_levels->search(system, question, budget, statistics);
+    }
     StateMonitor monitor(false);
     Search search(system, monitor, budget, true);
     const Tally tally(search, statistics);
@@ -99,19 +106,12 @@ private:
     Statistics& statistics_;
 };
 
-/// Finds a state that leaves any choice open: a tau, two transitions by one event, or termination beside another event.
-class ChoiceMonitor final : public Monitor {
-public:
-    Node start() override { return 0; }
-    Advance advance(Node node, Event /*event*/) override { return {Effect::follow, node}; }
-    std::optional<ViolationKind> examine(Node /*node*/, const Offer& offer) override {
-        const bool open = offer.tau || offer.branches || (offer.ticks() && offer.events.size() > 1);
-        return open ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
-    }
-    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<ChoiceMonitor>(); }
-};
-
 bool leaves_no_choice(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+    if (LevelStrategy* const by_levels = budget.limits().by_levels) {
+        LevelQuestion question;
+        question.kind = LevelQuestion::Kind::choice;
+        return !by_levels->search(system, question, budget, statistics);
+    }
     ChoiceMonitor monitor;
     Search search(system, monitor, budget);
     const Tally tally(search, statistics);

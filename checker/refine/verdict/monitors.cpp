@@ -19,15 +19,19 @@ Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
 
 /// F: what a stable state accepts includes one of the specification's acceptances after the same trace. That is the
 /// inclusion of refusals: refusals are the subsets of an acceptance's complement.
-std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& offer) {
-    if (model_ == Model::traces || (offer.tau && !offer.ticks())) return std::nullopt;
+std::optional<ViolationKind> refusal(const std::vector<EventSet>& wanted, const Offer& offer) {
+    if (offer.tau && !offer.ticks()) return std::nullopt;
     const auto first = offer.events.begin();
     const auto last = offer.ticks() ? first + 1 : offer.events.end();
-    const std::vector<EventSet>& wanted = acceptances(node);
     const bool allowed = std::any_of(wanted.begin(), wanted.end(), [&](const EventSet& required) {
         return std::includes(first, last, required.begin(), required.end());
     });
     return allowed ? std::nullopt : std::optional(ViolationKind::refusal);
+}
+
+std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& offer) {
+    if (model_ == Model::traces || (offer.tau && !offer.ticks())) return std::nullopt;
+    return refusal(acceptances(node), offer);
 }
 
 /// They stay where they are once they have been made.
@@ -42,6 +46,11 @@ const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
 
 std::optional<ViolationKind> StateMonitor::examine(Node /*node*/, const Offer& offer) {
     return forbid_deadlock_ && offer.nothing() ? std::optional(ViolationKind::deadlock) : std::nullopt;
+}
+
+std::optional<ViolationKind> ChoiceMonitor::examine(Node /*node*/, const Offer& offer) {
+    const bool open = offer.tau || offer.branches || (offer.ticks() && offer.events.size() > 1);
+    return open ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
 }
 
 Monitor::Advance TraceMonitor::advance(Node node, Event event) {

@@ -11,6 +11,10 @@
 
 namespace robochart::refine {
 
+/// In F and FD: what is wrong with a state that offers this where the specification has these acceptances. None for an
+/// unstable state.
+[[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& wanted, const Offer& offer);
+
 /// specification [M= implementation: nodes are those of the specification's normal form.
 class RefinementMonitor final : public Monitor {
 public:
@@ -49,6 +53,15 @@ public:
 
 private:
     bool forbid_deadlock_;
+};
+
+/// Finds a state that leaves any choice open: a tau, two transitions by one event, or termination beside another event.
+class ChoiceMonitor final : public Monitor {
+public:
+    Node start() override { return 0; }
+    Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<ChoiceMonitor>(); }
 };
 
 /// Runs along one trace; finds the end of its first `goal` events. With `refused`, an end that can refuse that event.

@@ -7,7 +7,10 @@
 #include <map>
 
 #include "checker/machine/compiler.hpp"
+#include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/verdict/check.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
+#include "diagnostics/files.hpp"
 #include "tests/checker/processes/naive.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/random_process.hpp"
@@ -27,13 +30,65 @@ struct Seen {
     void count(bool held) { ++checks, ++(held ? holds : fails); }
 };
 
-enum class Engine { terms, compressing_terms, machines, reduced_machines };
+enum class Engine {
+    terms,
+    terms_by_levels,
+    compressing_terms,
+    machines,
+    reduced_machines,
+    ranks,
+    reduced_ranks,
+    disk,
+    reduced_disk
+};
+
+/// Rows on disk, none of the closed levels in memory, and filters of four bits, so that many searches roll back.
+class OnDisk final : public LevelStrategy {
+public:
+    explicit OnDisk(unsigned ranks) : ranks_(ranks) {}
+    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
+                                    Statistics& statistics) override {
+        if (question.row_width(system.width()) == 0) return OneRank().search(system, question, budget, statistics);
+        std::string error;
+        const diagnostics::TemporaryFolder folder("", error);
+        const auto make = [&](const LevelQuestion& asked, const lts::TransitionSystem& searched, Exchange& exchange) {
+            KeptWhere where;
+            where.folder = folder.path();
+            where.kind.width = asked.row_width(searched.width());
+            where.place = {exchange.rank(), exchange.ranks()};
+            DiskRowStore::Bounds bounds;
+            bounds.filter_bits = 4;
+            bounds.fewest_unsure = 3;
+            return std::make_unique<DiskRowStore>(std::move(where), bounds);
+        };
+        if (ranks_ == 1) return OneRank(make).search(system, question, budget, statistics);
+        return ThreadRanks(ranks_, make).search(system, question, budget, statistics);
+    }
+
+private:
+    unsigned ranks_;
+};
+
+bool is_compiled(Engine engine) {
+    return engine != Engine::terms && engine != Engine::terms_by_levels && engine != Engine::compressing_terms;
+}
 
 /// Reduced machines are searched by several threads as well, however few states they have.
 Limits limits_of(Engine engine) {
+    static ThreadRanks two(2);
+    static ThreadRanks three(3);
+    static OneRank one;
+    static OnDisk disk(1);
+    static OnDisk two_on_disk(2);
     Limits limits;
+    if (engine == Engine::ranks) limits.by_levels = &two;
+    if (engine == Engine::reduced_ranks) limits.by_levels = &three;
+    if (engine == Engine::terms_by_levels) limits.by_levels = &one;
+    if (engine == Engine::disk) limits.by_levels = &disk;
+    if (engine == Engine::reduced_disk) limits.by_levels = &two_on_disk;
+    limits.reduction =
+        engine == Engine::reduced_machines || engine == Engine::reduced_ranks || engine == Engine::reduced_disk;
     if (engine != Engine::reduced_machines) return limits;
-    limits.reduction = true;
     limits.threads = 2;
     limits.wide_level = 1;
     return limits;
@@ -97,7 +152,7 @@ protected:
 
 std::unique_ptr<lts::TransitionSystem> Agreement::system(Translation& translation, const naive::Process& process,
                                                          Engine engine) {
-    if (engine == Engine::machines || engine == Engine::reduced_machines) {
+    if (is_compiled(engine)) {
         machine::Compiler compiler(translation.semantics());
         if (auto compiled = compiler.compile(translation.term(process), {})) return ++compiled_, std::move(compiled);
         ++left_as_terms_;
@@ -141,7 +196,8 @@ std::optional<std::string> Agreement::disagreement(const Case& asked, const Grap
         ++checks_;
         seen_[topic(question)].count(holds);
     }
-    if (counted && engine != Engine::reduced_machines) ++(compressing ? compressed_ : plain_);
+    if (counted && (engine == Engine::terms || engine == Engine::machines || compressing))
+        ++(compressing ? compressed_ : plain_);
     return std::nullopt;
 }
 
@@ -154,10 +210,10 @@ bool Agreement::agrees(const RandomCases::Explored& each, Engine engine) {
         return disagreement(asked, *graphs, engine, false);
     };
     const Case least = shrink(each.asked, [&](const Case& asked) { return wrong(asked).has_value(); });
-    const char* const name = engine == Engine::terms              ? "as terms"
-                             : engine == Engine::machines         ? "compiled"
-                             : engine == Engine::reduced_machines ? "reduced"
-                                                                  : "with compressions";
+    const char* const names[] = {"as terms",       "as terms by levels", "with compressions",      "compiled",
+                                 "reduced",        "by two ranks",       "reduced by three ranks", "on disk",
+                                 "reduced on disk"};
+    const char* const name = names[static_cast<int>(engine)];
     ADD_FAILURE() << name << ": " << wrong(least).value_or("?") << "\n" << show(least.script);
     return false;
 }
@@ -168,8 +224,9 @@ TEST_F(Agreement, OnRandomProcesses) {
     bool agreed = true;
     while (agreed && checks_ < wanted) {
         const RandomCases::Explored each = cases.next();
-        agreed =
-            agrees(each, Engine::terms) && agrees(each, Engine::machines) && agrees(each, Engine::reduced_machines);
+        for (const Engine engine : {Engine::terms, Engine::terms_by_levels, Engine::machines, Engine::reduced_machines,
+                                    Engine::ranks, Engine::reduced_ranks, Engine::disk, Engine::reduced_disk})
+            agreed = agreed && agrees(each, engine);
         if (agreed && compressible(each.asked.script)) agreed = agrees(each, Engine::compressing_terms);
     }
     ASSERT_TRUE(agreed);

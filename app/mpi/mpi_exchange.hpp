@@ -1,0 +1,39 @@
+// Processes of MPI as ranks. Calls of MPI-3 alone.
+#pragma once
+
+#include "checker/refine/levels/exchange.hpp"
+
+namespace robochart::app {
+
+/// MPI while it lives; one in a program. An exception that would leave a rank while others wait for it is for `abort`.
+class MpiProgram {
+public:
+    MpiProgram(int& argc, char**& argv);
+    MpiProgram(const MpiProgram&) = delete;
+    MpiProgram& operator=(const MpiProgram&) = delete;
+    /// Waits for the other ranks.
+    ~MpiProgram();
+    /// Ends all ranks at once.
+    [[noreturn]] static void abort(int code);
+};
+
+/// All ranks of the program. While ranks wait for a broadcast they sleep: rank 0 may be at work for long.
+class MpiExchange final : public refine::Exchange {
+public:
+    MpiExchange();
+    [[nodiscard]] unsigned rank() const override { return rank_; }
+    [[nodiscard]] unsigned ranks() const override { return ranks_; }
+    void all_to_all(const std::vector<refine::Words>& out, std::vector<refine::Words>& in) override;
+    void sum(std::span<std::uint64_t> values) override;
+    [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override;
+    void broadcast(std::string& bytes) override;
+
+private:
+    unsigned rank_ = 0;
+    unsigned ranks_ = 1;
+    // Of all messages, side by side.
+    refine::Words send_, received_;
+    std::vector<int> send_counts_, send_places_, counts_, places_;
+};
+
+}  // namespace robochart::app

@@ -1,0 +1,34 @@
+#include "app/verbs/verbs.hpp"
+
+namespace robochart::app {
+
+Exit run_verb(const Options& options) {
+    switch (options.verb) {
+        case Verb::cspm:
+            return run_cspm(options);
+        case Verb::lsp:
+            return run_lsp();
+        case Verb::explain:
+            return run_explain(options);
+        case Verb::draw:
+            return run_draw(options);
+        case Verb::format:
+            return run_format(options);
+        case Verb::init:
+            return run_init(options);
+        case Verb::prism:
+            return run_prism(options);
+        case Verb::rules:
+            return run_rules(options);
+        case Verb::simulate:
+            return run_simulate(options);
+        case Verb::step:
+            return run_step(options);
+        case Verb::validate:
+            return run_validate(options);
+        default:
+            return run_model(options);
+    }
+}
+
+}  // namespace robochart::app

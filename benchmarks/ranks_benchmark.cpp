@@ -1,0 +1,216 @@
+// Searches by levels with threads as ranks, more of them than cores (docs/scale.md): what each rank's processor did,
+// level by level. The critical path is the sum over levels of the largest processor time of a rank: what a search would
+// take if every rank had a core of its own and messages took no time. Beside it what a model predicts from the widths
+// of the levels. Prints a table; exits with 1 where the numbers of states or transitions differ between numbers of
+// ranks.
+//
+//   benchmark_ranks SCRIPT NUMBER TIMES RANKS...    the process of the script's assertion of this number, all its
+//   states;
+//                                                   of so many times the one with the shortest critical path
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/refine/levels/level_search.hpp"
+#include "checker/refine/levels/memory_row_store.hpp"
+#include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/verdict/monitors.hpp"
+#include "diagnostics/render.hpp"
+
+namespace {
+
+using namespace robochart;
+
+/// One level of a space.
+struct Width {
+    double states = 0, transitions = 0;
+};
+
+struct Measured {
+    std::uint64_t states = 0, transitions = 0;
+    double critical = 0;  ///< s: sum over levels of the largest time of a rank
+    double total = 0;     ///< s: of all ranks
+    std::uint64_t crossing = 0, bytes = 0, messages = 0, rounds = 0;
+    std::uint64_t most_bytes = 0;  ///< of a rank: rows and messages
+    std::vector<Width> widths;     ///< by one rank
+};
+
+struct RankFigures {
+    std::vector<double> seconds;
+    refine::Exchange::Traffic traffic;
+    std::uint64_t crossing = 0, bytes = 0;
+};
+
+Measured measure(const lts::TransitionSystem& system, unsigned ranks) {
+    Measured result;
+    std::vector<RankFigures> figures(ranks);
+    std::vector<std::unique_ptr<lts::TransitionSystem>> systems;
+    for (unsigned rank = 0; rank < ranks; ++rank) systems.push_back(system.another());
+    const refine::Limits limits;
+    refine::as_ranks(ranks, [&](refine::Exchange& exchange) {
+        refine::StateMonitor monitor(false);
+        refine::Budget budget(limits);
+        lts::TransitionSystem& own = *systems[exchange.rank()];
+        refine::MemoryRowStore store(own.width());
+        refine::LevelSearch search(own, monitor, store, exchange, budget, false);
+        search.first_violation();
+        figures[exchange.rank()] = {search.level_seconds(), exchange.traffic(), search.crossing_rows(),
+                                    search.peak_bytes()};
+        if (exchange.rank() != 0) return;
+        result.states = search.states();
+        result.transitions = search.transitions();
+        if (ranks > 1) return;
+        const auto& expanded = store.record().expanded;
+        for (refine::Level level = 0; level < expanded.size(); ++level)
+            result.widths.push_back(
+                {static_cast<double>(store.rows(level)), static_cast<double>(expanded[level].transitions)});
+    });
+    for (std::size_t level = 0; level < figures.front().seconds.size(); ++level) {
+        double largest = 0;
+        for (const RankFigures& rank : figures) {
+            largest = std::max(largest, rank.seconds[level]);
+            result.total += rank.seconds[level];
+        }
+        result.critical += largest;
+    }
+    for (const RankFigures& rank : figures) {
+        result.crossing += rank.crossing;
+        result.bytes += rank.traffic.bytes;
+        result.messages += rank.traffic.messages;
+        result.rounds = rank.traffic.rounds;
+        result.most_bytes = std::max(result.most_bytes, rank.bytes);
+    }
+    return result;
+}
+
+/// The mean of the largest of P independent Poisson loads of this mean each.
+double largest_load(double mean, unsigned ranks) {
+    if (ranks == 1) return mean;
+    const double spread = std::sqrt(mean);
+    const double low = std::max(0.0, std::floor(mean - 8 * spread));
+    const double step = std::max(1.0, std::floor(spread / 50));
+    double below = 0, value = low;
+    const auto probability = [&](double k) { return std::exp(k * std::log(mean) - mean - std::lgamma(k + 1)); };
+    double result = low;
+    for (; value < mean + 10 * spread + 10; value += step) {
+        below = std::min(1.0, below + step * probability(value));
+        result += step * (1 - std::pow(below, ranks));
+    }
+    return result;
+}
+
+struct Network {
+    const char* name;
+    double latency;         ///< s
+    double seconds_a_byte;  ///< of a rank's share; 0: messages take no time
+};
+
+/// Seconds of all levels: the rank with most to do, its messages, and what the ranks agree on.
+double predicted(const std::vector<Width>& widths, unsigned ranks, double seconds_a_transition, double bytes_a_row,
+                 const Network& network, double scale = 1) {
+    double sum = 0;
+    const double others = ranks - 1.0;
+    for (const Width& level : widths) {
+        if (level.states == 0) continue;
+        const double width = level.states * scale, degree = level.transitions / level.states;
+        const double load = largest_load(width / ranks, ranks) * degree;
+        sum += load * seconds_a_transition;
+        if (ranks == 1) continue;
+        sum += load * others / ranks * bytes_a_row * network.seconds_a_byte;
+        sum += (3 * std::ceil(std::log2(ranks)) + std::min(others, width * degree / ranks) * 0.3) * network.latency;
+    }
+    return sum;
+}
+
+void print_predictions(const Measured& alone, double a_transition, double bytes_a_row) {
+    constexpr Network networks[] = {{"InfiniBand 100 Gb", 1.5e-6, 16 / 12e9}, {"25 GbE, TCP", 25e-6, 16 / 3e9}};
+    std::cout << "\npredicted speed-up, 16 ranks a node, usual values of networks (not measured):\n\n"
+                 "| levels | network | 16 | 64 | 256 | 1024 |\n| --- | --- | --- | --- | --- | --- |\n";
+    for (const double scale : {1.0, 100.0})
+        for (const Network& network : networks) {
+            std::cout << fmt::format("| {} | {} |", scale == 1 ? "as they are" : "100 times as wide", network.name);
+            const double one = predicted(alone.widths, 1, a_transition, bytes_a_row, network, scale);
+            for (const unsigned ranks : {16U, 64U, 256U, 1024U})
+                std::cout << fmt::format(
+                    " {:.3g} |", one / predicted(alone.widths, ranks, a_transition, bytes_a_row, network, scale));
+            std::cout << "\n";
+        }
+}
+
+Measured best_of(unsigned times, const lts::TransitionSystem& system, unsigned ranks) {
+    Measured best = measure(system, ranks);
+    for (unsigned i = 1; i < times; ++i) {
+        Measured next = measure(system, ranks);
+        if (next.critical < best.critical) best = std::move(next);
+    }
+    return best;
+}
+
+int run(const std::string& path, std::size_t number, unsigned times, const std::vector<unsigned>& counts) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;
+    cspm::Session session(cspm::read_file(sources, path, found));
+    if (!found.ok()) {
+        std::cerr << diagnostics::render_text(sources, found);
+        return 2;
+    }
+    const auto assertions = session.assertions();
+    if (number == 0 || number > assertions.size()) {
+        std::cerr << "there is no such assertion\n";
+        return 2;
+    }
+    const cspm::Assertion& assertion = assertions[number - 1]->assertion;
+    const bool refinement = assertion.kind == cspm::AssertionKind::refinement;
+    const auto system = session.system(refinement ? assertion.implementation : assertion.specification);
+    if (!system->another()) {
+        std::cerr << "the process stays a term\n";
+        return 2;
+    }
+    std::vector<Measured> all;
+    bool same = true;
+    std::cout << "| ranks | states | transitions | levels | critical path s | speed-up | model | CPU of all / of one | "
+                 "crossing | B a crossing row | messages | rounds | B a state and rank | of one's share |\n"
+                 "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+    for (const unsigned ranks : counts) {
+        all.push_back(best_of(times, *system, ranks));
+        const Measured& one = all.front();
+        const Measured& now = all.back();
+        same = same && now.states == one.states && now.transitions == one.transitions;
+        const double a_transition = one.total / static_cast<double>(one.transitions);
+        constexpr Network none{"none", 0, 0};
+        const double model = one.widths.empty() ? 0
+                                                : predicted(one.widths, 1, a_transition, 0, none) /
+                                                      predicted(one.widths, ranks, a_transition, 0, none);
+        const auto ratio = [](std::uint64_t a, std::uint64_t b) {
+            return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
+        };
+        std::cout << fmt::format(
+            "| {} | {} | {} | {} | {:.3f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.2f} | {} | {} | {:.1f} | {:.2f} |\n",
+            ranks, now.states, now.transitions, one.widths.size() + 1, now.critical, one.critical / now.critical, model,
+            now.total / one.total, ratio(now.crossing, now.transitions), ratio(now.bytes, now.crossing), now.messages,
+            now.rounds, ratio(now.most_bytes * ranks, now.states), ratio(now.most_bytes * ranks, one.most_bytes));
+        std::cout.flush();
+    }
+    if (!all.front().widths.empty())
+        print_predictions(all.front(), all.front().total / static_cast<double>(all.front().transitions),
+                          static_cast<double>(system->width() * sizeof(lts::Word)));
+    return same ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 5) {
+        std::cerr << "benchmark_ranks SCRIPT NUMBER TIMES RANKS...\n";
+        return 4;
+    }
+    std::vector<unsigned> counts;
+    for (int i = 4; i < argc; ++i) counts.push_back(static_cast<unsigned>(std::stoul(argv[i])));
+    return run(argv[1], std::stoul(argv[2]), static_cast<unsigned>(std::stoul(argv[3])), counts);
+}

@@ -1,0 +1,30 @@
+// A search as bytes: what rank 0 tells the others.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "checker/process/term.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
+
+namespace robochart::ranks {
+
+/// What each rank has to know of a search.
+struct Job {
+    std::unique_ptr<lts::TransitionSystem> system;
+    refine::LevelQuestion question;
+    std::uint64_t max_states = 0;
+    std::uint64_t memory_bytes = 0;
+};
+
+/// The search of a system as bytes, with the limits that hold for every rank. None where the system is none that can be
+/// sent: a process that stays a term.
+[[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
+                                                const refine::LevelQuestion& question, const refine::Limits& limits);
+/// The same search. `terms` outlive it; they need not be those of the sender. Throws lts::BadBytes where the bytes are
+/// no search that this version has encoded.
+[[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);
+
+}  // namespace robochart::ranks

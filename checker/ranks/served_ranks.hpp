@@ -1,0 +1,31 @@
+// Ranks that are programs of their own, or threads as such: rank 0 reads, evaluates and compiles, and for each search
+// sends the others what they need (job.hpp); in between they wait.
+#pragma once
+
+#include "checker/refine/verdict/level_strategy.hpp"
+
+namespace robochart::ranks {
+
+/// Rank 0's side. The other ranks of the exchange, which outlives it, are in `serve` meanwhile, until it is destroyed.
+class ServedRanks final : public refine::LevelStrategy {
+public:
+    explicit ServedRanks(refine::Exchange& exchange, refine::MakeRowStore make_store = refine::memory_row_store)
+        : exchange_(exchange), make_store_(std::move(make_store)) {}
+    ServedRanks(const ServedRanks&) = delete;
+    ServedRanks& operator=(const ServedRanks&) = delete;
+    ~ServedRanks() override;
+
+    /// A process that is not compiled, but stays a term, is searched by rank 0 alone.
+    std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,
+                                            refine::Budget& budget, refine::Statistics& statistics) override;
+
+private:
+    refine::Exchange& exchange_;
+    refine::MakeRowStore make_store_;
+};
+
+/// What every other rank does: takes its part in each search, until rank 0 has no more. What ends a search is rank 0's
+/// to report.
+void serve(refine::Exchange& exchange, const refine::MakeRowStore& make_store = refine::memory_row_store);
+
+}  // namespace robochart::ranks

@@ -1,0 +1,60 @@
+// What row stores that use files have in common: the levels of one rank in files, when it is time for a checkpoint,
+// what is in it, and how a search goes on from one, whatever number of ranks has written it.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "checker/refine/levels/row_store.hpp"
+#include "checker/storage/level_files.hpp"
+
+namespace robochart::refine {
+
+/// Where and how a search keeps rows in files.
+struct KeptWhere {
+    std::string folder;     ///< of this search alone; exists
+    storage::RowKind kind;  ///< says which search it is
+    storage::Place place;   ///< which rank of it
+    /// Between checkpoints; none: they are written on limits and interrupts alone.
+    std::optional<std::chrono::milliseconds> every;
+    /// Whether a row belongs to this rank; empty: all do.
+    std::function<bool(lts::StateView row)> mine;
+    /// Called during long work; may throw.
+    std::function<void()> poll;
+    /// While what it gives lives, a run that is to end is not ended by force; may be empty.
+    std::function<std::shared_ptr<void>()> undisturbed;
+};
+
+class KeptLevels {
+public:
+    explicit KeptLevels(KeptWhere where);
+
+    /// Rows that an earlier run was unsure of, with the level that they belong to if they are none of an earlier one.
+    using Unsure = std::vector<std::pair<Level, std::vector<lts::Word>>>;
+    /// Goes on from the newest checkpoint in the folder, if there is one: its levels are then in files(), the record is
+    /// that of the checkpoint. Throws storage::BadFile.
+    Unsure load(SearchRecord& record);
+
+    [[nodiscard]] storage::LevelFiles& files() { return files_; }
+    [[nodiscard]] const storage::LevelFiles& files() const { return files_; }
+    [[nodiscard]] bool checkpoint_due() const;
+    /// Writes one. `unsure` may have rows of levels that are not closed; they are left out. Throws
+    /// storage::CannotWrite.
+    void checkpoint(const SearchRecord& record, const Unsure& unsure);
+    [[nodiscard]] std::shared_ptr<void> hold() const { return where_.undisturbed ? where_.undisturbed() : nullptr; }
+    void poll() const {
+        if (where_.poll) where_.poll();
+    }
+
+private:
+    void redistribute(const std::vector<storage::Checkpoint>& found);
+
+    KeptWhere where_;
+    storage::LevelFiles files_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,438 @@
+#include "checker/refine/levels/level_search.hpp"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+#include "checker/refine/levels/tau_elimination.hpp"
+#include "checker/refine/search/steps.hpp"
+
+namespace robochart::refine {
+
+using lts::StateView;
+using process::Event;
+
+namespace {
+
+constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
+constexpr std::size_t rows_a_block = 256;
+
+/// Adds the processor time of this thread while it lives.
+class Timed {
+public:
+    explicit Timed(double& seconds) : seconds_(seconds), start_(now()) {}
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+    ~Timed() { seconds_ += now() - start_; }
+
+private:
+    static double now() {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+    double& seconds_;
+    double start_;
+};
+
+}  // namespace
+
+LevelSearch::LevelSearch(lts::TransitionSystem& system, Monitor& monitor, RowStore& store, Exchange& exchange,
+                         Budget& budget, bool note_taus)
+    : system_(system),
+      monitor_(monitor),
+      store_(store),
+      exchange_(exchange),
+      budget_(budget),
+      nodes_(!monitor.watches_states_only()),
+      note_taus_(note_taus),
+      work_(exchange),
+      batches_(exchange.ranks(), store.width()),
+      no_rows_(store.width()) {}
+
+LevelSearch::~LevelSearch() {
+    budget_.report_by({});
+}
+
+std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_until) {
+    budget_.report_by([this](Progress& progress) {
+        progress.states = agreed_.known;
+        progress.transitions = agreed_.transitions;
+        progress.frontier = agreed_.waiting + agreed_.open;
+        progress.depth = depth_;
+    });
+    try {
+        begin();
+        for (;;) {
+            const Level level = store_.levels() - 1;
+            use_expander(level >= events_until);
+            depth_ = level;
+            expand_level(level);
+            const bool violated = agreed_.faults + agreed_.forbidden > 0;
+            if (violated || agreed_.open == 0 || agreed_.wants_to_settle > 0) {
+                const std::optional<Level> wrong = settle();
+                if (wrong && *wrong <= level + (violated ? 0 : 1)) {
+                    roll_back_to(*wrong);
+                    continue;
+                }
+                if (violated || agreed_.open == 0) {
+                    count(level);
+                    if (!violated) return std::nullopt;
+                    return finding_of(least_fault().value(), level);
+                }
+            }
+            close_level();
+        }
+    } catch (const diagnostics::LimitReached&) {
+        count(depth_ > 0 ? static_cast<Level>(depth_) : 0);
+        store_.checkpoint();
+        throw;
+    } catch (const std::bad_alloc&) {
+        store_.checkpoint();
+        throw;
+    }
+}
+
+/// A level may be expanded again after others that were searched for taus alone.
+void LevelSearch::use_expander(bool taus_alone) {
+    if (expander_ && taus_alone_ == taus_alone) return;
+    taus_alone_ = taus_alone;
+    expander_.emplace(system_, monitor_, no_rows_);
+    if (taus_alone) expander_->follow_taus_alone();
+}
+
+/// The initial row, or, where the store continues an earlier run, the figures so far.
+void LevelSearch::begin() {
+    work_.attempt([this] {
+        if (store_.levels() > 0) return;
+        Words first(store_.width());
+        if (nodes_) first[0] = monitor_.start();
+        const std::uint64_t chased_before = system_.chased();
+        system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
+        const std::uint64_t hash = lts::StateStore::hash(first);
+        if (owner_of(hash, exchange_.ranks()) != exchange_.rank()) return;
+        figures_.chased = system_.chased() - chased_before;
+        store_.enter(first, hash);
+    });
+    before_ = figures_until(store_.record().expanded.size());
+    agree(0);
+    if (store_.levels() == 0) store_.close_level();
+}
+
+/// In rounds, each of which ends with all ranks knowing what is left. The figures are added to those kept so far: the
+/// initial state's are part of its level's.
+void LevelSearch::expand_level(Level level) {
+    fault_.reset();
+    forbidden_.reset();
+    level_seconds_.resize(level + std::size_t{1});
+    std::uint64_t next = 0;
+    do {
+        {
+            const Timed timed(level_seconds_[level]);
+            work_.attempt([&] { expand_some(level, next); });
+        }
+        if (exchange_.ranks() > 1) batches_.exchange(exchange_);
+        {
+            const Timed timed(level_seconds_[level]);
+            work_.attempt([&] {
+                if (exchange_.ranks() > 1)
+                    batches_.receive(
+                        [this](std::uint64_t hash) { store_.prefetch(hash); },
+                        [this](StateView row, std::uint64_t hash, bool by_tau) { enter(row, hash, by_tau); });
+                budget_.states(store_.size());
+            });
+        }
+        agree(store_.rows(level) - next);
+        const std::uint64_t most = budget_.limits().max_states;
+        if (agreed_.known > most) throw LimitReached(fmt::format("the limit of {} states was reached", most));
+    } while (agreed_.waiting > 0);
+    peak_bytes_ = std::max(peak_bytes_, bytes());
+}
+
+void LevelSearch::expand_some(Level level, std::uint64_t& next) {
+    const std::size_t width = store_.width();
+    // What waits takes little beside what is kept.
+    const std::uint64_t most_waiting = std::max<std::uint64_t>(std::uint64_t{1} << 14U, store_.bytes() / 32);
+    for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
+        block_.clear();
+        const std::size_t count = store_.read(level, next, rows_a_block, block_);
+        if (count == 0) return;
+        expansion_.clear(width);
+        for (std::size_t i = 0; i < count; ++i) {
+            try {
+                expand(StateView(block_).subspan(i * width, width));
+            } catch (const LimitReached&) {
+                throw;
+            } catch (const std::bad_alloc&) {
+                throw;
+            } catch (const std::exception&) {
+                // An error of evaluation, in a process that stays a term: what was found before it comes first.
+                if (!fault_) throw;
+                next = store_.rows(level);
+                return;
+            }
+        }
+        take();
+        next += count;
+        done += count;
+    }
+}
+
+void LevelSearch::expand(StateView row) {
+    if (expansion_.size() >= rows_at_once) take();
+    budget_.charge();
+    expander_->expand(row, expansion_);
+    const Expansion::Pair& pair = expansion_.pairs.back();
+    figures_.transitions += pair.transitions;
+    figures_.chased += pair.chased;
+    if (pair.fault) keep_least(fault_, {{row.begin(), row.end()}, *pair.fault, process::tau});
+    if (pair.forbidden) keep_least(forbidden_, {{row.begin(), row.end()}, ViolationKind::trace, *pair.forbidden});
+}
+
+/// Rows of others are put aside, and this rank's own entered.
+void LevelSearch::take() {
+    const unsigned ranks = exchange_.ranks();
+    const unsigned self = exchange_.rank();
+    own_.clear();
+    for (std::uint32_t i = 0; i < expansion_.size(); ++i) {
+        const unsigned owner = ranks == 1 ? 0 : owner_of(expansion_.hash(i), ranks);
+        if (owner == self) {
+            store_.prefetch(expansion_.hash(i));
+            own_.push_back(i);
+        } else {
+            batches_.add(owner, expansion_.row(i), note_taus_ && expansion_.by_tau(i));
+        }
+    }
+    for (const std::uint32_t i : own_) enter(expansion_.row(i), expansion_.hash(i), note_taus_ && expansion_.by_tau(i));
+    expansion_.clear(store_.width());
+}
+
+/// A tau to a row of the same level or an earlier one leads back: every cycle of taus has one.
+void LevelSearch::enter(StateView row, std::uint64_t hash, bool by_tau) {
+    const RowStore::Found found = store_.enter(row, hash);
+    if (by_tau && (found == RowStore::Found::earlier || found == RowStore::Found::unsure))
+        store_.record().marks.insert(row, hash);
+}
+
+void LevelSearch::agree(std::uint64_t waiting) {
+    const LevelFigures so_far{before_.transitions + figures_.transitions, before_.chased + figures_.chased};
+    std::uint64_t values[] = {waiting,
+                              store_.size(),
+                              store_.rows(store_.levels()),
+                              so_far.transitions,
+                              so_far.chased,
+                              store_.wants_to_settle() ? 1U : 0U,
+                              store_.wants_checkpoint() ? 1U : 0U,
+                              fault_ ? 1U : 0U,
+                              forbidden_ ? 1U : 0U};
+    work_.sum(values);
+    agreed_ = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8]};
+}
+
+/// The least level that some rank has missed a row of.
+std::optional<Level> LevelSearch::settle() {
+    std::optional<Level> wrong;
+    work_.attempt([&] { wrong = store_.settle(); });
+    work_.sum({});
+    std::optional<Level> least;
+    for (const Words& each : exchange_.gather(wrong ? Words{*wrong} : Words{}))
+        if (!each.empty() && (!least || each[0] < *least)) least = each[0];
+    return least;
+}
+
+void LevelSearch::roll_back_to(Level level) {
+    work_.attempt([&] { store_.roll_back_to(level); });
+    work_.sum({});
+    std::vector<LevelFigures>& expanded = store_.record().expanded;
+    if (level <= expanded.size()) {
+        expanded.resize(level);
+        figures_ = {};
+    }
+    before_ = figures_until(expanded.size());
+    if (expanded.size() < level)
+        close_level();
+    else
+        store_.close_level();
+}
+
+/// The level that has been expanded is complete, and so is the open one.
+void LevelSearch::close_level() {
+    work_.attempt([this] {
+        store_.record().expanded.push_back(figures_);
+        before_ = figures_until(store_.record().expanded.size());
+        figures_ = {};
+        store_.close_level();
+        if (agreed_.wants_checkpoint > 0) store_.checkpoint();
+    });
+}
+
+std::uint64_t LevelSearch::bytes() const {
+    const lts::StateStore& marks = store_.record().marks;
+    return store_.bytes() + batches_.bytes() + marks.size() * marks.width() * sizeof(lts::Word);
+}
+
+LevelFigures LevelSearch::figures_until(std::size_t levels) const {
+    LevelFigures sum;
+    for (std::size_t level = 0; level < levels; ++level) {
+        sum.transitions += store_.record().expanded[level].transitions;
+        sum.chased += store_.record().expanded[level].chased;
+    }
+    return sum;
+}
+
+/// All up to this level, which has been expanded.
+void LevelSearch::count(Level last) {
+    transitions_ = agreed_.transitions;
+    chased_ = agreed_.chased;
+    states_ = agreed_.known - agreed_.open;
+    depth_ = last;
+}
+
+void LevelSearch::keep_least(std::optional<Fault>& kept, Fault found) {
+    if (!kept || found.row < kept->row) kept = std::move(found);
+}
+
+/// Of all ranks.
+std::optional<LevelSearch::Fault> LevelSearch::least_fault() {
+    const std::optional<Fault>& own = agreed_.faults > 0 ? fault_ : forbidden_;
+    Words words;
+    if (own) {
+        words = {static_cast<lts::Word>(own->kind), own->event};
+        words.insert(words.end(), own->row.begin(), own->row.end());
+    }
+    std::optional<Fault> least;
+    for (const Words& each : exchange_.gather(words))
+        if (!each.empty())
+            keep_least(least, {{each.begin() + 2, each.end()}, static_cast<ViolationKind>(each[0]), each[1]});
+    return least;
+}
+
+LevelFinding LevelSearch::finding_of(const Fault& fault, Level level) {
+    LevelFinding finding{fault.kind, run_to(fault.row, level), {}};
+    if (fault.kind == ViolationKind::trace) forbidden_step(fault, finding.run);
+    return finding;
+}
+
+/// Every rank can take the step; of several the one to the least state.
+void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
+    std::optional<RunStep> least;
+    for (RunStep& step : steps_from(system_, state(fault.row)))
+        if (step.event == fault.event && (!least || step.state < least->state)) least = std::move(step);
+    if (!least) throw std::logic_error("a forbidden event cannot be taken again");
+    run.steps.push_back(std::move(*least));
+}
+
+/// A row of the level before and the step from it.
+struct LevelSearch::Step {
+    Words row;
+    Event event = process::tau;
+    Event revealed = process::tau;
+    [[nodiscard]] bool operator<(const Step& other) const {
+        return std::tie(row, event, revealed) < std::tie(other.row, other.event, other.revealed);
+    }
+};
+
+namespace {
+
+/// The least transition from one row to another.
+class StepTo final : public lts::SuccessorSink {
+public:
+    StepTo(Monitor& monitor, bool nodes, StateView wanted) : monitor_(monitor), nodes_(nodes), wanted_(wanted) {}
+    void begin(StateView row) {
+        row_ = row;
+        found = false;
+    }
+    void add(Event event, StateView target, Event revealed) override {
+        const StateView wanted = nodes_ ? wanted_.subspan(1) : wanted_;
+        if (found && std::pair(least_event, least_revealed) <= std::pair(event, revealed)) return;
+        if (!std::equal(target.begin(), target.end(), wanted.begin()) || !leads_on(event)) return;
+        found = true;
+        least_event = event;
+        least_revealed = revealed;
+    }
+    bool found = false;
+    Event least_event = process::tau;
+    Event least_revealed = process::tau;
+
+private:
+    bool leads_on(Event event) {
+        if (event == process::tau) return !nodes_ || row_[0] == wanted_[0];
+        if (!nodes_) return true;
+        const Monitor::Advance next = monitor_.advance(row_[0], event);
+        return next.effect == Monitor::Effect::follow && next.node == wanted_[0];
+    }
+    Monitor& monitor_;
+    bool nodes_;
+    StateView wanted_;
+    StateView row_;
+};
+
+}  // namespace
+
+Run LevelSearch::run_to(const Words& row, Level level) {
+    std::vector<Step> back;
+    const Words* at = &row;
+    back.reserve(level);
+    for (Level before = level; before > 0; --before) {
+        back.push_back(last_step(*at, before - 1));
+        at = &back.back().row;
+    }
+    const auto state_of = [this](const Words& words) {
+        const StateView view = state(words);
+        return Words(view.begin(), view.end());
+    };
+    Run run{state_of(*at), {}};
+    for (std::size_t i = back.size(); i-- > 0;)
+        run.steps.push_back({back[i].event, back[i].revealed, state_of(i == 0 ? row : back[i - 1].row)});
+    return run;
+}
+
+/// Every rank looks through its part of the level.
+LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
+    std::optional<Step> least;
+    work_.attempt([&] {
+        StepTo finder(monitor_, nodes_, row);
+        const std::size_t width = store_.width();
+        for (std::uint64_t next = 0;;) {
+            block_.clear();
+            const std::size_t count = store_.read(level, next, rows_a_block, block_);
+            if (count == 0) break;
+            for (std::size_t i = 0; i < count; ++i) {
+                budget_.charge();
+                const StateView from = StateView(block_).subspan(i * width, width);
+                finder.begin(from);
+                system_.successors(state(from), finder);
+                if (!finder.found) continue;
+                Step step{{from.begin(), from.end()}, finder.least_event, finder.least_revealed};
+                if (!least || step < *least) least = std::move(step);
+            }
+            next += count;
+        }
+    });
+    work_.sum({});
+    Words words;
+    if (least) {
+        words = {least->event, least->revealed};
+        words.insert(words.end(), least->row.begin(), least->row.end());
+    }
+    std::optional<Step> first;
+    for (const Words& each : exchange_.gather(words)) {
+        if (each.empty()) continue;
+        Step step{{each.begin() + 2, each.end()}, each[0], each[1]};
+        if (!first || step < *first) first = std::move(step);
+    }
+    if (!first) throw std::logic_error("a row of the search has no predecessor");
+    return std::move(*first);
+}
+
+std::optional<LevelFinding> LevelSearch::first_divergence() {
+    TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
+    const std::optional<TauCycle> cycle = elimination.least_cycle();
+    if (!cycle) return std::nullopt;
+    return LevelFinding{ViolationKind::divergence, run_to(cycle->row, cycle->level), cycle->loop};
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,77 @@
+#include "checker/refine/levels/saved_row_store.hpp"
+
+#include "checker/storage/sort_rows.hpp"
+
+namespace robochart::refine {
+
+using lts::StateStore;
+using lts::StateView;
+
+SavedRowStore::SavedRowStore(KeptWhere where)
+    : RowStore(where.kind.width), kept_(std::move(where)), rows_(std::make_unique<MemoryRowStore>(width())) {
+    KeptLevels::Unsure unsure = kept_.load(record());
+    // What was unsure of a level is looked up when the levels before, and its own, are in memory.
+    auto next = unsure.begin();
+    for (Level level = 0; level < kept_.files().levels(); ++level) {
+        load_until(level + 1);
+        for (; next != unsure.end() && next->first == level; ++next)
+            if (!rows_->has(next->second)) late_.push_back(std::move(*next));
+    }
+}
+
+/// Levels before this one, from the files.
+void SavedRowStore::load_until(Level level) {
+    for (Level next = rows_->levels(); next < level; ++next) {
+        kept_.files().each_block(next, [this](std::span<const lts::Word> rows) {
+            kept_.poll();
+            for (std::size_t at = 0; at < rows.size(); at += width()) {
+                const StateView row = rows.subspan(at, width());
+                rows_->enter(row, StateStore::hash(row));
+            }
+        });
+        rows_->close_level();
+    }
+}
+
+std::optional<Level> SavedRowStore::settle() {
+    if (late_.empty()) return std::nullopt;
+    return late_.front().first;
+}
+
+/// The levels before are written if they have not been, and read again.
+void SavedRowStore::roll_back_to(Level level) {
+    save_levels();
+    auto rows = std::make_unique<MemoryRowStore>(width());
+    rows_.swap(rows);
+    rows.reset();
+    load_until(level);
+    if (level < kept_.files().levels())
+        kept_.files().each_block(level, [this](std::span<const lts::Word> block) {
+            for (std::size_t at = 0; at < block.size(); at += width()) {
+                const StateView row = block.subspan(at, width());
+                rows_->enter(row, StateStore::hash(row));
+            }
+        });
+    for (const auto& [own, row] : late_)
+        if (own == level) rows_->enter(row, StateStore::hash(row));
+    kept_.files().forget_from(level);
+    late_.clear();  // the others are found again, in the levels that they belong to
+}
+
+void SavedRowStore::save_levels() {
+    std::vector<lts::Word> rows;
+    for (Level level = kept_.files().levels(); level < rows_->levels(); ++level) {
+        rows.clear();
+        rows_->read(level, 0, rows_->rows(level), rows);
+        storage::sort_rows(rows, width());
+        kept_.files().add_level(rows);
+    }
+}
+
+void SavedRowStore::checkpoint() {
+    const std::shared_ptr<void> held = kept_.hold();
+    save_levels();
+    kept_.checkpoint(record(), late_);
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,41 @@
+// Rows in memory, with checkpoints in files.
+#pragma once
+
+#include <memory>
+
+#include "checker/refine/levels/kept_levels.hpp"
+#include "checker/refine/levels/memory_row_store.hpp"
+
+namespace robochart::refine {
+
+class SavedRowStore final : public RowStore {
+public:
+    /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
+    explicit SavedRowStore(KeptWhere where);
+
+    [[nodiscard]] Level levels() const override { return rows_->levels(); }
+    [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
+    [[nodiscard]] std::uint64_t size() const override { return rows_->size(); }
+    void prefetch(std::uint64_t hash) const override { rows_->prefetch(hash); }
+    Found enter(lts::StateView row, std::uint64_t hash) override { return rows_->enter(row, hash); }
+    void close_level() override { rows_->close_level(); }
+    std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) override {
+        return rows_->read(level, first, most, rows);
+    }
+    [[nodiscard]] bool wants_to_settle() const override { return !late_.empty(); }
+    [[nodiscard]] std::optional<Level> settle() override;
+    void roll_back_to(Level level) override;
+    [[nodiscard]] bool wants_checkpoint() const override { return kept_.checkpoint_due(); }
+    void checkpoint() override;
+    [[nodiscard]] std::uint64_t bytes() const override { return rows_->bytes() + kept_.files().bytes(); }
+
+private:
+    void load_until(Level level);
+    void save_levels();
+
+    KeptLevels kept_;
+    std::unique_ptr<MemoryRowStore> rows_;
+    KeptLevels::Unsure late_;  ///< rows that an earlier run, which had not all rows at hand, has missed
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,33 @@
+// Work that all ranks leave together if one of them cannot do its part.
+#pragma once
+
+#include <exception>
+#include <functional>
+
+#include "checker/refine/levels/exchange.hpp"
+
+namespace robochart::refine {
+
+/// A rank that meets a limit or an error goes on taking part in what the ranks exchange, without doing more, until all
+/// of them hear of it at their next sum.
+class SharedWork {
+public:
+    explicit SharedWork(Exchange& exchange) : exchange_(exchange) {}
+
+    /// Does this rank's part of something, unless it has failed already; keeps what it throws.
+    void attempt(const std::function<void()>& part);
+    [[nodiscard]] bool failed() const { return failure_ != nullptr; }
+    /// Exchange::sum. Where a rank has failed, all throw: that one what it has kept, the others LimitReached with its
+    /// words if that was a limit or memory that is not there, and else std::runtime_error.
+    void sum(std::span<std::uint64_t> values);
+
+private:
+    [[noreturn]] void leave(bool by_limit);
+
+    Exchange& exchange_;
+    std::exception_ptr failure_;
+    bool limit_ = false;
+    std::vector<std::uint64_t> values_;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,60 @@
+// Cycles of taus among the rows of all ranks. Every cycle has a marked row (SearchRecord::marks). From these, taus are
+// followed; rows that no tau of those left leads to are left out, again and again, until none is left or each has such
+// a tau: then there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003; Barnat et al. 2009). What is
+// left is looked at by rank 0.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "checker/refine/levels/exchange.hpp"
+#include "checker/refine/levels/row_batches.hpp"
+#include "checker/refine/levels/row_store.hpp"
+#include "checker/refine/levels/shared_work.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/run.hpp"
+
+namespace robochart::refine {
+
+/// A row on a cycle of taus.
+struct TauCycle {
+    Words row;
+    Level level = 0;
+    Run loop;  ///< a shortest one, back to the row's state
+};
+
+/// One rank's part; collective.
+class TauElimination {
+public:
+    TauElimination(lts::TransitionSystem& system, RowStore& store, Exchange& exchange, Budget& budget, SharedWork& work,
+                   bool nodes);
+
+    /// The least row on a cycle, by level, then words.
+    std::optional<TauCycle> least_cycle();
+
+private:
+    class Targets;
+    using OnRow = std::function<void(lts::StateView row, std::uint64_t hash)>;
+    using Waiting = std::function<std::optional<lts::StateIndex>()>;
+
+    void rounds(const Waiting& waiting, const OnRow& on_target);
+    void follow();
+    void eliminate();
+    [[nodiscard]] std::uint64_t left_everywhere();
+    std::vector<Words> at_first_rank();
+    TauCycle decide(std::vector<Words> rows);
+    [[nodiscard]] lts::StateView state(lts::StateView row) const { return nodes_ ? row.subspan(1) : row; }
+
+    lts::TransitionSystem& system_;
+    RowStore& store_;
+    Exchange& exchange_;
+    Budget& budget_;
+    SharedWork& work_;
+    const bool nodes_;
+    RowBatches batches_;
+    lts::StateStore reached_;
+    std::vector<std::uint32_t> taus_to_;  // by row reached, how many taus of rows that are left lead to it
+    std::vector<lts::StateIndex> dropped_;
+};
+
+}  // namespace robochart::refine

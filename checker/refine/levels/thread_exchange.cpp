@@ -1,0 +1,100 @@
+// Everything is brought, all wait, everything is read, all wait again: nobody brings the next thing before all have
+// read.
+#include "checker/refine/levels/thread_exchange.hpp"
+
+#include <exception>
+#include <thread>
+
+namespace robochart::refine {
+
+class Meeting::Member final : public Exchange {
+public:
+    Member(Meeting& meeting, unsigned rank) : meeting_(meeting), rank_(rank) {}
+    [[nodiscard]] unsigned rank() const override { return rank_; }
+    [[nodiscard]] unsigned ranks() const override { return meeting_.ranks_; }
+
+    void all_to_all(const std::vector<Words>& out, std::vector<Words>& in) override {
+        count(out);
+        meeting_.out_[rank_] = &out;
+        meeting_.wait();
+        in.resize(ranks());
+        for (unsigned from = 0; from < ranks(); ++from) in[from] = (*meeting_.out_[from])[rank_];
+        meeting_.wait();
+    }
+    void sum(std::span<std::uint64_t> values) override {
+        meeting_.sums_[rank_].assign(values.begin(), values.end());
+        meeting_.wait();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = 0;
+            for (const std::vector<std::uint64_t>& each : meeting_.sums_) values[i] += each[i];
+        }
+        meeting_.wait();
+    }
+    [[nodiscard]] std::vector<Words> gather(const Words& own) override {
+        const std::vector<Words> out(1, own);
+        meeting_.out_[rank_] = &out;
+        meeting_.wait();
+        std::vector<Words> all;
+        for (const std::vector<Words>* each : meeting_.out_) all.push_back(each->front());
+        meeting_.wait();
+        return all;
+    }
+    void broadcast(std::string& bytes) override {
+        meeting_.texts_[rank_] = &bytes;
+        meeting_.wait();
+        const std::string first = *meeting_.texts_[0];
+        meeting_.wait();
+        bytes = first;
+    }
+
+private:
+    Meeting& meeting_;
+    unsigned rank_;
+};
+
+std::unique_ptr<Exchange> Meeting::exchange(unsigned rank) {
+    return std::make_unique<Member>(*this, rank);
+}
+
+void Meeting::wait() {
+    std::unique_lock lock(mutex_);
+    const std::uint64_t turn = turn_;
+    if (++here_ == ranks_) {
+        here_ = 0;
+        ++turn_;
+        all_here_.notify_all();
+    } else {
+        all_here_.wait(lock, [&] { return turn_ != turn || left_; });
+    }
+    if (left_ && turn_ == turn) throw RankLost("another rank has ended");
+}
+
+void Meeting::leave() {
+    const std::scoped_lock lock(mutex_);
+    left_ = true;
+    all_here_.notify_all();
+}
+
+void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work) {
+    Meeting meeting(ranks);
+    std::vector<std::exception_ptr> errors(ranks), losses(ranks);
+    const auto be = [&](unsigned rank) {
+        try {
+            work(*meeting.exchange(rank));
+        } catch (const RankLost&) {
+            losses[rank] = std::current_exception();
+        } catch (...) {
+            errors[rank] = std::current_exception();
+        }
+        if (errors[rank] || losses[rank]) meeting.leave();
+    };
+    std::vector<std::thread> others;
+    for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(be, rank);
+    be(0);
+    for (std::thread& each : others) each.join();
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+    if (losses[0]) std::rethrow_exception(losses[0]);
+}
+
+}  // namespace robochart::refine

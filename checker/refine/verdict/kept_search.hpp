@@ -1,0 +1,79 @@
+// Searches by levels whose rows are kept in files of a folder: as checkpoints, or because memory does not hold them
+// (docs/search.md, "Checkpoints", "Out of core"). The folder has
+//
+//   questions          the questions asked so far, in order, and which program asked them
+//   answers/           what has been found about those that are decided
+//   search-HEX/        the levels and checkpoints of a search of a question that is not decided
+//
+// Another run that asks the same questions in the same order goes on from there.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/refine/levels/disk_row_store.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
+#include "diagnostics/cache/cache.hpp"
+#include "diagnostics/descriptor.hpp"
+
+namespace robochart::refine {
+
+struct KeptSettings {
+    std::string folder;
+    bool resume = false;  ///< goes on from what is in the folder; else there may be nothing in it
+    bool disk = false;    ///< rows that memory does not hold stay in files
+    std::chrono::milliseconds every = std::chrono::minutes(10);  ///< between checkpoints
+    unsigned ranks = 1;
+    std::string program;  ///< its identity (diagnostics::program_identity)
+    /// While what it gives lives, the run is not ended by force.
+    std::function<std::shared_ptr<void>()> undisturbed;
+    // For tests: see DiskRowStore::Bounds.
+    std::optional<std::uint64_t> most_bytes;
+    std::optional<std::uint64_t> fewest_unsure;
+    unsigned filter_bits = 24;
+};
+
+class KeptSearch final : public LevelStrategy {
+public:
+    /// Throws storage::BadFile where the folder has what another run has left, without `resume`; or with it, nothing
+    /// that this program can go on from. Throws storage::CannotWrite.
+    explicit KeptSearch(KeptSettings settings);
+    ~KeptSearch() override;
+
+    /// Throws storage::BadFile where the folder was written for another question at this place.
+    void begin_question(const std::string& text, const std::optional<diagnostics::Digest>& digest) override;
+    void end_question(bool decided) override;
+    [[nodiscard]] diagnostics::Cache* answers() override { return answers_ ? &*answers_ : nullptr; }
+    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
+                                    Statistics& statistics) override;
+
+    /// For tests and measurements: called for each store on disk when its search is over, by its rank.
+    std::function<void(const DiskRowStore::Figures&)> on_end;
+
+private:
+    struct Asked {
+        std::string digest;  ///< in hexadecimal
+        std::string text;
+    };
+    void read_questions();
+    void write_questions() const;
+    [[nodiscard]] std::string path(const std::string& name) const { return settings_.folder + "/" + name; }
+    void remove_searches();
+    void remove_finished() const;
+
+    KeptSettings settings_;
+    diagnostics::Descriptor folder_;  ///< locked
+    std::optional<diagnostics::Cache> answers_;
+    std::vector<Asked> earlier_;                   ///< those that the folder was written for
+    std::vector<Asked> asked_;                     ///< by this run
+    std::optional<diagnostics::Digest> question_;  ///< that is being decided
+    std::uint64_t searches_ = 0;                   ///< of it
+    std::vector<std::string> folders_;             ///< of these
+    bool all_decided_ = true;
+};
+
+}  // namespace robochart::refine

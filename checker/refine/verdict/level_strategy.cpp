@@ -1,0 +1,93 @@
+#include "checker/refine/verdict/level_strategy.hpp"
+
+#include "checker/refine/levels/memory_row_store.hpp"
+#include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/search/poll_guard.hpp"
+#include "checker/refine/verdict/monitors.hpp"
+
+namespace robochart::refine {
+namespace {
+
+/// Adds up what a search has seen, also when it is left by an exception.
+class LevelTally {
+public:
+    LevelTally(const LevelSearch& search, unsigned ranks, Statistics& statistics)
+        : search_(search), ranks_(ranks), statistics_(statistics) {}
+    LevelTally(const LevelTally&) = delete;
+    LevelTally& operator=(const LevelTally&) = delete;
+    ~LevelTally() {
+        statistics_.states += search_.states();
+        statistics_.transitions += search_.transitions();
+        statistics_.depth = std::max(statistics_.depth, search_.depth());
+        statistics_.chased += search_.chased();
+        statistics_.ranks = ranks_;
+    }
+
+private:
+    const LevelSearch& search_;
+    unsigned ranks_;
+    Statistics& statistics_;
+};
+
+}  // namespace
+
+std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
+    switch (question.kind) {
+        case LevelQuestion::Kind::choice:
+            return std::make_unique<ChoiceMonitor>();
+        case LevelQuestion::Kind::refinement:
+            return std::make_unique<TableMonitor>(question.specification, question.model);
+        default:
+            return std::make_unique<StateMonitor>(question.kind == LevelQuestion::Kind::deadlock);
+    }
+}
+
+std::unique_ptr<RowStore> memory_row_store(const LevelQuestion& question, const lts::TransitionSystem& system,
+                                           Exchange& /*exchange*/) {
+    return std::make_unique<MemoryRowStore>(question.row_width(system.width()));
+}
+
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
+                                        Exchange& exchange, Budget& budget, Statistics& statistics) {
+    const std::unique_ptr<Monitor> monitor = monitor_of(question);
+    LevelSearch search(system, *monitor, store, exchange, budget, question.divergence);
+    const LevelTally tally(search, exchange.ranks(), statistics);
+    std::optional<LevelFinding> finding = search.first_violation(question.events_until);
+    if (!finding && question.divergence) finding = search.first_divergence();
+    if (!finding) return std::nullopt;
+    return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
+}
+
+std::optional<Violation> OneRank::search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
+                                         Statistics& statistics) {
+    LoneExchange exchange;
+    const std::unique_ptr<RowStore> store = make_store_(question, system, exchange);
+    return search_as_rank(system, question, *store, exchange, budget, statistics);
+}
+
+/// The first rank is the caller's thread; the others have limits of their own, but for their memory.
+std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, const LevelQuestion& question,
+                                             Budget& budget, Statistics& statistics) {
+    std::vector<std::unique_ptr<lts::TransitionSystem>> systems(ranks_);
+    for (unsigned rank = 1; rank < ranks_; ++rank) {
+        systems[rank] = system.another();
+        if (!systems[rank]) return OneRank(make_store_).search(system, question, budget, statistics);
+    }
+    Limits quiet = budget.limits();
+    quiet.progress = {};
+    std::optional<Violation> violation;
+    as_ranks(ranks_, [&](Exchange& exchange) {
+        const bool first = exchange.rank() == 0;
+        lts::TransitionSystem& searched = first ? system : *systems[exchange.rank()];
+        Budget own(quiet);
+        const PollGuard guard({systems[exchange.rank()].get()}, own);
+        Statistics ignored;
+        const std::unique_ptr<RowStore> store = make_store_(question, searched, exchange);
+        std::optional<Violation> found =
+            search_as_rank(searched, question, *store, exchange, first ? budget : own, first ? statistics : ignored);
+        if (first) violation = std::move(found);
+    });
+    return violation;
+}
+
+}  // namespace robochart::refine

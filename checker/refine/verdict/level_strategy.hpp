@@ -1,0 +1,88 @@
+// Searches that go by levels (levels/level_search.hpp) instead of the ordinary search: several ranks, or rows kept in
+// files. Limits::by_levels names the strategy; what it is asked is data, so that it can be sent to other programs.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "checker/refine/levels/level_search.hpp"
+#include "checker/refine/verdict/findings.hpp"
+#include "checker/refine/verdict/normal_table.hpp"
+#include "diagnostics/cache/cache.hpp"
+
+namespace robochart::refine {
+
+/// What a search looks for.
+struct LevelQuestion {
+    enum class Kind : std::uint8_t { states, deadlock, choice, refinement };
+    Kind kind = Kind::states;                          ///< states: nothing, every state is seen
+    Model model = Model::traces;                       ///< of a refinement
+    std::shared_ptr<const NormalTable> specification;  ///< of a refinement; else null
+    bool divergence = false;                           ///< then, if nothing is found, a cycle of taus
+    std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max();  ///< LevelSearch::first_violation
+
+    /// Whether rows begin with a node.
+    [[nodiscard]] bool has_nodes() const { return kind == Kind::choice || kind == Kind::refinement; }
+    /// Words of a row, for a system of this width.
+    [[nodiscard]] std::size_t row_width(std::size_t state_width) const { return state_width + (has_nodes() ? 1 : 0); }
+};
+
+[[nodiscard]] std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question);
+
+/// Makes the store for one rank's rows of a search.
+using MakeRowStore =
+    std::function<std::unique_ptr<RowStore>(const LevelQuestion&, const lts::TransitionSystem&, Exchange&)>;
+
+/// Rows in memory.
+[[nodiscard]] std::unique_ptr<RowStore> memory_row_store(const LevelQuestion&, const lts::TransitionSystem&, Exchange&);
+
+/// One rank's part of a search; collective. What is found is added to the statistics, also if a limit ends it.
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
+                                        Exchange& exchange, Budget& budget, Statistics& statistics);
+
+/// How the searches of a check go by levels.
+class LevelStrategy {
+public:
+    LevelStrategy() = default;
+    LevelStrategy(const LevelStrategy&) = delete;
+    LevelStrategy& operator=(const LevelStrategy&) = delete;
+    virtual ~LevelStrategy() = default;
+    /// The searches that follow belong to this question. The digest is of all that its answer depends on; none: that is
+    /// not known, or the states of its processes are not the same in every run.
+    virtual void begin_question(const std::string& /*text*/, const std::optional<diagnostics::Digest>& /*digest*/) {}
+    /// `decided`: nobody will ask it again.
+    virtual void end_question(bool /*decided*/) {}
+    /// Where answers of earlier searches of this kind are kept, which have other figures than others; null: nowhere.
+    [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
+    /// What the question's search finds in the system. Throws LimitReached, also where the system cannot be searched in
+    /// this way, and says why.
+    virtual std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question,
+                                            Budget& budget, Statistics& statistics) = 0;
+};
+
+/// One rank.
+class OneRank final : public LevelStrategy {
+public:
+    explicit OneRank(MakeRowStore make_store = memory_row_store) : make_store_(std::move(make_store)) {}
+    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
+                                    Statistics& statistics) override;
+
+private:
+    MakeRowStore make_store_;
+};
+
+/// Threads of this program as ranks. A system that serves one thread only is searched by one.
+class ThreadRanks final : public LevelStrategy {
+public:
+    explicit ThreadRanks(unsigned ranks, MakeRowStore make_store = memory_row_store)
+        : ranks_(ranks), make_store_(std::move(make_store)) {}
+    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
+                                    Statistics& statistics) override;
+
+private:
+    unsigned ranks_;
+    MakeRowStore make_store_;
+};
+
+}  // namespace robochart::refine

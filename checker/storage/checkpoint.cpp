@@ -1,0 +1,277 @@
+#include "checker/storage/checkpoint.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+
+namespace robochart::storage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view title = "robochart-verify checkpoint 1";
+constexpr std::uintmax_t largest = std::uintmax_t{1} << 30U;
+
+template <class Bytes>
+std::string hex(const Bytes& bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
+    return text;
+}
+
+std::string seal(std::string_view text) {
+    diagnostics::Hasher hasher;
+    hasher.add(text);
+    return "check " + hex(hasher.finish()) + "\n";
+}
+
+std::string line(const char* what, const SavedFile& file) {
+    return fmt::format("{} {} {} {}\n", what, file.name.empty() ? "-" : file.name, file.blocks, hex(file.check));
+}
+
+std::string text_of(const RowKind& kind, const Checkpoint& checkpoint) {
+    std::string text =
+        fmt::format("{}\nsearch {} {}\nnumber {}\nrank {} {}\nlevels {}\n", title, hex(kind.search), kind.width,
+                    checkpoint.number, checkpoint.place.rank, checkpoint.place.ranks, checkpoint.levels);
+    text += fmt::format("files {}\n", checkpoint.files.size());
+    for (const SavedFile& file : checkpoint.files) text += line("rows", file);
+    text += line("marks", checkpoint.marks) + line("unsure", checkpoint.unsure);
+    text += fmt::format("expanded {}\n", checkpoint.expanded.size());
+    for (const SavedFigures& figures : checkpoint.expanded)
+        text += fmt::format("{} {}\n", figures.transitions, figures.chased);
+    return text + seal(text);
+}
+
+/// Takes a text apart, word by word.
+class Parser {
+public:
+    Parser(std::string path, std::string_view text) : path_(std::move(path)), whole_(text), rest_(text) {}
+
+    [[noreturn]] void bad(const std::string& cause) const {
+        const auto done = whole_.substr(0, whole_.size() - rest_.size());
+        throw BadFile(fmt::format("{}: line {}: {}", diagnostics::shown(path_),
+                                  1 + std::count(done.begin(), done.end(), '\n'), cause));
+    }
+    std::string_view word() {
+        const std::size_t end = std::min(rest_.find_first_of(" \n"), rest_.size());
+        const std::string_view found = rest_.substr(0, end);
+        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        return found;
+    }
+    void expect(std::string_view wanted) {
+        if (word() != wanted) bad(fmt::format("'{}' is missing", wanted));
+    }
+    template <class Number>
+    Number number() {
+        const std::string_view text = word();
+        Number value{};
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size()) bad("a number is missing");
+        return value;
+    }
+    SavedFile file(std::string_view what) {
+        expect(what);
+        SavedFile file;
+        const std::string_view name = word();
+        const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+        if (name != "-") {
+            if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) bad("a name is missing");
+            file.name = name;
+        }
+        file.blocks = number<std::uint64_t>();
+        const std::string_view check = word();
+        for (std::size_t i = 0; i < file.check.size(); ++i) {
+            const std::string_view digits = check.substr(std::min(2 * i, check.size()), 2);
+            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), file.check[i], 16);
+            if (error != std::errc() || digits.size() != 2 || end != digits.data() + 2) bad("a check is missing");
+        }
+        return file;
+    }
+
+private:
+    std::string path_;
+    std::string_view whole_, rest_;
+};
+
+Checkpoint parsed(const std::string& path, std::string_view text, const RowKind& kind) {
+    Parser parser(path, text);
+    for (std::string_view rest = title; !rest.empty();) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (parser.word() != rest.substr(0, end)) parser.bad("this is no checkpoint that this program reads");
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    Checkpoint result;
+    parser.expect("search");
+    if (parser.word() != hex(kind.search) || parser.number<std::size_t>() != kind.width)
+        parser.bad("it belongs to another search");
+    parser.expect("number");
+    result.number = parser.number<std::uint64_t>();
+    parser.expect("rank");
+    result.place.rank = parser.number<std::uint32_t>();
+    result.place.ranks = parser.number<std::uint32_t>();
+    parser.expect("levels");
+    result.levels = parser.number<std::uint32_t>();
+    parser.expect("files");
+    const auto files = parser.number<std::size_t>();
+    for (std::size_t i = 0; i < files; ++i) result.files.push_back(parser.file("rows"));
+    result.marks = parser.file("marks");
+    result.unsure = parser.file("unsure");
+    parser.expect("expanded");
+    const auto levels = parser.number<std::size_t>();
+    for (std::size_t i = 0; i < levels; ++i) {
+        const auto transitions = parser.number<std::uint64_t>();
+        result.expanded.push_back({transitions, parser.number<std::uint64_t>()});
+    }
+    if (result.levels == 0 || levels >= result.levels) parser.bad("its levels do not fit");
+    return result;
+}
+
+/// The name of a checkpoint, taken apart; none if it is no such name.
+struct Named {
+    std::uint64_t number = 0;
+    Place place;
+};
+std::optional<Named> named(const std::string& name) {
+    Named result;
+    unsigned long long number = 0;
+    int used = 0;
+    if (std::sscanf(name.c_str(), "checkpoint-%llu-%u-of-%u%n", &number, &result.place.rank, &result.place.ranks,
+                    &used) != 3 ||
+        name_of(number, result.place) != name)
+        return std::nullopt;
+    result.number = number;
+    return result;
+}
+
+std::vector<std::string> names_in(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (fs::directory_iterator at(folder, code); !code && at != fs::directory_iterator(); at.increment(code))
+        names.push_back(at->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+[[noreturn]] void cannot_write(const std::string& path) {
+    throw CannotWrite(fmt::format("cannot write {}: {}", diagnostics::shown(path), std::strerror(errno)));
+}
+
+void write_and_sync(const std::string& path, std::string_view text) {
+    diagnostics::Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (!file.open()) cannot_write(path);
+    while (!text.empty()) {
+        const ssize_t written = ::write(file.get(), text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) cannot_write(path);
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(file.get()) != 0 || !file.close()) cannot_write(path);
+}
+
+void sync_folder(const std::string& folder) {
+    const diagnostics::Descriptor open(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!open.open() || ::fsync(open.get()) != 0) cannot_write(folder);
+}
+
+}  // namespace
+
+std::string name_of(std::uint64_t number, const Place& place) {
+    return fmt::format("checkpoint-{}-{}-of-{}", number, place.rank, place.ranks);
+}
+
+void write(const std::string& folder, const RowKind& kind, const Checkpoint& checkpoint) {
+    const std::string path = folder + "/" + name_of(checkpoint.number, checkpoint.place);
+    const std::string unfinished = path + ".unfinished";
+    sync_folder(folder);  // the names of the files
+    try {
+        write_and_sync(unfinished, text_of(kind, checkpoint));
+        if (std::rename(unfinished.c_str(), path.c_str()) != 0) cannot_write(path);
+    } catch (const CannotWrite&) {
+        ::unlink(unfinished.c_str());
+        throw;
+    }
+    sync_folder(folder);
+}
+
+Checkpoint read(const std::string& folder, const RowKind& kind, const std::string& name) {
+    const std::string path = folder + "/" + name;
+    const diagnostics::Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+    const auto bad = [&path](const std::string& cause) {
+        throw BadFile(fmt::format("{}: {}", diagnostics::shown(path), cause));
+    };
+    if (!file.open()) bad(std::strerror(errno));
+    std::string text;
+    std::array<char, 1U << 16U> piece{};
+    for (;;) {
+        const ssize_t got = ::read(file.get(), piece.data(), piece.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) bad(std::strerror(errno));
+        if (got == 0) break;
+        text.append(piece.data(), static_cast<std::size_t>(got));
+        if (text.size() > largest) bad("it is too large for a checkpoint");
+    }
+    const std::size_t sealed = seal("").size();
+    if (text.size() < sealed || text.substr(text.size() - sealed) != seal(text.substr(0, text.size() - sealed)))
+        bad(fmt::format("the check at its end, after {} bytes, is not that of the text: it is damaged or cut off",
+                        text.size()));
+    return parsed(path, std::string_view(text).substr(0, text.size() - sealed), kind);
+}
+
+std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind) {
+    std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> found;  // by number and ranks
+    for (const std::string& name : names_in(folder))
+        if (const auto parts = named(name)) ++found[{parts->number, parts->place.ranks}];
+    for (auto at = found.rbegin(); at != found.rend(); ++at) {
+        const auto [number, ranks] = at->first;
+        if (at->second != ranks) continue;
+        std::vector<Checkpoint> all;
+        for (std::uint32_t rank = 0; rank < ranks; ++rank) {
+            const std::string name = name_of(number, {rank, ranks});
+            all.push_back(read(folder, kind, name));
+            const Checkpoint& one = all.back();
+            if (one.number != number || one.place != Place{rank, ranks} || one.levels != all.front().levels)
+                throw BadFile(fmt::format("{}/{}: it does not belong to the others", diagnostics::shown(folder), name));
+        }
+        return all;
+    }
+    return {};
+}
+
+void remove_before(const std::string& folder, const RowKind& kind, std::uint64_t number, const Place& place) {
+    const std::vector<std::string> names = names_in(folder);
+    const auto mine = [&](const Place& other) {
+        return other == place || (place.rank == 0 && other.ranks != place.ranks);
+    };
+    std::set<std::string> needed;
+    for (const std::string& name : names) {
+        const auto parts = named(name);
+        if (!parts || !mine(parts->place)) continue;
+        if (parts->number < number) {
+            ::unlink((folder + "/" + name).c_str());
+            continue;
+        }
+        const Checkpoint kept = read(folder, kind, name);
+        for (const SavedFile& file : kept.files) needed.insert(file.name);
+        needed.insert(kept.marks.name);
+        needed.insert(kept.unsure.name);
+    }
+    for (const std::string& name : names) {
+        Place other;
+        unsigned long long file = 0;
+        const bool rows = std::sscanf(name.c_str(), "rows-%u-of-%u-%llu", &other.rank, &other.ranks, &file) == 3;
+        if (rows && mine(other) && !needed.contains(name)) ::unlink((folder + "/" + name).c_str());
+    }
+}
+
+}  // namespace robochart::storage

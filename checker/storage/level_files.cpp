@@ -1,0 +1,188 @@
+#include "checker/storage/level_files.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "diagnostics/escape.hpp"
+
+namespace robochart::storage {
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+std::string path_in(const FolderOf& where, const std::string& name) {
+    return where.folder + "/" + name;
+}
+
+RowFile opened(const FolderOf& where, const SavedFile& saved, const std::function<void()>& poll) {
+    RowFile file = RowFile::open(path_in(where, saved.name), where.kind, poll);
+    if (file.check() != saved.check || saved.blocks > file.blocks().size())
+        throw BadFile(fmt::format("{}: it is not the file that the checkpoint was written with",
+                                  diagnostics::shown(file.path())));
+    return file;
+}
+
+}  // namespace
+
+void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>& poll) {
+    levels_.resize(checkpoint.levels);
+    std::uint32_t level = 0;
+    for (const SavedFile& saved : checkpoint.files) {
+        const auto number = static_cast<std::uint32_t>(files_.size());
+        files_.push_back({std::make_unique<RowFile>(opened(where_, saved, poll)), saved.name, saved.blocks});
+        const auto& blocks = files_.back().file->blocks();
+        for (std::uint32_t i = 0; i < saved.blocks; ++i) {
+            if (blocks[i].level < level || blocks[i].level >= checkpoint.levels)
+                throw BadFile(fmt::format("{}: block {} is of a level that does not follow",
+                                          diagnostics::shown(files_.back().file->path()), i));
+            level = blocks[i].level;
+            Level& entry = levels_[level];
+            if (entry.count == 0) entry = {number, i, 0, 0};
+            if (entry.file != number)
+                throw BadFile(fmt::format("{}: level {} is in another file too",
+                                          diagnostics::shown(files_.back().file->path()), level));
+            ++entry.count;
+            entry.rows += blocks[i].rows;
+            rows_ += blocks[i].rows;
+        }
+    }
+    number_ = checkpoint.number;
+}
+
+LevelFiles::File LevelFiles::new_file() {
+    for (;;) {
+        const std::string name = fmt::format("rows-{}-of-{}-{}", where_.place.rank, where_.place.ranks, next_name_++);
+        struct stat found {};
+        if (::lstat(path_in(where_, name).c_str(), &found) == 0) continue;  // of an earlier run
+        return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), where_.kind)), name, 0};
+    }
+}
+
+RowFile& LevelFiles::growing() {
+    if (files_.empty() || files_.back().file->finished()) files_.push_back(new_file());
+    return *files_.back().file;
+}
+
+void LevelFiles::add_level(std::span<const Word> rows) {
+    Level entry;
+    if (!rows.empty() || where_.kind.width == 0) {
+        RowFile& file = growing();
+        entry.file = static_cast<std::uint32_t>(files_.size() - 1);
+        entry.first = static_cast<std::uint32_t>(file.blocks().size());
+        const std::uint64_t before = file.rows();
+        file.append(levels(), rows);
+        entry.count = static_cast<std::uint32_t>(file.blocks().size()) - entry.first;
+        entry.rows = file.rows() - before;
+        files_.back().used = file.blocks().size();
+    }
+    rows_ += entry.rows;
+    levels_.push_back(entry);
+}
+
+/// Later levels stay in their files, which are finished, but no longer count.
+void LevelFiles::forget_from(std::uint32_t level) {
+    if (level >= levels_.size()) return;
+    finish_last();
+    for (std::size_t i = level; i < levels_.size(); ++i) {
+        const Level& entry = levels_[i];
+        rows_ -= entry.rows;
+        if (entry.count > 0) files_[entry.file].used = std::min<std::uint64_t>(files_[entry.file].used, entry.first);
+    }
+    levels_.resize(level);
+    cached_file_ = none;
+    while (!files_.empty() && files_.back().used == 0) {
+        if (number_ == 0) ::unlink(files_.back().file->path().c_str());  // else a checkpoint may name it
+        files_.pop_back();
+    }
+}
+
+std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows) {
+    const Level& entry = levels_[level];
+    const std::size_t width = where_.kind.width;
+    std::size_t given = 0;
+    std::uint64_t begin = 0;
+    // All blocks of a level but the last have the same size.
+    const std::uint64_t skipped = std::min<std::uint64_t>(first / RowFile::rows_of_block, entry.count);
+    begin = skipped * RowFile::rows_of_block;
+    for (auto i = static_cast<std::uint32_t>(skipped); i < entry.count && given < most; ++i) {
+        const RowFile& file = *files_[entry.file].file;
+        const std::uint32_t block = entry.first + i;
+        const std::uint64_t count = file.blocks()[block].rows;
+        if (cached_file_ != entry.file || cached_block_ != block) {
+            cached_.clear();
+            cached_file_ = none;
+            file.read(block, cached_);
+            cached_file_ = entry.file;
+            cached_block_ = block;
+        }
+        const std::uint64_t from = std::max(first, begin) - begin;
+        if (from < count) {
+            const std::uint64_t taken = std::min<std::uint64_t>(count - from, most - given);
+            const auto at = cached_.begin() + static_cast<std::ptrdiff_t>(from * width);
+            rows.insert(rows.end(), at, at + static_cast<std::ptrdiff_t>(taken * width));
+            given += taken;
+        }
+        begin += count;
+    }
+    return given;
+}
+
+void LevelFiles::each_block(std::uint32_t level, const std::function<void(std::span<const Word>)>& visit) {
+    const Level& entry = levels_[level];
+    std::vector<Word> rows;
+    for (std::uint32_t i = 0; i < entry.count; ++i) {
+        rows.clear();
+        files_[entry.file].file->read(entry.first + i, rows);
+        visit(rows);
+    }
+}
+
+void LevelFiles::finish_last() {
+    if (!files_.empty() && !files_.back().file->finished()) files_.back().file->finish();
+}
+
+SavedFile LevelFiles::save(const std::vector<std::pair<std::uint32_t, std::vector<Word>>>& levels) {
+    const bool empty = std::all_of(levels.begin(), levels.end(), [](const auto& each) { return each.second.empty(); });
+    if (empty) return {};
+    File made = new_file();
+    for (const auto& [level, rows] : levels) made.file->append(level, rows);
+    made.file->finish();
+    return {made.name, made.file->blocks().size(), made.file->check()};
+}
+
+void LevelFiles::checkpoint(const Beside& beside) {
+    finish_last();
+    Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
+    for (const File& each : files_)
+        if (each.used > 0) made.files.push_back({each.name, each.used, each.file->check()});
+    made.marks = save({{0, beside.marks}});
+    made.unsure = save(beside.unsure);
+    write(where_.folder, where_.kind, made);
+    number_ = made.number;
+    // Where there are several ranks, others may not have written theirs yet.
+    remove_before(where_.folder, where_.kind, where_.place.ranks == 1 ? number_ : number_ - 1, where_.place);
+}
+
+void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, const std::function<void()>& poll,
+                             const std::function<void(std::uint32_t, std::span<const Word>)>& visit) {
+    if (saved.name.empty()) return;
+    const RowFile file = opened(where, saved, poll);
+    std::vector<Word> rows;
+    for (std::size_t block = 0; block < saved.blocks; ++block) {
+        rows.clear();
+        file.read(block, rows);
+        visit(file.blocks()[block].level, rows);
+    }
+}
+
+std::uint64_t LevelFiles::bytes() const {
+    std::uint64_t bytes = levels_.capacity() * sizeof(Level) + cached_.capacity() * sizeof(Word);
+    for (const File& each : files_)
+        bytes += each.file->blocks().capacity() * (sizeof(RowFile::Block) + sizeof(RowFile::Check));
+    return bytes;
+}
+
+}  // namespace robochart::storage

@@ -1,0 +1,94 @@
+// The levels of one rank of a search in files of a folder: written one after the other, read in any order. A checkpoint
+// makes them last.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "checker/storage/checkpoint.hpp"
+#include "checker/storage/row_file.hpp"
+
+namespace robochart::storage {
+
+/// Where a rank keeps what.
+struct FolderOf {
+    std::string folder;  ///< exists
+    RowKind kind;
+    Place place;
+};
+
+class LevelFiles {
+public:
+    explicit LevelFiles(FolderOf where) : where_(std::move(where)) {}
+
+    /// Takes over the levels of a checkpoint of this rank; all its files are read and checked. Throws BadFile.
+    void adopt(const Checkpoint& checkpoint, const std::function<void()>& poll);
+
+    [[nodiscard]] std::uint32_t levels() const { return static_cast<std::uint32_t>(levels_.size()); }
+    [[nodiscard]] std::uint64_t rows(std::uint32_t level) const { return levels_[level].rows; }
+    [[nodiscard]] std::uint64_t rows() const { return rows_; }
+
+    /// Appends the next level. `rows`: ascending, none twice; there may be none. Throws CannotWrite; all is then as
+    /// before.
+    void add_level(std::span<const Word> rows);
+    /// From now on this level and later ones are not there.
+    void forget_from(std::uint32_t level);
+
+    /// Appends the rows of a level from number `first` on, at most `most`, to `rows`; gives how many. Throws BadFile.
+    std::size_t read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows);
+    /// Calls with the rows of each block of a level, ascending. Throws BadFile.
+    void each_block(std::uint32_t level, const std::function<void(std::span<const Word>)>& visit);
+
+    /// What a checkpoint has beside the levels. Rows are ascending.
+    struct Beside {
+        std::vector<Word> marks;
+        std::vector<std::pair<std::uint32_t, std::vector<Word>>> unsure;  ///< levels ascending
+        std::vector<SavedFigures> expanded;
+    };
+    /// Writes a checkpoint of all levels. Older ones of this rank are removed, but for the one before where there are
+    /// several ranks. Throws CannotWrite; then the one before counts.
+    void checkpoint(const Beside& beside);
+    /// The number of the last checkpoint; 0: none.
+    [[nodiscard]] std::uint64_t number() const { return number_; }
+    /// The next checkpoint has a number above this one.
+    void number_from(std::uint64_t number) { number_ = number; }
+
+    /// Reads the rows of a file of a checkpoint beside the levels. Throws BadFile.
+    static void read_beside(const FolderOf& where, const SavedFile& file, const std::function<void()>& poll,
+                            const std::function<void(std::uint32_t level, std::span<const Word>)>& visit);
+    /// In memory.
+    [[nodiscard]] std::uint64_t bytes() const;
+
+private:
+    struct File {
+        std::unique_ptr<RowFile> file;
+        std::string name;
+        std::uint64_t used = 0;  ///< blocks
+    };
+    struct Level {
+        std::uint32_t file = 0;
+        std::uint32_t first = 0;  ///< block
+        std::uint32_t count = 0;  ///< of blocks
+        std::uint64_t rows = 0;
+    };
+    RowFile& growing();
+    File new_file();
+    void finish_last();
+    SavedFile save(const std::vector<std::pair<std::uint32_t, std::vector<Word>>>& levels);
+
+    FolderOf where_;
+    std::vector<File> files_;
+    std::vector<Level> levels_;
+    std::uint64_t rows_ = 0;
+    std::uint64_t number_ = 0;
+    std::uint64_t next_name_ = 0;
+    // the block that was read last
+    std::uint32_t cached_file_ = 0xFFFFFFFFU;
+    std::uint32_t cached_block_ = 0;
+    std::vector<Word> cached_;
+};
+
+}  // namespace robochart::storage

@@ -1,0 +1,264 @@
+#include "checker/storage/row_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <functional>
+
+#include "diagnostics/escape.hpp"
+
+namespace robochart::storage {
+namespace {
+
+using diagnostics::Hasher;
+using Check = RowFile::Check;
+
+constexpr std::string_view magic = "RVROWS\r\n";
+constexpr std::uint32_t format = 1;
+constexpr std::uint32_t no_level = 0xFFFFFFFFU;
+constexpr std::size_t check_size = sizeof(Check);
+constexpr std::size_t head_size = 8 + 4 + 4 + 32 + check_size;
+constexpr std::size_t block_head = 12;
+
+void put(std::string& out, std::uint64_t number, int bytes) {
+    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(number >> (8 * i)));
+}
+
+std::uint64_t get(std::string_view bytes, std::size_t at, int count) {
+    std::uint64_t number = 0;
+    for (int i = 0; i < count; ++i)
+        number |= std::uint64_t{static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)])} << (8 * i);
+    return number;
+}
+
+Check first_bytes(const diagnostics::Digest& digest) {
+    Check check;
+    std::copy_n(digest.begin(), check.size(), check.begin());
+    return check;
+}
+
+std::string_view text_of(const Check& check) {
+    return {reinterpret_cast<const char*>(check.data()), check.size()};
+}
+
+Check check_of_text(std::string_view text) {
+    Hasher hasher;
+    hasher.add(text);
+    return first_bytes(hasher.finish());
+}
+
+std::string head_of(const RowKind& kind) {
+    std::string head(magic);
+    put(head, format, 4);
+    put(head, kind.width, 4);
+    head.append(reinterpret_cast<const char*>(kind.search.data()), kind.search.size());
+    head += text_of(check_of_text(head));
+    return head;
+}
+
+[[noreturn]] void cannot_write(const std::string& path, const char* cause) {
+    throw CannotWrite(fmt::format("cannot write {}: {}", diagnostics::shown(path), cause));
+}
+
+}  // namespace
+
+RowFile::RowFile(std::string path, const RowKind& kind) : path_(std::move(path)), kind_(kind) {}
+
+RowFile RowFile::create(const std::string& path, const RowKind& kind) {
+    RowFile made(path, kind);
+    made.file_ =
+        diagnostics::Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (!made.file_.open()) cannot_write(path, std::strerror(errno));
+    const std::string head = head_of(kind);
+    std::copy_n(head.end() - check_size, check_size, made.head_check_.begin());
+    made.write(head);
+    return made;
+}
+
+void RowFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(size_));
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) cannot_write(path_, written < 0 ? std::strerror(errno) : "nothing was written");
+        size_ += static_cast<std::uint64_t>(written);
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+RowFile::Check RowFile::check_of(std::size_t block, std::uint32_t level, std::uint32_t rows,
+                                 std::string_view code) const {
+    Hasher hasher;
+    hasher.add(text_of(head_check_));
+    hasher.add(block);
+    hasher.add((std::uint64_t{level} << 32U) | rows);
+    hasher.add(code);
+    return first_bytes(hasher.finish());
+}
+
+void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
+    const std::size_t blocks = blocks_.size();
+    const std::uint64_t size = size_;
+    try {
+        if (kind_.width == 0) return write_block(level, rows);
+        const std::size_t words = rows_of_block * kind_.width;
+        for (std::size_t at = 0; at < rows.size(); at += words)
+            write_block(level, rows.subspan(at, std::min(words, rows.size() - at)));
+    } catch (const CannotWrite&) {
+        shorten(blocks, size);
+        throw;
+    }
+}
+
+/// Takes back what was written behind.
+void RowFile::shorten(std::size_t blocks, std::uint64_t size) {
+    for (; blocks_.size() > blocks; blocks_.pop_back()) rows_ -= blocks_.back().rows;
+    checks_.resize(blocks);
+    size_ = size;
+    (void)!::ftruncate(file_.get(), static_cast<off_t>(size));
+}
+
+void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
+    const std::size_t count = kind_.width == 0 ? 1 : rows.size() / kind_.width;
+    buffer_.assign(block_head, '\0');
+    encode_rows(rows, kind_.width, buffer_);
+    const std::string_view code = std::string_view(buffer_).substr(block_head);
+    std::string head;
+    put(head, level, 4);
+    put(head, count, 4);
+    put(head, code.size(), 4);
+    checks_.push_back(check_of(blocks_.size(), level, static_cast<std::uint32_t>(count), code));
+    blocks_.push_back({level, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(code.size()), size_});
+    buffer_.replace(0, block_head, head);
+    buffer_ += text_of(checks_.back());
+    rows_ += count;
+    write(buffer_);
+}
+
+/// The end without its check, and with it the checks of all blocks.
+std::string RowFile::end_of() const {
+    std::string end;
+    put(end, no_level, 4);
+    put(end, 0, 4);
+    put(end, 16, 4);
+    put(end, blocks_.size(), 8);
+    put(end, rows_, 8);
+    return end;
+}
+
+namespace {
+
+Check check_of_end(const Check& head, std::string_view end, const std::vector<Check>& blocks) {
+    Hasher hasher;
+    hasher.add(text_of(head));
+    hasher.add(end);
+    for (const Check& check : blocks) hasher.add(text_of(check));
+    return first_bytes(hasher.finish());
+}
+
+}  // namespace
+
+void RowFile::finish() {
+    const std::string end = end_of();
+    end_check_ = check_of_end(head_check_, end, checks_);
+    write(end + std::string(text_of(end_check_)));
+    if (::fsync(file_.get()) != 0) cannot_write(path_, std::strerror(errno));
+    finished_ = true;
+    checks_ = {};
+}
+
+void RowFile::bad(std::uint64_t offset, const std::string& cause) const {
+    throw BadFile(fmt::format("{}: byte {}: {}", diagnostics::shown(path_), offset, cause));
+}
+
+void RowFile::read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const {
+    bytes.resize(count);
+    for (std::size_t have = 0; have < count;) {
+        const ssize_t got = ::pread(file_.get(), bytes.data() + have, count - have, static_cast<off_t>(offset + have));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) bad(offset, fmt::format("cannot be read: {}", std::strerror(errno)));
+        if (got == 0) bad(offset + have, "the file ends here; it was cut off");
+        have += static_cast<std::size_t>(got);
+    }
+}
+
+void RowFile::read(std::size_t block, std::vector<Word>& rows) const {
+    const Block& at = blocks_[block];
+    read_bytes(at.offset + block_head, at.bytes + check_size, buffer_);
+    const std::string_view code = std::string_view(buffer_).substr(0, at.bytes);
+    if (std::string_view(buffer_).substr(at.bytes) != text_of(check_of(block, at.level, at.rows, code)))
+        bad(at.offset, fmt::format("block {} is damaged", block));
+    if (!decode_rows(code, kind_.width, at.rows, rows)) bad(at.offset, fmt::format("block {} has no rows", block));
+}
+
+RowFile RowFile::open(const std::string& path, const RowKind& kind, const std::function<void()>& poll) {
+    RowFile opened(path, kind);
+    opened.file_ = diagnostics::Descriptor(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+    if (!opened.file_.open())
+        throw BadFile(fmt::format("{}: cannot be read: {}", diagnostics::shown(path), std::strerror(errno)));
+    struct stat found {};
+    if (fstat(opened.file_.get(), &found) != 0 || !S_ISREG(found.st_mode)) opened.bad(0, "this is no file");
+    opened.read_head();
+    opened.read_blocks(poll);
+    return opened;
+}
+
+void RowFile::read_head() {
+    std::string head;
+    read_bytes(0, head_size, head);
+    if (!head.starts_with(magic)) bad(0, "this is no file of rows");
+    if (get(head, 8, 4) != format)
+        bad(8, fmt::format("the file has format {}, this program reads {}", get(head, 8, 4), format));
+    const Check check = check_of_text(std::string_view(head).substr(0, head_size - check_size));
+    if (head.substr(head_size - check_size) != text_of(check)) bad(0, "the head is damaged");
+    if (head != head_of(kind_)) bad(12, "the file belongs to another search");
+    head_check_ = check;
+    size_ = head_size;
+}
+
+void RowFile::read_blocks(const std::function<void()>& poll) {
+    std::string head;
+    std::vector<Word> rows;
+    std::vector<Word> last;  // of the block before
+    std::uint32_t level = 0;
+    for (;;) {
+        if (poll) poll();
+        read_bytes(size_, block_head, head);
+        const Block block{static_cast<std::uint32_t>(get(head, 0, 4)), static_cast<std::uint32_t>(get(head, 4, 4)),
+                          static_cast<std::uint32_t>(get(head, 8, 4)), size_};
+        if (block.level == no_level) break;
+        const std::size_t longest = rows_of_block * 10 * std::max<std::size_t>(kind_.width, 1);  // varints
+        if (block.rows == 0 || block.rows > rows_of_block || block.bytes > longest)
+            bad(size_, fmt::format("block {} is damaged", blocks_.size()));
+        blocks_.push_back(block);
+        rows.clear();
+        read(blocks_.size() - 1, rows);
+        const auto width = static_cast<std::ptrdiff_t>(kind_.width);
+        const bool same_level = blocks_.size() > 1 && block.level == level;
+        if (block.level < level || (same_level && !(last < std::vector<Word>(rows.begin(), rows.begin() + width))))
+            bad(size_, fmt::format("block {} is out of order", blocks_.size() - 1));
+        last.assign(rows.end() - width, rows.end());
+        level = block.level;
+        rows_ += block.rows;
+        Check check;
+        std::copy_n(buffer_.end() - check_size, check_size, check.begin());
+        checks_.push_back(check);
+        size_ += block_head + block.bytes + check_size;
+    }
+    const std::string end = end_of();
+    std::string found;
+    read_bytes(size_, end.size() + check_size, found);
+    end_check_ = check_of_end(head_check_, end, checks_);
+    if (found != end + std::string(text_of(end_check_))) bad(size_, "the end is damaged");
+    size_ += found.size();
+    std::string more(1, '\0');
+    if (::pread(file_.get(), more.data(), 1, static_cast<off_t>(size_)) != 0) bad(size_, "more follows the end");
+    finished_ = true;
+    checks_ = {};
+}
+
+}  // namespace robochart::storage

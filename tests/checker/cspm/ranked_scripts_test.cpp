@@ -1,0 +1,110 @@
+// Assertions of whole scripts decided by ranks: answers, lengths of runs and, where they hold, figures of the ordinary
+// search, and one and the same counterexample for every number of ranks. ROBOCHART_RANKED_SCRIPTS names a folder whose
+// scripts are compared too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
+#include "tests/checker/cspm/support.hpp"
+#include "tests/source_folder.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+using refine::Outcome;
+using refine::Verdict;
+
+std::string everything(const Verdict& verdict) {
+    const refine::Statistics& size = verdict.statistics;
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
+    for (const std::uint64_t each :
+         {size.states, size.transitions, size.depth, size.chased, size.spec_nodes, size.replicas})
+        text += " " + std::to_string(each);
+    if (!verdict.counterexample) return text;
+    for (const auto* steps : {&verdict.counterexample->steps, &verdict.counterexample->loop}) {
+        text += "\n  run:";
+        for (const refine::Step& step : *steps) text += " " + std::to_string(step.event) + ">" + step.state;
+    }
+    return text;
+}
+
+std::string in_common(const Verdict& verdict) {
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
+    if (verdict.outcome == Outcome::holds)
+        text += " " + std::to_string(verdict.statistics.states) + " " + std::to_string(verdict.statistics.transitions);
+    if (!verdict.counterexample) return text;
+    return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + " after " +
+           std::to_string(verdict.counterexample->steps.size());
+}
+
+/// The answer, or the error of evaluation.
+std::string answer(Session& session, const Decl& assertion, const refine::Limits& limits,
+                   std::string (*shown)(const Verdict&)) {
+    try {
+        return shown(session.check(assertion, limits).verdict);
+    } catch (const EvaluationError& error) {
+        return error.what();
+    }
+}
+
+/// How many assertions were compared.
+std::size_t compare(const std::filesystem::path& file) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;
+    const Script script = read_file(sources, file.string(), found);
+    if (!found.ok()) return 0;
+    Session session(script);
+    const auto assertions = session.assertions();
+    for (const DeclPtr& assertion : assertions)
+        for (const bool reduction : {false, true}) {
+            refine::Limits limits;
+            limits.reduction = reduction;
+            limits.max_states = 200'000;
+            const std::string ordinary = answer(session, *assertion, limits, in_common);
+            if (ordinary.find("the limit of") != std::string::npos) continue;
+            std::string first;
+            for (const unsigned ranks : {1U, 2U, 3U, 4U, 8U}) {
+                refine::ThreadRanks strategy(ranks);
+                limits.by_levels = &strategy;
+                const std::string mine = answer(session, *assertion, limits, everything);
+                if (ranks == 1) {
+                    first = mine;
+                    EXPECT_EQ(answer(session, *assertion, limits, in_common), ordinary)
+                        << file << ": " << print(*assertion);
+                }
+                EXPECT_EQ(mine, first) << file << ": " << print(*assertion) << ", ranks " << ranks;
+            }
+        }
+    return assertions.size();
+}
+
+std::size_t compare_folder(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".csp") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::size_t compared = 0;
+    for (const std::filesystem::path& file : files) compared += compare(file);
+    return compared;
+}
+
+TEST(RankedScripts, AreDecidedAsByTheOrdinarySearch) {
+    EXPECT_EQ(compare_folder(tests::source_folder() / "tests" / "app" / "mpi" / "scripts"), 32U);
+}
+
+TEST(RankedScripts, OfAFolderAreDecidedAsByTheOrdinarySearch) {
+    const char* const folder = std::getenv("ROBOCHART_RANKED_SCRIPTS");
+    if (folder == nullptr) GTEST_SKIP() << "ROBOCHART_RANKED_SCRIPTS names no folder";
+    const std::size_t compared = compare_folder(folder);
+    std::cout << compared << " assertions compared\n";
+    EXPECT_GT(compared, 0U);
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test

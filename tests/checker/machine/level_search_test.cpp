@@ -1,0 +1,193 @@
+// Searches by levels, with threads as ranks, give the answers, figures and lengths of runs of the ordinary search, and
+// one and the same run for every number of ranks, on random rules and on families of known size.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "checker/machine/compiler.hpp"
+#include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
+#include "tests/checker/machine/random_rules.hpp"
+#include "tests/checker/process/scripted.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::Op;
+using process::Scripted;
+using refine::Outcome;
+using refine::Verdict;
+
+std::string words(const std::vector<refine::Step>& steps) {
+    std::string text;
+    for (const refine::Step& step : steps)
+        text += " " + std::to_string(step.event) + "/" + std::to_string(step.revealed) + ">" + step.state;
+    return text;
+}
+
+/// All that is to be the same for every number of ranks.
+std::string everything(const Verdict& verdict) {
+    const refine::Statistics& size = verdict.statistics;
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
+    for (const std::uint64_t each : {size.states, size.transitions, size.depth, size.chased, size.spec_nodes})
+        text += " " + std::to_string(each);
+    if (!verdict.counterexample) return text;
+    return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + ":" +
+           words(verdict.counterexample->steps) + " then" + words(verdict.counterexample->loop);
+}
+
+/// All that is to be the same as in the ordinary search: figures only where the whole space is seen.
+std::string in_common(const Verdict& verdict) {
+    const refine::Statistics& size = verdict.statistics;
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
+    if (verdict.outcome == Outcome::holds)
+        for (const std::uint64_t each : {size.states, size.transitions, size.depth, size.chased})
+            text += " " + std::to_string(each);
+    if (!verdict.counterexample) return text;
+    return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + " after " +
+           std::to_string(verdict.counterexample->steps.size());
+}
+
+using Ask = std::function<Verdict(const refine::Limits&)>;
+
+/// Each question about the two systems.
+std::vector<Ask> questions(lts::TransitionSystem& specification, lts::TransitionSystem& system) {
+    std::vector<Ask> all;
+    for (const refine::Model model :
+         {refine::Model::traces, refine::Model::failures, refine::Model::failures_divergences})
+        all.push_back(
+            [&, model](const refine::Limits& limits) { return refine::refines(specification, system, model, limits); });
+    for (const refine::Model model : {refine::Model::failures, refine::Model::failures_divergences}) {
+        all.push_back(
+            [&, model](const refine::Limits& limits) { return refine::deadlock_free(system, model, limits); });
+        all.push_back(
+            [&, model](const refine::Limits& limits) { return refine::deterministic(system, model, limits); });
+    }
+    all.push_back([&](const refine::Limits& limits) { return refine::divergence_free(system, limits); });
+    return all;
+}
+
+TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
+    const int wanted = refine::wanted_checks(1'000) / 50 + 1;
+    Scripted s;
+    for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2027);
+    int fails = 0, asked = 0;
+    for (int round = 0; round < wanted; ++round) {
+        SupercombinatorSystem specification(rules.next(s.stop()), s.store);
+        SupercombinatorSystem system(rules.next(s.stop()), s.store);
+        for (const bool reduction : {false, true}) {
+            for (const Ask& ask : questions(specification, system)) {
+                refine::Limits limits;
+                limits.reduction = reduction;
+                const Verdict ordinary = ask(limits);
+                std::string first;
+                for (const unsigned ranks : {1U, 2U, 3U, 4U, 8U}) {
+                    refine::ThreadRanks strategy(ranks);
+                    limits.by_levels = &strategy;
+                    const Verdict verdict = ask(limits);
+                    ASSERT_EQ(in_common(verdict), in_common(ordinary)) << "round " << round << ", ranks " << ranks;
+                    if (ranks == 1) first = everything(verdict);
+                    ASSERT_EQ(everything(verdict), first) << "round " << round << ", ranks " << ranks;
+                }
+                ++asked;
+                fails += ordinary.outcome == Outcome::fails ? 1 : 0;
+            }
+        }
+    }
+    std::cout << asked << " questions, " << fails << " fail\n";
+    EXPECT_GT(fails * 20, asked);
+    EXPECT_LT(fails * 20, 19 * asked);
+}
+
+class LevelFamilies : public testing::Test {
+protected:
+    TermId cycle(const std::string& name, const std::vector<std::string>& events) {
+        const TermId again = s.name(name);
+        TermId rest = again;
+        for (auto event = events.rbegin(); event != events.rend(); ++event) rest = s.prefix(*event, rest);
+        s.bind(again, rest);
+        return again;
+    }
+    std::unique_ptr<SupercombinatorSystem> cells(int count) {
+        std::vector<TermId> all;
+        for (int cell = 0; cell < count; ++cell) {
+            const std::string name = std::to_string(cell);
+            all.push_back(cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
+        }
+        return compiler.compile(s.over(Op::parallel, all, {}), {});
+    }
+
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    Compiler compiler{semantics};
+};
+
+/// Eight cells of four states: 4^8 states with eight transitions each, 8 * 3 levels after the first. Several rounds a
+/// level.
+TEST_F(LevelFamilies, CountsAllStatesOfIndependentCells) {
+    const auto system = cells(8);
+    for (const unsigned ranks : {1U, 2U, 3U}) {
+        refine::ThreadRanks strategy(ranks);
+        refine::Limits limits;
+        limits.by_levels = &strategy;
+        const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures_divergences, limits);
+        EXPECT_EQ(verdict.outcome, Outcome::holds);
+        EXPECT_EQ(verdict.statistics.states, 65'536U);
+        EXPECT_EQ(verdict.statistics.transitions, 8 * 65'536U);
+        EXPECT_EQ(verdict.statistics.depth, 24U);
+        EXPECT_EQ(verdict.statistics.ranks, ranks);
+    }
+}
+
+TEST_F(LevelFamilies, EndAtALimitTogether) {
+    const auto system = cells(8);
+    for (const unsigned ranks : {1U, 3U}) {
+        refine::ThreadRanks strategy(ranks);
+        refine::Limits limits;
+        limits.by_levels = &strategy;
+        limits.max_states = 10'000;
+        const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits);
+        EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
+        EXPECT_EQ(verdict.reason, "the limit of 10000 states was reached");
+        limits.max_states = 100'000;
+        limits.interrupted = [] { return true; };
+        EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits).outcome, Outcome::inconclusive);
+    }
+}
+
+TEST(ThreadRanks, ARankThatFailsEndsAll) {
+    for (unsigned failing = 0; failing < 3; ++failing) {
+        const auto work = [failing](refine::Exchange& exchange) {
+            if (exchange.rank() == failing) throw std::logic_error("broken");
+            std::uint64_t values[1] = {1};
+            exchange.sum(values);
+        };
+        EXPECT_THROW(refine::as_ranks(3, work), std::logic_error);
+    }
+}
+
+TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
+    refine::as_ranks(3, [](refine::Exchange& exchange) {
+        const unsigned rank = exchange.rank();
+        std::vector<refine::Words> out(3), in;
+        for (unsigned to = 0; to < 3; ++to) out[to].assign(to, 10 * rank + to);
+        exchange.all_to_all(out, in);
+        for (unsigned from = 0; from < 3; ++from) EXPECT_EQ(in[from], refine::Words(rank, 10 * from + rank));
+        std::uint64_t values[2] = {rank, 1};
+        exchange.sum(values);
+        EXPECT_EQ(values[0], 3U);
+        EXPECT_EQ(values[1], 3U);
+        EXPECT_EQ(exchange.gather({rank, rank}), (std::vector<refine::Words>{{0, 0}, {1, 1}, {2, 2}}));
+        std::string text = "rank " + std::to_string(rank);
+        exchange.broadcast(text);
+        EXPECT_EQ(text, "rank 0");
+        // To each rank but one's own: of 0 to 1 and 2, of 1 to 2, of 2 to 1; nothing is sent to 0.
+        EXPECT_EQ(exchange.traffic().messages, rank == 0 ? 2U : 1U);
+    });
+}
+
+}  // namespace
+}  // namespace robochart::machine

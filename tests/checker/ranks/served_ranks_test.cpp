@@ -1,0 +1,192 @@
+// Searches whose other ranks know no more than what they are sent: the same answers, figures and runs as by one rank.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "checker/machine/compiler.hpp"
+#include "checker/machine/transfer.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/ranks/job.hpp"
+#include "checker/ranks/served_ranks.hpp"
+#include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/search/steps.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/machine/random_rules.hpp"
+#include "tests/checker/process/scripted.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+
+namespace robochart::ranks {
+namespace {
+
+using machine::RandomRules;
+using machine::SupercombinatorSystem;
+using process::Op;
+using process::Scripted;
+using process::TermId;
+using refine::Outcome;
+using refine::Verdict;
+
+std::string everything(const Verdict& verdict) {
+    const refine::Statistics& size = verdict.statistics;
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
+    for (const std::uint64_t each :
+         {size.states, size.transitions, size.depth, size.chased, size.spec_nodes, size.replicas})
+        text += " " + std::to_string(each);
+    if (!verdict.counterexample) return text;
+    text += " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind));
+    for (const auto* steps : {&verdict.counterexample->steps, &verdict.counterexample->loop})
+        for (const refine::Step& step : *steps)
+            text += " " + std::to_string(step.event) + "/" + std::to_string(step.revealed) + ">" + step.state;
+    return text;
+}
+
+using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
+
+/// What `ask` says where rank 0 asks, and the other threads serve.
+std::vector<std::string> by_ranks(unsigned count, bool reduction, const Ask& ask) {
+    std::vector<std::string> answers;
+    refine::as_ranks(count, [&](refine::Exchange& exchange) {
+        if (exchange.rank() != 0) return serve(exchange);
+        ServedRanks strategy(exchange);
+        refine::Limits limits;
+        limits.reduction = reduction;
+        limits.by_levels = &strategy;
+        answers = ask(limits);
+    });
+    return answers;
+}
+
+std::vector<std::string> all_answers(lts::TransitionSystem& specification, lts::TransitionSystem& system,
+                                     const refine::Limits& limits) {
+    std::vector<std::string> answers;
+    for (const refine::Model model :
+         {refine::Model::traces, refine::Model::failures, refine::Model::failures_divergences})
+        answers.push_back(everything(refine::refines(specification, system, model, limits)));
+    answers.push_back(everything(refine::deadlock_free(system, refine::Model::failures, limits)));
+    answers.push_back(everything(refine::deterministic(system, refine::Model::failures_divergences, limits)));
+    answers.push_back(everything(refine::divergence_free(system, limits)));
+    return answers;
+}
+
+TEST(ServedRanks, AnswerAsOneRankDoes) {
+    const int wanted = refine::wanted_checks(1'000) / 50 + 1;
+    Scripted s;
+    for (process::Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2028);
+    for (int round = 0; round < wanted; ++round) {
+        SupercombinatorSystem specification(rules.next(s.stop()), s.store);
+        SupercombinatorSystem system(rules.next(s.stop()), s.store);
+        for (const bool reduction : {false, true}) {
+            const auto ask = [&](const refine::Limits& limits) { return all_answers(specification, system, limits); };
+            refine::OneRank one;
+            refine::Limits limits;
+            limits.reduction = reduction;
+            limits.by_levels = &one;
+            const std::vector<std::string> wanted_answers = ask(limits);
+            for (const unsigned count : {1U, 2U, 3U})
+                ASSERT_EQ(by_ranks(count, reduction, ask), wanted_answers) << "round " << round << ", ranks " << count;
+        }
+    }
+}
+
+class Cells : public testing::Test {
+protected:
+    TermId cycle(const std::string& name, const std::vector<std::string>& events) {
+        const TermId again = s.name(name);
+        TermId rest = again;
+        for (auto event = events.rbegin(); event != events.rend(); ++event) rest = s.prefix(*event, rest);
+        s.bind(again, rest);
+        return again;
+    }
+    /// Six equal cells of four states, called by other names.
+    TermId cells() {
+        std::vector<TermId> all;
+        for (int cell = 0; cell < 6; ++cell) {
+            const std::string name = std::to_string(cell);
+            all.push_back(cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
+        }
+        return s.over(Op::parallel, all, {});
+    }
+
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    machine::Compiler compiler{semantics};
+};
+
+/// Multisets of six among four: 84 of 4096.
+TEST_F(Cells, AreFoldedAtEachRank) {
+    const auto system = compiler.compile(cells(), {});
+    const auto answers = by_ranks(3, true, [&](const refine::Limits& limits) {
+        const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits);
+        EXPECT_EQ(verdict.statistics.states, 84U);
+        EXPECT_EQ(verdict.statistics.replicas, 6U);
+        EXPECT_EQ(verdict.statistics.ranks, 3U);
+        return std::vector{everything(verdict)};
+    });
+    ASSERT_EQ(answers.size(), 1U);
+    EXPECT_EQ(answers.front().front(), '0' + static_cast<int>(Outcome::holds));
+}
+
+TEST_F(Cells, AsTermsAreSearchedByTheFirstRank) {
+    process::TermSystem system(semantics, cells());
+    by_ranks(2, false, [&](const refine::Limits& limits) {
+        const Verdict verdict = refine::deadlock_free(system, refine::Model::failures, limits);
+        EXPECT_EQ(verdict.outcome, Outcome::holds);
+        EXPECT_EQ(verdict.statistics.states, 4096U);
+        EXPECT_EQ(verdict.statistics.ranks, 1U);
+        return std::vector<std::string>{};
+    });
+}
+
+TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
+    const auto system = compiler.compile(cells(), {});
+    by_ranks(2, false, [&](const refine::Limits& given) {
+        refine::Limits limits = given;
+        limits.max_states = 1000;
+        EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits).reason,
+                  "the limit of 1000 states was reached");
+        limits.max_states = 10'000;
+        limits.interrupted = [] { return true; };
+        EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits).outcome, Outcome::inconclusive);
+        limits.interrupted = {};
+        EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits).statistics.states, 4096U);
+        return std::vector<std::string>{};
+    });
+}
+
+std::vector<refine::RunStep> steps(lts::TransitionSystem& system, lts::StateView state) {
+    return refine::steps_from(system, state);
+}
+
+/// Bytes that say otherwise are refused, or are those of another process that can be searched.
+TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
+    Scripted s;
+    for (process::Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2029);
+    std::mt19937 numbers(7);
+    int refused = 0;
+    for (int round = 0; round < 300; ++round) {
+        SupercombinatorSystem system(rules.next(s.stop()), s.store);
+        std::string bytes = ranks::encode(system, {}, {}).value();
+        if (round % 3 == 0)
+            bytes.resize(numbers() % bytes.size());
+        else
+            bytes[numbers() % bytes.size()] = static_cast<char>(numbers());
+        try {
+            const Job job = decode(bytes, s.store);
+            std::vector<lts::Word> state(job.system->width());
+            job.system->initial(state);
+            for (int step = 0; step < 10; ++step) {
+                const auto next = steps(*job.system, state);
+                if (next.empty()) break;
+                state = next[numbers() % next.size()].state;
+            }
+        } catch (const lts::BadBytes&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 100);
+}
+
+}  // namespace
+}  // namespace robochart::ranks

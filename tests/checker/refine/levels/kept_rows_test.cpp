@@ -1,0 +1,210 @@
+// Row stores that use files give what rows in memory give: levels, figures, violations and cycles of taus; also if the
+// search is stopped again and again and goes on from its checkpoints, in another store, by other ranks; and if filters
+// of few bits take many new rows for old ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "checker/lts/graph.hpp"
+#include "checker/refine/levels/disk_row_store.hpp"
+#include "checker/refine/levels/level_search.hpp"
+#include "checker/refine/levels/saved_row_store.hpp"
+#include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/verdict/monitors.hpp"
+#include "diagnostics/files.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using lts::Graph;
+using process::Event;
+
+/// Some states long, some wide; edges lead forward, back and anywhere.
+Graph random_graph(std::mt19937& random, std::size_t states, bool deadlocks, unsigned taus) {
+    Graph graph;
+    for (std::size_t state = 0; state < states; ++state) {
+        const std::size_t least = deadlocks && random() % 100 == 0 ? 0 : 1;
+        for (std::size_t i = 0, edges = least == 0 ? 0 : 1 + random() % 3; i < edges; ++i) {
+            const std::size_t near = std::min(states - 1, 3 * state + random() % 4);
+            const std::size_t target = random() % 4 == 0 ? random() % states : near;
+            const bool tau = random() % 100 < taus && (taus > 20 || target > state);
+            graph.add_edge({tau ? process::tau : static_cast<Event>(process::tick + random() % 3),
+                            static_cast<lts::StateIndex>(target)});
+        }
+        graph.finish_state();
+    }
+    return graph;
+}
+
+struct Answer {
+    std::optional<ViolationKind> kind;
+    std::vector<std::vector<lts::Word>> run, loop;
+    std::uint64_t states = 0, transitions = 0, depth = 0;
+    bool operator==(const Answer&) const = default;
+};
+
+std::vector<std::vector<lts::Word>> states_of(const Run& run) {
+    std::vector<std::vector<lts::Word>> states{run.initial};
+    for (const RunStep& step : run.steps) states.push_back(step.state);
+    return states;
+}
+
+using MakeStore = std::function<std::unique_ptr<RowStore>(const Exchange&)>;
+
+Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const MakeStore& make) {
+    Answer result;
+    as_ranks(ranks, [&](Exchange& exchange) {
+        const process::EventTable table;
+        lts::GraphSystem system(graph, table);
+        Budget budget(limits);
+        StateMonitor monitor(true);
+        const std::unique_ptr<RowStore> store = make(exchange);
+        LevelSearch search(system, monitor, *store, exchange, budget, true);
+        std::optional<LevelFinding> finding = search.first_violation();
+        if (!finding) finding = search.first_divergence();
+        if (exchange.rank() != 0) return;
+        result = {{}, {}, {}, search.states(), search.transitions(), search.depth()};
+        if (!finding) return;
+        result.kind = finding->kind;
+        result.run = states_of(finding->run);
+        if (finding->kind == ViolationKind::divergence) result.loop = states_of(finding->loop);
+    });
+    return result;
+}
+
+class KeptRows : public testing::Test {
+protected:
+    /// A folder of its own for each search.
+    [[nodiscard]] KeptWhere where(const Exchange& exchange, std::uint8_t search) const {
+        KeptWhere where;
+        where.folder = folder_.path();
+        where.kind = {1, {}};
+        where.kind.search.fill(search);
+        where.place = {exchange.rank(), exchange.ranks()};
+        if (exchange.ranks() > 1)
+            where.mine = [rank = exchange.rank(), ranks = exchange.ranks()](lts::StateView row) {
+                return owner_of(lts::StateStore::hash(row), ranks) == rank;
+            };
+        return where;
+    }
+    void clear() const {
+        for (const std::string& file : diagnostics::files_below(folder_.path(), false).files) std::remove(file.c_str());
+    }
+    std::string error_;
+    diagnostics::TemporaryFolder folder_{"", error_};
+};
+
+Answer in_memory(const Graph& graph, unsigned ranks = 1) {
+    return answer(graph, ranks, {}, [](const Exchange&) { return std::make_unique<MemoryRowStore>(1); });
+}
+
+TEST_F(KeptRows, OnDiskAreThoseInMemory) {
+    std::mt19937 random(5);
+    std::uint64_t rolled_back = 0, settled = 0, violated = 0, cycles = 0;
+    for (int round = 0; round < 80; ++round) {
+        const Graph graph = random_graph(random, 50 + random() % 400, round % 3 == 0, round % 2 == 0 ? 15 : 30);
+        const Answer expected = in_memory(graph);
+        const unsigned ranks = round % 4 == 3 ? 3 : 1;
+        clear();
+        DiskRowStore::Bounds bounds;
+        bounds.most_bytes = round % 5 == 0 ? 1U << 20U : 0;
+        bounds.filter_bits = round % 5 == 1 ? 24 : 4;
+        bounds.fewest_unsure = round % 5 == 2 ? 1 : 20;
+        const Answer found = answer(graph, ranks, {}, [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
+            return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
+        });
+        ASSERT_EQ(found, expected) << round;
+        if (found.kind == ViolationKind::deadlock) ++violated;
+        if (found.kind == ViolationKind::divergence) ++cycles;
+        if (ranks > 1) continue;
+        LoneExchange alone;
+        clear();
+        const process::EventTable table;
+        lts::GraphSystem system(graph, table);
+        const Limits limits;
+        Budget budget(limits);
+        StateMonitor monitor(false);
+        DiskRowStore store(where(alone, 1), bounds);
+        MemoryRowStore memory(1);
+        LevelSearch(system, monitor, store, alone, budget, false).first_violation();
+        LevelSearch(system, monitor, memory, alone, budget, false).first_violation();
+        ASSERT_EQ(store.levels(), memory.levels());
+        for (Level level = 0; level < store.levels(); ++level) {
+            std::vector<lts::Word> rows, others;
+            store.read(level, 0, 1'000'000, rows);
+            memory.read(level, 0, 1'000'000, others);
+            std::sort(others.begin(), others.end());
+            ASSERT_EQ(rows, others) << round << ", level " << level;
+        }
+        rolled_back += store.figures().rolled_back;
+        settled += store.figures().settled;
+    }
+    EXPECT_GT(rolled_back, 50U);
+    EXPECT_GT(settled, 80U);
+    EXPECT_GE(violated, 3U);
+    EXPECT_GT(cycles, 8U);
+}
+
+// Stopped after some work, each time by a limit at a random moment; then as often as needed, with other ranks and in
+// memory or not.
+TEST_F(KeptRows, GoOnFromCheckpoints) {
+    std::mt19937 random(6);
+    int stops = 0;
+    for (int round = 0; round < 40; ++round) {
+        const Graph graph = random_graph(random, 100 + random() % 300, round % 3 == 0, round % 2 == 0 ? 15 : 30);
+        const Answer expected = in_memory(graph);
+        clear();
+        for (int attempt = 0;; ++attempt) {
+            ASSERT_LT(attempt, 1000);
+            const auto ranks = static_cast<unsigned>(1 + random() % 3);
+            const bool disk = random() % 2 == 0;
+            DiskRowStore::Bounds bounds;
+            bounds.most_bytes = random() % 2 == 0 ? 0 : 1U << 20U;
+            bounds.filter_bits = 4;
+            bounds.fewest_unsure = 10;
+            // The limit grows, so that each attempt comes further.
+            Limits limits;
+            limits.max_states = 10 + static_cast<std::uint64_t>(attempt) * (1 + random() % 20);
+            const int every = static_cast<int>(random() % 3);
+            try {
+                const Answer found =
+                    answer(graph, ranks, limits, [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
+                        KeptWhere kept = where(exchange, 1);
+                        if (every == 0) kept.every = std::chrono::milliseconds(0);
+                        if (disk) return std::make_unique<DiskRowStore>(std::move(kept), bounds);
+                        return std::make_unique<SavedRowStore>(std::move(kept));
+                    });
+                ASSERT_EQ(found, expected) << round;
+                break;
+            } catch (const LimitReached&) {
+                ++stops;
+            }
+        }
+    }
+    EXPECT_GT(stops, 50);
+}
+
+TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
+    std::mt19937_64 random(7);
+    for (const unsigned bits : {4U, 16U, 24U, 32U}) {
+        RowFilter filter(bits);
+        filter.reset(20'000);
+        std::vector<std::uint64_t> hashes;
+        while (filter.size() < filter.capacity()) {
+            hashes.push_back(random());
+            filter.add(hashes.back());
+        }
+        for (const std::uint64_t hash : hashes) ASSERT_TRUE(filter.may_have(hash));
+        int wrong = 0;
+        for (int i = 0; i < 50'000; ++i) wrong += filter.may_have(random()) ? 1 : 0;
+        const int least = bits == 4 ? 10'000 : 0;  // 2^-4 for each of some fifty
+        const int most = bits == 4 ? 50'000 : bits == 16 ? 100 : 2;
+        EXPECT_GE(wrong, least);
+        EXPECT_LE(wrong, most);
+        EXPECT_LT(filter.bytes(), 20'000 * ((bits + 7) / 8 * 10 / 9 + 2));
+    }
+}
+
+}  // namespace
+}  // namespace robochart::refine

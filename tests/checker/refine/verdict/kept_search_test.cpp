@@ -1,0 +1,230 @@
+// Checks whose searches are kept in a folder: the answers, figures and runs of searches by levels in memory; after
+// kills at any moment; and refusals where the folder is another's.
+#include "checker/refine/verdict/kept_search.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "checker/lts/graph.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "diagnostics/files.hpp"
+
+namespace robochart::refine {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// Levels of thousands of states; a deadlock at the end of them, or a cycle of taus, or neither.
+lts::Graph wide_graph(unsigned seed, bool deadlock, bool divergence) {
+    std::mt19937 random(seed);
+    lts::Graph graph;
+    constexpr std::size_t states = 6000;
+    for (std::size_t state = 0; state < states; ++state) {
+        const bool last = state + 1 == states;
+        for (int i = 0; i < 3 && !(last && deadlock); ++i) {
+            const bool back = state > 0 && i > 0 && random() % 3 == 0;
+            const std::size_t forward = std::min<std::size_t>(states - 1, 1 + state + random() % (30 + state / 2));
+            const auto target = static_cast<lts::StateIndex>(back ? random() % (state + 1) : forward);
+            const bool tau = random() % 5 == 0 && (divergence || target > state);
+            graph.add_edge(
+                {tau ? process::tau : static_cast<process::Event>(process::tick + 1 + random() % 3), target});
+        }
+        if (divergence && state % 50 == 49) graph.add_edge({process::tau, static_cast<lts::StateIndex>(state)});
+        graph.finish_state();
+    }
+    return graph;
+}
+
+struct Asked {
+    std::string text;
+    lts::Graph graph;
+};
+
+class KeptSearches : public ::testing::Test {
+protected:
+    KeptSearches() {
+        asked_.push_back({"holds", wide_graph(1, false, false)});
+        asked_.push_back({"deadlocks", wide_graph(2, true, false)});
+        asked_.push_back({"diverges", wide_graph(3, false, true)});
+    }
+
+    [[nodiscard]] KeptSettings settings(bool resume, bool disk) const {
+        KeptSettings settings;
+        settings.folder = kept();
+        settings.resume = resume;
+        settings.disk = disk;
+        settings.every = std::chrono::milliseconds(0);
+        settings.program = "this program";
+        settings.most_bytes = 0;
+        settings.fewest_unsure = 50;
+        settings.filter_bits = 4;
+        return settings;
+    }
+    [[nodiscard]] std::string kept() const { return folder_.path() + "/kept"; }
+    [[nodiscard]] bool there() const { return fs::exists(kept() + "/questions"); }
+
+    static diagnostics::Digest digest(const std::string& text) {
+        diagnostics::Hasher hasher;
+        hasher.add(std::string_view(text));
+        return hasher.finish();
+    }
+    /// Answers, figures and runs.
+    std::string decide(LevelStrategy& strategy, std::uint64_t most_states = 1'000'000) {
+        std::string all;
+        for (const Asked& each : asked_) {
+            Limits limits;
+            limits.by_levels = &strategy;
+            limits.max_states = most_states;
+            const process::EventTable table;
+            lts::GraphSystem system(each.graph, table);
+            strategy.begin_question(each.text, digest(each.text));
+            const Verdict verdict = deadlock_free(system, Model::failures_divergences, limits);
+            strategy.end_question(verdict.outcome != Outcome::inconclusive);
+            all += each.text + " " + std::to_string(static_cast<int>(verdict.outcome)) + " " + verdict.reason + " " +
+                   std::to_string(verdict.statistics.states) + " " + std::to_string(verdict.statistics.transitions) +
+                   " " + std::to_string(verdict.statistics.depth);
+            if (verdict.counterexample) {
+                for (const Step& step : verdict.counterexample->steps) all += " " + step.state;
+                for (const Step& step : verdict.counterexample->loop) all += " / " + step.state;
+            }
+            all += "\n";
+        }
+        return all;
+    }
+    std::string in_memory() {
+        OneRank strategy;
+        return decide(strategy);
+    }
+
+    std::string error_;
+    diagnostics::TemporaryFolder folder_{"", error_};
+    std::vector<Asked> asked_;
+};
+
+TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
+    const std::string expected = in_memory();
+    EXPECT_THAT(expected, HasSubstr("deadlocks 1 "));
+    EXPECT_THAT(expected, HasSubstr("diverges 1 "));
+    for (const bool disk : {false, true}) {
+        std::uint64_t rolled_back = 0;
+        {
+            KeptSearch search(settings(false, disk));
+            search.on_end = [&](const DiskRowStore::Figures& figures) { rolled_back += figures.rolled_back; };
+            EXPECT_EQ(decide(search), expected);
+            EXPECT_TRUE(there());
+        }
+        EXPECT_EQ(rolled_back > 0, disk);
+        EXPECT_FALSE(fs::exists(kept())) << "all is decided";
+    }
+}
+
+TEST_F(KeptSearches, GoOnAfterKillsAtAnyMoment) {
+    const std::string expected = in_memory();
+    std::mt19937 random(4);
+    int killed = 0;
+    for (int round = 0; round < 3; ++round) {
+        for (int kill = 0; kill < 10; ++kill) {
+            const bool disk = random() % 2 == 0;
+            const unsigned ranks = static_cast<unsigned>(1 + random() % 3);
+            const pid_t child = fork();
+            ASSERT_GE(child, 0);
+            if (child == 0) {
+                KeptSettings own = settings(there(), disk);
+                own.ranks = ranks;
+                try {
+                    KeptSearch search(std::move(own));
+                    (void)decide(search);
+                } catch (const std::exception& wrong) {
+                    std::fprintf(stderr, "%s\n", wrong.what());
+                    _exit(1);
+                }
+                _exit(0);
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1 + random() % 400));
+            ::kill(child, SIGKILL);
+            int status = 0;
+            waitpid(child, &status, 0);
+            ASSERT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) != 0);
+            if (WIFSIGNALED(status)) ++killed;
+        }
+        KeptSearch search(settings(there(), false));
+        ASSERT_EQ(decide(search), expected);
+    }
+    EXPECT_GE(killed, 5);
+}
+
+TEST_F(KeptSearches, GoOnAfterALimit) {
+    const std::string expected = in_memory();
+    {
+        KeptSearch search(settings(false, true));
+        EXPECT_THAT(decide(search, 2000), HasSubstr("the limit of 2000 states was reached"));
+    }
+    ASSERT_TRUE(there());
+    KeptSearch search(settings(true, false));
+    EXPECT_EQ(decide(search), expected);
+}
+
+TEST_F(KeptSearches, KeepTheLastCheckpointWhereTheDiskIsFull) {
+    const std::string expected = in_memory();
+    const auto before = signal(SIGXFSZ, SIG_IGN);
+    rlimit usual{};
+    getrlimit(RLIMIT_FSIZE, &usual);
+    rlimit small = usual;
+    small.rlim_cur = 3000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string found;
+    {
+        KeptSettings own = settings(false, true);
+        own.every = std::chrono::hours(1);
+        KeptSearch search(std::move(own));
+        found = decide(search);
+    }
+    setrlimit(RLIMIT_FSIZE, &usual);
+    signal(SIGXFSZ, before);
+    EXPECT_THAT(found, HasSubstr("holds 2 cannot write "));
+    KeptSearch search(settings(true, false));
+    EXPECT_EQ(decide(search), expected);
+}
+
+TEST_F(KeptSearches, RefuseTheFolderOfAnother) {
+    {
+        KeptSearch search(settings(false, false));
+        (void)decide(search, 2000);
+    }
+    const auto why = [](const auto& act) -> std::string {
+        try {
+            act();
+        } catch (const storage::BadFile& refused) {
+            return refused.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(why([&] { KeptSearch again(settings(false, false)); }), HasSubstr("--resume goes on from there"));
+    KeptSettings newer = settings(true, false);
+    newer.program = "another program";
+    EXPECT_THAT(why([&] { KeptSearch other(newer); }), HasSubstr("questions: line 2: another version of the program"));
+    KeptSettings absent = settings(true, false);
+    absent.folder = folder_.path();
+    EXPECT_THAT(why([&] { KeptSearch nothing(absent); }), HasSubstr("there is no checkpoint in this folder"));
+    {
+        KeptSearch search(settings(true, false));
+        EXPECT_THAT(why([&] { KeptSearch second(settings(true, false)); }), HasSubstr("another run is using"));
+        EXPECT_THAT(why([&] { search.begin_question("holds", digest("otherwise")); }),
+                    HasSubstr("written for question 1, `holds`, about other processes or with other options"));
+        EXPECT_THAT(why([&] { search.begin_question("other", digest("other")); }), HasSubstr("this run asks `other`"));
+    }
+    std::ofstream(kept() + "/questions") << "x";
+    EXPECT_THAT(why([&] { KeptSearch other(settings(true, false)); }), HasSubstr("questions: line 1"));
+}
+
+}  // namespace
+}  // namespace robochart::refine

@@ -1,0 +1,263 @@
+// Levels in files, and checkpoints of them: what another process reads is what the newest complete checkpoint has,
+// whenever the one that wrote it was ended; and damage is refused.
+#include "checker/storage/level_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <thread>
+
+#include "diagnostics/files.hpp"
+
+namespace robochart::storage {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// The rows of a level in these tests: so many that some levels have several blocks, and some none.
+std::vector<Word> rows_of(std::uint32_t level, Word salt = 0) {
+    const std::size_t counts[] = {1, 0, 17, RowFile::rows_of_block + 3, 400, 2 * RowFile::rows_of_block};
+    std::vector<Word> rows;
+    for (Word i = 0; i < counts[level % 6]; ++i) rows.insert(rows.end(), {salt + level, 3 * i, i % 11});
+    return rows;
+}
+
+class Levels : public testing::Test {
+protected:
+    static constexpr std::size_t width = 3;
+    [[nodiscard]] FolderOf where(const Place& place = {}) const {
+        FolderOf where{folder_.path(), {width, {}}, place};
+        where.kind.search.fill(9);
+        return where;
+    }
+    static std::vector<Word> all(LevelFiles& files, std::uint32_t level) {
+        std::vector<Word> rows;
+        files.each_block(level,
+                         [&](std::span<const Word> block) { rows.insert(rows.end(), block.begin(), block.end()); });
+        return rows;
+    }
+    /// Whether these are the levels of `rows_of`, read in both ways.
+    static void expect_levels(LevelFiles& files, Word salt = 0, std::uint32_t salted_from = 0) {
+        std::uint64_t sum = 0;
+        for (std::uint32_t level = 0; level < files.levels(); ++level) {
+            const std::vector<Word> wanted = rows_of(level, level >= salted_from ? salt : 0);
+            ASSERT_EQ(all(files, level), wanted) << level;
+            ASSERT_EQ(files.rows(level) * width, wanted.size());
+            std::vector<Word> pieces;
+            for (std::uint64_t at = 0; files.read(level, at, 1000, pieces) > 0;) at = pieces.size() / width;
+            ASSERT_EQ(pieces, wanted) << level;
+            sum += files.rows(level);
+        }
+        ASSERT_EQ(files.rows(), sum);
+    }
+    LevelFiles adopted(const Checkpoint& checkpoint) const {
+        LevelFiles files(where(checkpoint.place));
+        files.adopt(checkpoint, {});
+        return files;
+    }
+    [[nodiscard]] std::size_t files_there() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+    }
+
+    std::string error_;
+    diagnostics::TemporaryFolder folder_{"", error_};
+};
+
+TEST_F(Levels, AreReadAgainAfterACheckpoint) {
+    LevelFiles files(where());
+    for (std::uint32_t level = 0; level < 13; ++level) files.add_level(rows_of(level));
+    expect_levels(files);
+    files.checkpoint({{1, 2, 3, 4, 5, 6}, {{4, {7, 7, 7}}, {6, {1, 0, 0, 2, 0, 0}}}, {{10, 0}, {20, 5}}});
+    for (std::uint32_t level = 13; level < 20; ++level) files.add_level(rows_of(level));
+
+    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    ASSERT_EQ(found.size(), 1U);
+    LevelFiles again = adopted(found[0]);
+    EXPECT_EQ(again.levels(), 13U);
+    expect_levels(again);
+    ASSERT_EQ(found[0].expanded.size(), 2U);
+    EXPECT_EQ(found[0].expanded[1].transitions, 20U);
+    EXPECT_EQ(found[0].expanded[1].chased, 5U);
+    std::map<std::uint32_t, std::vector<Word>> beside;
+    LevelFiles::read_beside(where(), found[0].unsure, {}, [&](std::uint32_t level, std::span<const Word> rows) {
+        beside[level].assign(rows.begin(), rows.end());
+    });
+    EXPECT_EQ(beside, (std::map<std::uint32_t, std::vector<Word>>{{4, {7, 7, 7}}, {6, {1, 0, 0, 2, 0, 0}}}));
+    beside.clear();
+    LevelFiles::read_beside(where(), found[0].marks, {}, [&](std::uint32_t level, std::span<const Word> rows) {
+        beside[level].assign(rows.begin(), rows.end());
+    });
+    EXPECT_EQ(beside, (std::map<std::uint32_t, std::vector<Word>>{{0, {1, 2, 3, 4, 5, 6}}}));
+    // It goes on, and what is no longer needed goes.
+    for (std::uint32_t level = 13; level < 25; ++level) again.add_level(rows_of(level));
+    again.checkpoint({});
+    const std::vector<Checkpoint> later = newest(folder_.path(), where().kind);
+    ASSERT_EQ(later.size(), 1U);
+    EXPECT_EQ(later[0].number, found[0].number + 1);
+    LevelFiles last = adopted(later[0]);
+    EXPECT_EQ(last.levels(), 25U);
+    expect_levels(last);
+    EXPECT_EQ(files_there(), 3U) << "a checkpoint and the files of two runs";
+}
+
+// What is forgotten is still there for the checkpoint before.
+TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
+    LevelFiles files(where());
+    for (std::uint32_t level = 0; level < 10; ++level) files.add_level(rows_of(level));
+    files.checkpoint({});
+    for (std::uint32_t level = 10; level < 15; ++level) files.add_level(rows_of(level));
+    files.forget_from(13);
+    files.forget_from(4);
+    for (std::uint32_t level = 4; level < 12; ++level) files.add_level(rows_of(level, 100));
+    expect_levels(files, 100, 4);
+    LevelFiles before = adopted(newest(folder_.path(), where().kind).at(0));
+    EXPECT_EQ(before.levels(), 10U);
+    expect_levels(before);
+    files.checkpoint({});
+    LevelFiles after = adopted(newest(folder_.path(), where().kind).at(0));
+    EXPECT_EQ(after.levels(), 12U);
+    expect_levels(after, 100, 4);
+}
+
+// With several ranks, a checkpoint counts once all have written theirs.
+TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
+    LevelFiles first(where({0, 2}));
+    LevelFiles second(where({1, 2}));
+    for (std::uint32_t level = 0; level < 5; ++level) {
+        first.add_level(rows_of(level));
+        second.add_level(rows_of(level, 50));
+    }
+    first.checkpoint({});
+    EXPECT_TRUE(newest(folder_.path(), where().kind).empty());
+    second.checkpoint({});
+    first.add_level(rows_of(5));
+    second.add_level(rows_of(5, 50));
+    first.checkpoint({});
+    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].number, 1U);
+    for (const Checkpoint& each : found) {
+        LevelFiles files = adopted(each);
+        EXPECT_EQ(files.levels(), 5U);
+        expect_levels(files, each.place.rank * 50);
+    }
+    second.checkpoint({});
+    EXPECT_EQ(newest(folder_.path(), where().kind).at(1).number, 2U);
+}
+
+TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
+    std::mt19937 random(4);
+    for (int round = 0; round < 10; ++round) {
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+            LevelFiles files(where());
+            if (!found.empty()) files.adopt(found[0], {});
+            for (;;) {
+                for (int i = 0; i < 3; ++i) files.add_level(rows_of(files.levels()));
+                if (files.levels() > 30) files.forget_from(5);
+                files.checkpoint({{files.levels(), 0, 0}, {}, {}});
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 100));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+        if (found.empty()) continue;
+        LevelFiles files = adopted(found[0]);
+        expect_levels(files);
+        LevelFiles::read_beside(where(), found[0].marks, {},
+                                [&](std::uint32_t, std::span<const Word> rows) { EXPECT_EQ(rows[0], files.levels()); });
+    }
+    EXPECT_FALSE(newest(folder_.path(), where().kind).empty());
+}
+
+TEST_F(Levels, KeepTheLastCheckpointWhereTheDiskIsFull) {
+    LevelFiles files(where());
+    for (std::uint32_t level = 0; level < 8; ++level) files.add_level(rows_of(level));
+    files.checkpoint({});
+    const auto before = signal(SIGXFSZ, SIG_IGN);
+    rlimit usual{};
+    getrlimit(RLIMIT_FSIZE, &usual);
+    rlimit small = usual;
+    small.rlim_cur = 3000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string why;
+    std::uint32_t reached = 0;
+    try {
+        for (std::uint32_t level = 8; level < 100; ++level) files.add_level(rows_of(level));
+    } catch (const CannotWrite& error) {
+        why = error.what();
+        reached = files.levels();
+    }
+    setrlimit(RLIMIT_FSIZE, &usual);
+    signal(SIGXFSZ, before);
+    EXPECT_THAT(why, HasSubstr("cannot write"));
+    EXPECT_EQ(newest(folder_.path(), where().kind).at(0).levels, 8U);
+    expect_levels(files);
+    files.checkpoint({});  // there is space again
+    EXPECT_EQ(newest(folder_.path(), where().kind).at(0).levels, reached);
+    LevelFiles again = adopted(newest(folder_.path(), where().kind).at(0));
+    expect_levels(again);
+}
+
+TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
+    LevelFiles files(where());
+    for (std::uint32_t level = 0; level < 3; ++level) files.add_level(rows_of(level));
+    files.checkpoint({{1, 2, 3}, {}, {{1, 2}}});
+    const std::string path = folder_.path() + "/" + name_of(1, {});
+    std::ifstream in(path, std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(in), {}};
+    const auto refused = [&](const std::string& text) {
+        std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+        try {
+            for (const Checkpoint& each : newest(folder_.path(), where().kind)) (void)adopted(each);
+        } catch (const BadFile& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ 1);
+        ASSERT_THAT(refused(damaged), HasSubstr(path)) << at;
+        ASSERT_THAT(refused(whole.substr(0, at)), HasSubstr(path)) << at;
+    }
+    // With a check that is right, too.
+    const std::string text = whole.substr(0, whole.find("check "));
+    std::mt19937 random(3);
+    int tried = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        std::string other = text;
+        other[at] = "0 \n-9x"[random() % 6];
+        if (other == text) continue;
+        ++tried;
+        diagnostics::Hasher hasher;
+        hasher.add(std::string_view(other));
+        std::string check;
+        for (const std::uint8_t byte : hasher.finish()) {
+            check += "0123456789abcdef"[byte / 16];
+            check += "0123456789abcdef"[byte % 16];
+        }
+        (void)refused(other + "check " + check + "\n");  // refused or read; no crash
+    }
+    EXPECT_GT(tried, 100);
+    EXPECT_EQ(refused(whole), "");
+    fs::remove(folder_.path() + "/rows-0-of-1-0");
+    EXPECT_THAT(refused(whole), HasSubstr("rows-0-of-1-0: cannot be read"));
+}
+
+}  // namespace
+}  // namespace robochart::storage
