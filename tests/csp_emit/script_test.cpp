@@ -177,7 +177,7 @@ TEST(Liveness, GoesBackwardsAlongCalls) {
         {"Q", {}, b::prefix(b::name("a"), calls.add("R", {{"z", b::number(3)}}))},
         {"R", {}, b::prefix(b::name("c"), {b::output(b::name("y"))}, calls.add("P", {{"x", b::name("y")}}))}};
     auto initial = calls.add("P", {{"x", b::number(1)}, {"y", b::number(2)}});
-    EXPECT_THAT(find_parameters(family, initial, calls, {{"x", "y", "z"}, {}, {}, {}, {}}), IsEmpty());
+    EXPECT_THAT(find_parameters(family, initial, calls, {{"x", "y", "z"}, {}, {}, {}, {}, {}}), IsEmpty());
     EXPECT_THAT(family[0].parameters, ElementsAre("x"));
     EXPECT_THAT(family[1].parameters, ElementsAre("y"));
     EXPECT_THAT(family[2].parameters, ElementsAre("y"));
@@ -191,7 +191,7 @@ TEST(Liveness, WhatNoCallGivesIsReported) {
     FamilyCalls calls;
     std::vector<Function> family{{"P", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, b::stop())}};
     auto initial = calls.add("P", {});
-    EXPECT_THAT(find_parameters(family, initial, calls, {{"x"}, {}, {}, {}, {}}), ElementsAre("x"));
+    EXPECT_THAT(find_parameters(family, initial, calls, {{"x"}, {}, {}, {}, {}, {}}), ElementsAre("x"));
 }
 
 TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
@@ -202,7 +202,7 @@ TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
         {"Q", {}, b::guard(b::binary(cspm::ExprKind::equal, b::name("c"), b::name("n")), calls.add("P", {}))}};
     auto initial = calls.add("P", {{"c", b::number(0)}, {"n", b::number(2)}});
     const cspm::ExprPtr step = b::call("clock_step", {b::name("c"), b::number(3)});
-    (void)find_parameters(family, initial, calls, {{"c", "n"}, {{"c", step}}, {}, {}, {}});
+    (void)find_parameters(family, initial, calls, {{"c", "n"}, {{"c", step}}, {}, {}, {}, {}});
     EXPECT_EQ(cspm::print(family[0].body), "tock -> Q(clock_step(c, 3), n)");
     EXPECT_EQ(cspm::print(family[1].body), "c == n & P(c, n)");
 }
@@ -225,6 +225,7 @@ TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
     auto initial = calls.add("A", {{"x", b::number(4)}});
     const Candidates candidates{
         {"x", "r"},
+        {},
         {},
         {},
         "r",

@@ -45,7 +45,7 @@ constexpr std::array not_run = {
 };
 
 /// Languages of blocks that are no commands: other tests or other programs read them.
-constexpr std::array<std::string_view, 16> no_commands = {
+constexpr std::array<std::string_view, 17> no_commands = {
     "robochart", "ros2",  "assertions", "scenario", "swarm", "cspm", "prism", "props", "sleec",
     "cpp",       "cmake", "yaml",       "lua",      "elisp", "toml", "json",  "text"};
 
