@@ -156,8 +156,7 @@ std::string summary(const RunResult& result) {
     const auto claims = static_cast<std::ptrdiff_t>(result.claims.size()) - estimates;
     if (result.bands.empty() && result.claims.empty()) return "nothing is claimed: `accept` says what is to hold";
     std::vector<std::string> parts;
-    if (!result.bands.empty())
-        parts.push_back(fmt::format("{} of {} bands hold", held, result.bands.size()));
+    if (!result.bands.empty()) parts.push_back(fmt::format("{} of {} bands hold", held, result.bands.size()));
     if (claims > 0) parts.push_back(fmt::format("{} of {} claims hold", count(ClaimVerdict::holds), claims));
     if (estimates > 0) parts.push_back(fmt::format("{} estimated", estimates));
     if (count(ClaimVerdict::open) > 0) parts.push_back(fmt::format("{} open", count(ClaimVerdict::open)));

@@ -224,12 +224,8 @@ TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
         {"BehindB", {}, calls.add("A", {{"x", b::number(5)}})}};
     auto initial = calls.add("A", {{"x", b::number(4)}});
     const Candidates candidates{
-        {"x", "r"},
-        {},
-        {},
-        {},
-        "r",
-        {{from_a.get(), {"BehindA", b::sequence({})}}, {from_b.get(), {"BehindB", b::sequence({})}}}};
+        {"x", "r"}, {},  {},
+        {},         "r", {{from_a.get(), {"BehindA", b::sequence({})}}, {from_b.get(), {"BehindB", b::sequence({})}}}};
     EXPECT_THAT(find_parameters(family, initial, calls, candidates), IsEmpty());
     EXPECT_EQ(cspm::print(family[0].body), "a -> O(x, <0>)");
     EXPECT_THAT(family[1].parameters, IsEmpty());

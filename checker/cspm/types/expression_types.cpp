@@ -76,12 +76,14 @@ TypeId ExpressionTypes::expect_extendable(const Term& term, TypeId type, std::st
 
 void ExpressionTypes::expect_processes(const Term& term, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        expect_atom(*term.args[i], TypeKind::process, "the operator takes processes; an event stands before one: `a -> P`");
+        expect_atom(*term.args[i], TypeKind::process,
+                    "the operator takes processes; an event stands before one: `a -> P`");
     }
 }
 
 void ExpressionTypes::expect_events(const Term& term, std::size_t index) {
-    (void)expect(*term.args[index], store_.set_of(atom(TypeKind::event)), "the operator takes a set of events here; `{| c |}` are all events of channel c");
+    (void)expect(*term.args[index], store_.set_of(atom(TypeKind::event)),
+                 "the operator takes a set of events here; `{| c |}` are all events of channel c");
 }
 
 // ---------------------------------------------------------------- values

@@ -21,10 +21,10 @@ test("starts `PROGRAM lsp`", async () => {
     assert.deepStrictEqual(log, [["start", program, "lsp"]]);
 });
 
-test("the server is asked about models, assertions and scripts on disk", async () => {
+test("the server is asked about models, assertions, scripts and rules on disk", async () => {
     const { handlers } = await activated({ "robochart.server.path": program });
     const languages = handlers.documents.map((each) => `${each.scheme}:${each.language}`);
-    assert.deepStrictEqual(languages, ["file:robochart", "file:robochart-assertions", "file:cspm"]);
+    assert.deepStrictEqual(languages, ["file:robochart", "file:robochart-assertions", "file:cspm", "file:sleec"]);
 });
 
 test("a missing program is said once, with the setting and a way to it", async () => {
