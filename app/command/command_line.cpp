@@ -99,7 +99,8 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
         if (std::find(known.begin(), known.end(), words[1]) != known.end()) return std::nullopt;
         return wrong_usage(fmt::format("emit writes no '{}'{}", words[1], did_you_mean(words[1], known)), "emit");
     }
-    const bool like_a_verb = first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
+    const bool like_a_verb =
+        !first.starts_with("-") && first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
     if (!like_a_verb || names_a_verb(first) || std::filesystem::exists(first, ignored)) return std::nullopt;
     return wrong_usage(
         fmt::format("there is no verb, file or folder '{}'{}", first, did_you_mean(first, verbs_and_files())));

@@ -15,7 +15,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/verbs/trace_page.hpp"
+#include "app/step/trace_page.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/model/rules.hpp"

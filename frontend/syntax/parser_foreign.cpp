@@ -62,8 +62,9 @@ void Parser::pass_sign_behind_word() {
     const Token next = peek(1);
     const bool goes_on = (next.kind == TokenKind::identifier && !next.first_on_line) || next.is("skip") ||
                          next.is("if") || next.is("wait") || next.is("send") || next.is("#") || next.is("not") ||
-                         next.is("since") || next.kind == TokenKind::integer || next.kind == TokenKind::real;
-    if (!goes_on) return;
+                         next.is("since");
+    const bool number = next.kind == TokenKind::integer || next.kind == TokenKind::real;
+    if (!goes_on && !(number && at(":"))) return;
 
     if (at(":") || (at("=") && !peek(1).is("="))) pass_superfluous("what belongs to a word follows it at once");
 }

@@ -46,7 +46,7 @@ expect "aggregation" check agg
 expect "aggregation" agg
 expect "cpp csp monitor prism tests" emit ""
 expect "aggregation alpha best_of_n false_claims foraging swarm_taxis" emit cpp ""
-expect "check conform cspm draw emit explain format help init lsp prism rules simulate step validate verify version" help ""
+expect "check conform cspm draw emit explain format help init lsp prism rules simulate step tune validate verify version" help ""
 expect "always auto never" check --color ""
 expect "json" check --format js
 expect "json" check --format = js

@@ -1,5 +1,5 @@
 // See trace_page.hpp.
-#include "app/verbs/trace_page.hpp"
+#include "app/step/trace_page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
