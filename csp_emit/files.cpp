@@ -1,7 +1,10 @@
 // Scripts as files for FDR, laid out as RoboTool does (semantics 3.1): definitions, and assertions that include them.
+#include <fmt/format.h>
+
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/emit.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::csp_emit {
 
@@ -12,6 +15,19 @@ std::string script_name(const std::string& model) {
     std::string name;
     for (const char c : model) name += c > 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '/' ? c : '_';
     return name;
+}
+
+/// Of the claims, what no assertion says.
+std::string left_out(const Emission& emission) {
+    std::string claims;
+    for (const Obligation& each : emission.obligations) {
+        const std::string title = diagnostics::shown(each.title);
+        if (each.recurrence)
+            claims += fmt::format("--   {}\n", title);
+        else if (each.premise != nullptr)
+            claims += fmt::format("--   {}: that {}\n", title, each.premise->text);
+    }
+    return claims.empty() ? "" : "\n-- not said by an assertion; `check --swarm` decides it:\n" + claims;
 }
 
 }  // namespace
@@ -31,7 +47,7 @@ std::vector<OutputFile> files(const Emission& emission, Time time, const std::st
     const std::string here = "-- to check it in FDR4: `fdr4 " + checked + "` and Run All, or `refines " + checked +
                              "`; without FDR4: `robochart-verify cspm " + checked + "`\n\n";
     return {{folder + name + ".csp", head + there + cspm::print(emission.definitions)},
-            {folder + checked, head + here + cspm::print(assertions)}};
+            {folder + checked, head + here + cspm::print(assertions) + left_out(emission)}};
 }
 
 }  // namespace robochart::csp_emit

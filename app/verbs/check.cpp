@@ -3,9 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <memory>
 #include <new>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
@@ -206,6 +209,52 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
 }
 
+/// Premises of claims, each decided once.
+class Premises {
+public:
+    explicit Premises(const Context& context) : context_(context) {}
+
+    /// Of a claim that is answered with "holds": not decided, with the run that shows it, where its premise is not so.
+    void apply(const csp_emit::Obligation& obligation, AssertionReport& report) {
+        if (obligation.premise == nullptr || report.answer != Answer::holds) return;
+        const AssertionReport& premise = answer(obligation);
+        if (premise.answer == Answer::holds) return;
+        const csp_emit::Premise& asked = *obligation.premise;
+        report.answer = premise.answer == Answer::error ? Answer::error : Answer::inconclusive;
+        report.reason = premise.answer == Answer::fails
+                            ? "not decided: " + asked.otherwise
+                            : fmt::format("not decided whether {}: {}", asked.text, premise.reason);
+        report.run = premise.run;
+    }
+
+private:
+    const AssertionReport& answer(const csp_emit::Obligation& claim) {
+        for (const auto& [premise, report] : decided_)
+            if (premise == claim.premise) return report;
+        return decided_.emplace_back(claim.premise, decide_premise(claim)).second;
+    }
+    AssertionReport decide_premise(const csp_emit::Obligation& claim) const {
+        csp_emit::Obligation asked;
+        asked.kind = ir::PropertyKind::timelock_free;
+        asked.title = fmt::format("{}: {}", claim.title, claim.premise->text);
+        asked.origin = claim.origin;
+        asked.time = claim.time;
+        asked.reason = claim.premise->reason;
+        asked.assertions = claim.premise->assertions;
+        AssertionReport report;
+        report.answer = Answer::holds;
+        decide(context_, asked, report);
+        if (report.answer != Answer::holds) return report;
+        asked.kind = ir::PropertyKind::refines;
+        asked.recurrence = claim.premise->recurrence;
+        decide_recurrence(context_, asked, report);
+        return report;
+    }
+
+    const Context& context_;
+    std::vector<std::pair<std::shared_ptr<const csp_emit::Premise>, AssertionReport>> decided_;
+};
+
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     const bool core = obligation.property == ir::no_id;
     const bool asked = context.options.core && !obligation.component.empty();
@@ -274,6 +323,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     session->observe(bounds.observer());
     const Context context{project, options, emission, *session};
     RuleClaims rules(project, emission, options);
+    Premises premises(context);
     std::size_t at = report.assertions.size();
     announce(context, report);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
@@ -295,6 +345,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
             one.reason.clear();
             decide_recurrence(context, obligation, one);
         }
+        premises.apply(obligation, one);
         const auto edit = options.run->edit();
         report.assertions[at++] = std::move(one);
         report.bounds = bounds_met;

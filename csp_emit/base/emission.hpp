@@ -116,6 +116,15 @@ struct RecurrenceQuestion {
     cspm::ExprPtr goal;  ///< a set of events
 };
 
+/// What has to be so before a claim is answered with "holds". Where it is not, the claim is not decided.
+struct Premise {
+    std::vector<cspm::DeclPtr> assertions;  ///< members of the script; all have to hold
+    RecurrenceQuestion recurrence;          ///< and this
+    std::string text;                       ///< "time can always pass"
+    std::string otherwise;                  ///< why the claim is not decided: "time can stop"
+    std::string reason;                     ///< what is so where the run ends that shows it
+};
+
 /// One check to be made: an assertion of the model in one time as one or more CSPM assertions, an assert line of a CSP
 /// block, or a core property.
 struct Obligation {
@@ -132,6 +141,7 @@ struct Obligation {
     std::vector<cspm::DeclPtr> assertions;         ///< members of the script below; empty: no check exists (`reason`)
     std::optional<FiringQuestion> firing;          ///< decided without an assertion: whether all of these fire
     std::optional<RecurrenceQuestion> recurrence;  ///< decided beside the assertions: whether it can always come again
+    std::shared_ptr<const Premise> premise;        ///< of "holds"; null: none. Several claims may share one
     bool one_suffices = false;  ///< the claim holds if one of the assertions does; else all must hold
     std::string reason;         ///< why there is no check; else what is so if it fails and no single run shows it
 };

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/swarm/conditions.hpp"
 #include "csp_emit/swarm/rules.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/spelling.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -115,12 +118,25 @@ private:
             return each.motion == SwarmMotion::turn && each.operation.text == word.text;
         });
         channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
-        if (turns && call->types.size() != 1)
-            unfit(word, fmt::format("'{}' has not one argument to turn by", word.text));
-        rename(*call, channel + ".i__" + (turns ? ".steps(a__)" : ""));
+        const std::int64_t scale = turns ? scale_of(*call) : 1;
+        if (scale == 0) unfit(word, fmt::format("'{}' has not one number as its argument to turn by", word.text));
+        rename(*call, channel + ".i__" + (turns ? fmt::format(".steps(a__,{})", scale) : ""));
         operations_[word.text] = channel;
         own_.push_back(channel);
         return channel;
+    }
+    /// The units of one degree in the only argument; 0 where there is no such number.
+    [[nodiscard]] std::int64_t scale_of(const Port& call) const {
+        if (call.types.size() != 1) return 0;
+        switch (system_.type(call.types.front()).kind) {
+            case ir::TypeKind::nat:
+            case ir::TypeKind::integer:
+                return 1;
+            case ir::TypeKind::real:
+                return instantiation_.scale;
+            default:
+                return 0;
+        }
     }
     /// All of the port's events become this one, in which a__ is their value.
     void rename(const Port& port, const std::string& target) {
@@ -228,18 +244,62 @@ private:
         messages_.push_back({channel, connection.distance});
     }
 
+    /// The constants that the component's process takes, by the model's names.
+    [[nodiscard]] std::vector<ir::NamedConstant> taken() const {
+        std::set<std::string> arguments;
+        for (const cspm::ExprPtr& each : component_->compressed->args)
+            if (each->kind == cspm::ExprKind::name) arguments.insert(each->text);
+        std::vector<ir::NamedConstant> result = ir::named_constants(system_);
+        std::erase_if(result, [&](const ir::NamedConstant& each) { return !arguments.contains(each.name); });
+        return result;
+    }
     /// The constant becomes the robot's number where the process takes it.
     void number(const SwarmConstant& constant) {
-        std::string ending = "_" + constant.name.text;
-        for (std::size_t at = ending.find("::"); at != std::string::npos; at = ending.find("::"))
-            ending.replace(at, 2, "_");
-        bool some = false;
-        for (const cspm::ExprPtr& argument : component_->compressed->args) {
-            if (argument->kind != cspm::ExprKind::name || !argument->text.ends_with(ending)) continue;
-            numbered_.insert(argument->text);
-            some = true;
+        const std::string& wanted = constant.name.text;
+        const std::vector<ir::NamedConstant> all = taken();
+        std::vector<ir::NamedConstant> meant;
+        std::vector<std::string> known;
+        for (const ir::NamedConstant& each : all) {
+            if (each.path == wanted || each.path.ends_with("::" + wanted)) meant.push_back(each);
+            if (!each.has_value) known.push_back(each.path.substr(each.path.rfind(':') + 1));
         }
-        if (!some) unknown(swarm_.component.text, "constant that is open", constant.name, {});
+        if (meant.empty()) return unknown(swarm_.component.text, "constant that is open", constant.name, known);
+        if (meant.size() > 1) {
+            std::vector<std::string> paths;
+            for (const ir::NamedConstant& each : meant) paths.push_back(each.path);
+            return unfit(constant.name, fmt::format("'{}' may be each of {}: write more of the path of the one that is "
+                                                    "meant",
+                                                    wanted, fmt::join(paths, ", ")));
+        }
+        if (meant.front().has_value) return unfit(constant.name, fmt::format("the model gives '{}' a value", wanted));
+        const std::string value = own_number(meant.front().type);
+        if (value.empty())
+            return unfit(constant.name, fmt::format("'{}' is of a type that has no numbers from 0 to {}: give it more "
+                                                    "values with `range`, or with --range",
+                                                    wanted, swarm_.robots - 1));
+        numbered_[meant.front().name] = value;
+    }
+    /// The number of robot i__ as a value of this type; "" where it has none for each robot.
+    [[nodiscard]] std::string own_number(ir::TypeId type) const {
+        const auto has_all = [&](const std::vector<std::int64_t>& carrier, std::int64_t scale) {
+            for (std::int64_t robot = 0; robot < swarm_.robots; ++robot)
+                if (!std::binary_search(carrier.begin(), carrier.end(), robot * scale)) return false;
+            return true;
+        };
+        switch (system_.type(type).kind) {
+            case ir::TypeKind::nat:
+                return has_all(instantiation_.nat, 1) ? "i__" : "";
+            case ir::TypeKind::integer:
+                return has_all(instantiation_.integer, 1) ? "i__" : "";
+            case ir::TypeKind::real:
+                return has_all(instantiation_.real, instantiation_.scale)
+                           ? fmt::format("(i__ * {})", instantiation_.scale)
+                           : "";
+            case ir::TypeKind::given:
+                return instantiation_.given_size >= swarm_.robots ? "i__" : "";
+            default:
+                return "";
+        }
     }
 
     /// What nothing is bound to: what the robot does by itself it can do at any time, what it would receive never
@@ -263,8 +323,8 @@ private:
         const cspm::Expr& call = *component_->compressed;
         std::string function;
         for (const cspm::ExprPtr& each : call.args) {
-            const bool numbered = each->kind == cspm::ExprKind::name && numbered_.contains(each->text);
-            const std::string text = numbered ? "i__" : cspm::print(each);
+            const auto numbered = each->kind == cspm::ExprKind::name ? numbered_.find(each->text) : numbered_.end();
+            const std::string text = numbered != numbered_.end() ? numbered->second : cspm::print(each);
             if (function.empty())
                 function = text;
             else
@@ -302,12 +362,13 @@ private:
         return text + "endmodule\n";
     }
 
-    /// Angles of the model are in units of 1/scale of a degree; each is rounded to the nearest heading.
+    /// The heading nearest to an angle in units of 1/s__ of a degree.
     [[nodiscard]] std::string turns() const {
         if (!swarm_.grid) return "";
-        const std::int64_t unit = 360 * instantiation_.scale / swarm_.headings;
-        const std::int64_t around = unit * swarm_.headings;
-        return fmt::format("steps(a__) = (((a__ + {0}) % {1} + {1}) % {1}) / {2}\n", unit / 2, around, unit);
+        return fmt::format(
+            "steps(a__,s__) = let step__ = {0} * s__\nround__ = {1} * step__\n"
+            "within (((a__ + step__ / 2) % round__ + round__) % round__) / step__\n",
+            360 / swarm_.headings, swarm_.headings);
     }
 
     [[nodiscard]] std::string robots() const {
@@ -460,7 +521,7 @@ private:
         for (std::uint32_t robot = 0; robot < swarm_.robots; ++robot) {
             const SwarmPlace at = place(robot);
             if (at.degrees)
-                text += fmt::format("Start({0}) = Body({0},steps({1}),0)\n", robot, *at.degrees * instantiation_.scale);
+                text += fmt::format("Start({0}) = Body({0},steps({1},1),0)\n", robot, *at.degrees);
             else
                 text += fmt::format("Start({0}) = |~| h__ : Headings @ Body({0},h__,0)\n", robot);
         }
@@ -562,6 +623,9 @@ private:
             text += fmt::format("Acting = ({} \\ {}) \\ {}\n", without(""), productions(hidden), productions(lazy_));
         if (timed_) text += activity(without(""), hidden, moves);
         hidden.insert(hidden.end(), moves.begin(), moves.end());
+        if (timed_)
+            text += fmt::format("Alone = prioritise({} \\ {}, <{{}}, {{tock}}>)\nPassing = Alone \\ {}\n", without(""),
+                                productions(hidden), productions(lazy_));
         for (const Observation& each : observations_) {
             text += fmt::format("Seen_{0} = prioritise({1} \\ {2}, <{{}}, {{tock}}>) \\ {3}\n", each.channel(),
                                 without(each.channel()), productions(hidden), productions(lazy_));
@@ -606,8 +670,8 @@ private:
     std::vector<Sensed> sensed_;                                // on a grid, those with the set of those near
     std::vector<std::pair<std::string, std::string>> answers_;  // asked by, answered with
     std::vector<Sensed> messages_;
-    std::set<std::string> used_;      // channels of the component that are renamed
-    std::set<std::string> numbered_;  // arguments that are the robot's number
+    std::set<std::string> used_;                   // channels of the component that are renamed
+    std::map<std::string, std::string> numbered_;  // arguments that are the robot's number, and its text
     std::vector<Observation> observations_;
     std::string channels_, renamings_, blocked_;
 };
@@ -615,8 +679,7 @@ private:
 std::string assertion_text(const SwarmClaim& claim, std::size_t number, bool timed) {
     switch (claim.question) {
         case SwarmQuestion::deadlock_free:
-            return timed ? "assert Swarm__::Watched [| {| Swarm__::active |} |] STOP :[deadlock free [F]]\n"
-                         : "assert Swarm__::Acting :[deadlock free [F]]\n";
+            return timed ? "" : "assert Swarm__::Acting :[deadlock free [F]]\n";
         case SwarmQuestion::always:
             return fmt::format("assert STOP [T= Swarm__::Seen_observe_{0} |\\ Swarm__::fails_observe_{0}\n", number);
         case SwarmQuestion::possible:
@@ -633,6 +696,21 @@ std::string title_of(const Swarm& swarm, const SwarmClaim& claim) {
     const std::string where = swarm.grid ? fmt::format("{} by {}", swarm.grid->width, swarm.grid->height) : "no grid";
     return fmt::format("{}: {} [{} robot{}, {}]", swarm.name.text, claim.text, swarm.robots,
                        swarm.robots == 1 ? "" : "s", where);
+}
+
+/// That from wherever the swarm may be some run leads to where time passes: then every run can be continued to one in
+/// which it passes again and again, so that what is claimed of all states is claimed of runs that there are (non-Zeno:
+/// Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for real-time systems, 1994). Where the environment
+/// decides something, time must not have to wait for it: `waits` says that.
+std::shared_ptr<const Premise> time_can_pass(std::vector<cspm::DeclPtr> waits) {
+    const cspm::ExprPtr tock = cspm::build::productions({cspm::build::name("tock")});
+    return std::make_shared<const Premise>(
+        Premise{std::move(waits), RecurrenceQuestion{cspm::build::name("Swarm__::Passing"), tock},
+                "time can always pass", "time can stop", "from here on no time passes"});
+}
+
+bool premised(const SwarmClaim& claim) {
+    return claim.question != SwarmQuestion::possible;
 }
 
 Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_t number, Time time) {
@@ -664,6 +742,13 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
     return result;
 }
 
+/// The assertion with the claim above it, as reports have it.
+cspm::DeclPtr named(const cspm::DeclPtr& assertion, const std::string& title) {
+    cspm::Decl result = *assertion;
+    result.comment = diagnostics::shown(title);
+    return std::make_shared<const cspm::Decl>(std::move(result));
+}
+
 }  // namespace
 
 void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::System& system,
@@ -673,16 +758,28 @@ void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::Sys
     emission.script = emission.definitions;
     emission.obligations.clear();
     if (module.empty()) return;
-    const auto read = [&](const std::string& name, const std::string& text) {
-        const cspm::Script script = cspm::read(sources, sources.add(name, text), diagnostics);
+    const auto read = [&](const std::string& name, const std::string& text, const std::string& title = "") {
+        cspm::Script script = cspm::read(sources, sources.add(name, text), diagnostics);
+        if (!title.empty())
+            for (cspm::DeclPtr& each : script.decls) each = named(each, title);
         emission.script.decls.insert(emission.script.decls.end(), script.decls.begin(), script.decls.end());
         return script.decls;
     };
     (void)read("the swarm's CSP", module);
+    const bool premise = time == Time::timed && std::any_of(swarm.claims.begin(), swarm.claims.end(), premised);
+    const bool waits = std::any_of(swarm.feeds.begin(), swarm.feeds.end(),
+                                   [](const SwarmFeed& each) { return each.reading == SwarmReading::any; });
+    std::shared_ptr<const Premise> passing;
+    if (premise)
+        passing = time_can_pass(waits ? read("the swarm's time",
+                                             "assert RUN({tock}) ||| CHAOS(diff(Events,{|tock|})) [F= Swarm__::Alone\n",
+                                             "time can pass when the environment does nothing")
+                                      : std::vector<cspm::DeclPtr>{});
     for (std::size_t k = 0; k < swarm.claims.size(); ++k) {
         Obligation one = obligation_of(swarm, swarm.claims[k], k + 1, time);
+        if (premised(swarm.claims[k])) one.premise = passing;
         const std::string text = assertion_text(swarm.claims[k], k + 1, time == Time::timed);
-        if (!text.empty()) one.assertions = read("the swarm's claims", text);
+        if (!text.empty()) one.assertions = read("the swarm's claims", text, one.title);
         emission.obligations.push_back(std::move(one));
     }
 }

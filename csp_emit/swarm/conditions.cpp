@@ -72,11 +72,18 @@ std::string Observation::text(const SwarmCondition& condition) const {
         case Kind::negation:
             return fmt::format("not ({})", text(condition.parts.front()));
         case Kind::both:
-            return fmt::format("({} and {})", text(condition.parts.front()), text(condition.parts.back()));
+            return chain(condition.parts, "and");
         case Kind::either:
-            return fmt::format("({} or {})", text(condition.parts.front()), text(condition.parts.back()));
+            return chain(condition.parts, "or");
     }
     return "";
+}
+
+/// In halves, so that the depth of the expression grows with the logarithm of their number.
+std::string Observation::chain(std::span<const SwarmCondition> parts, const char* word) const {
+    if (parts.size() == 1) return text(parts.front());
+    const std::size_t half = parts.size() / 2;
+    return fmt::format("({} {} {})", chain(parts.first(half), word), word, chain(parts.subspan(half), word));
 }
 
 std::string Observation::meaning() const {

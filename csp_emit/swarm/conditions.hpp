@@ -1,6 +1,7 @@
 // Conditions of a swarm's claims as events: what is seen of all robots at once.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ private:
 
     void collect(const SwarmCondition& condition);
     [[nodiscard]] std::string text(const SwarmCondition& condition) const;
+    [[nodiscard]] std::string chain(std::span<const SwarmCondition> parts, const char* word) const;
     [[nodiscard]] std::size_t place(const SwarmCondition& condition) const;
 
     std::string channel_;

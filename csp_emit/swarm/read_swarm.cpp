@@ -16,6 +16,7 @@ using diagnostics::Span;
 constexpr std::uint32_t most_robots = 8;
 constexpr std::uint32_t most_cells = 64;  // of one side
 constexpr int deepest_condition = 50;
+constexpr std::size_t most_conditions = 1'000;  // of all claims together
 
 class SwarmReader : public frontend::WordReader {
 public:
@@ -186,15 +187,17 @@ private:
         claim.text = text_since(from);
         swarm_.claims.push_back(std::move(claim));
     }
-    SwarmCondition either(int depth) {
-        SwarmCondition left = both(depth);
-        while (!failed() && take("or")) left = {SwarmCondition::Kind::either, 0, {std::move(left), both(depth)}};
-        return left;
-    }
-    SwarmCondition both(int depth) {
-        SwarmCondition left = single(depth);
-        while (!failed() && take("and")) left = {SwarmCondition::Kind::both, 0, {std::move(left), single(depth)}};
-        return left;
+    SwarmCondition either(int depth) { return chain(SwarmCondition::Kind::either, "or", &SwarmReader::both, depth); }
+    SwarmCondition both(int depth) { return chain(SwarmCondition::Kind::both, "and", &SwarmReader::single, depth); }
+    /// Operands of one operator are parts of one condition, so a long chain is no deep tree.
+    SwarmCondition chain(SwarmCondition::Kind kind, const char* word, SwarmCondition (SwarmReader::*part)(int),
+                         int depth) {
+        SwarmCondition first = (this->*part)(depth);
+        if (failed() || !at(word)) return first;
+        SwarmCondition all{kind, 0, {}};
+        all.parts.push_back(std::move(first));
+        while (!failed() && take(word)) all.parts.push_back((this->*part)(depth));
+        return all;
     }
     SwarmCondition single(int depth) {
         using Kind = SwarmCondition::Kind;
@@ -202,11 +205,19 @@ private:
             fail("a condition of fewer parentheses");
             return {};
         }
-        if (take("not")) return {Kind::negation, 0, {single(depth + 1)}};
+        if (take("not")) {
+            SwarmCondition negation{Kind::negation, 0, {}};
+            negation.parts.push_back(single(depth + 1));
+            return negation;
+        }
         if (take("(")) {
             SwarmCondition inside = either(depth + 1);
             expect(")");
             return inside;
+        }
+        if (++conditions_ > most_conditions) {
+            fail(fmt::format("at most {} conditions in a swarm", most_conditions));
+            return {};
         }
         if (take("apart")) return {Kind::apart, 0, {}};
         if (take("linked")) return {Kind::linked, distance(0), {}};
@@ -224,6 +235,7 @@ private:
 
     SwarmSize size_;
     Swarm swarm_;
+    std::size_t conditions_ = 0;
 };
 
 }  // namespace

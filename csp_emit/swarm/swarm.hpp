@@ -76,12 +76,12 @@ struct SwarmCondition {
         apart,   ///< no two are in one cell
         away,    ///< robot 0 is at least `distance` cells from where it began, by the shorter way round
         negation,
-        both,
-        either,
+        both,    ///< all parts hold
+        either,  ///< some part holds
     };
     Kind kind = Kind::linked;
     std::uint32_t distance = 1;
-    std::vector<SwarmCondition> parts;
+    std::vector<SwarmCondition> parts;  ///< negation: one; both, either: two or more; the others: none
 };
 
 enum class SwarmQuestion {
