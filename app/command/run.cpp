@@ -80,9 +80,14 @@ refine::LevelStrategy* Run::kept_searches() {
     settings.every = std::chrono::milliseconds(static_cast<std::int64_t>(options_.minutes_between * milliseconds));
     settings.ranks = std::max(1U, options_.threads);
     settings.program = diagnostics::program_identity();
+    settings.say = [](const std::string& what) { print_error("robochart-verify: {}\n", what); };
     settings.undisturbed = [this] { return std::make_shared<std::unique_lock<std::mutex>>(edit()); };
     kept_searches_ = std::make_unique<refine::KeptSearch>(std::move(settings));
     return kept_searches_.get();
+}
+
+void Run::all_asked() {
+    if (kept_searches_) kept_searches_->all_asked();
 }
 
 void Run::last_word(LastWord word) {

@@ -40,6 +40,8 @@ public:
     /// How searches are kept in files; null where that is not wanted. Throws UsageError, storage::BadFile or
     /// storage::CannotWrite where it cannot be.
     [[nodiscard]] refine::LevelStrategy* kept_searches();
+    /// The verb has asked all its questions: what was kept of their searches is removed if all are decided.
+    void all_asked();
     /// A signal has come.
     [[nodiscard]] bool interrupted() const { return signals_.load() > 0; }
 

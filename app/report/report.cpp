@@ -317,6 +317,13 @@ std::size_t Report::count(Answer answer) const {
     }));
 }
 
+bool Report::all_decided() const {
+    return limit.empty() && refused.empty() && !nothing_checked &&
+           std::none_of(assertions.begin(), assertions.end(), [](const AssertionReport& each) {
+               return each.answer == Answer::inconclusive || each.answer == Answer::error;
+           });
+}
+
 Exit Report::exit() const {
     const auto any = [&](Answer answer) { return count(answer) > 0; };
     const auto code = [&](conformance::Outcome outcome) {

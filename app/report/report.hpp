@@ -126,6 +126,8 @@ struct Report {
     std::string limit;             ///< why the run ended before everything was looked at; "" if it did not
 
     [[nodiscard]] Exit exit() const;
+    /// Whether each assertion was looked at and has an answer: nothing was refused or left out at a limit.
+    [[nodiscard]] bool all_decided() const;
     /// Assertions with this answer, without those that are information.
     [[nodiscard]] std::size_t count(Answer) const;
 };

@@ -432,7 +432,9 @@ Exit run_cspm(const Options& options) {
     }
     const bool some = exit != Exit::bad_input || !report.assertions.empty();
     if (options.format == Format::junit || (options.format == Format::text && some)) print_report(report, options);
-    return worse(exit, report.exit());
+    const Exit all = worse(exit, report.exit());
+    if ((all == Exit::success || all == Exit::failed) && report.all_decided()) options.run->all_asked();
+    return all;
 }
 
 }  // namespace robochart::app

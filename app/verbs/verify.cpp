@@ -483,6 +483,7 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
     note_nothing(options, report);
     const bool written = write_page(parts, options, report);
     const bool accepted = show_all(parts, options);
+    if (accepted && report.all_decided()) options.run->all_asked();
     const Exit exit = print_report(report, options);
     return accepted && written ? exit : Exit::bad_input;
 }

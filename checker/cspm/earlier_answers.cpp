@@ -16,18 +16,19 @@ namespace {
 
 /// A specification with more states is not looked at as a whole.
 constexpr std::size_t most_specification_states = 20'000;
-constexpr std::chrono::seconds longest_look(1);
 
 struct GivesUp {};
 
 /// All of a system that is run as terms; none where it is large or cannot be evaluated as a whole.
-std::optional<lts::Graph> whole(lts::TransitionSystem& system, const std::function<void()>& poll) {
-    const auto end = std::chrono::steady_clock::now() + longest_look;
+std::optional<lts::Graph> whole(lts::TransitionSystem& system, const std::function<void()>& poll,
+                                const std::optional<std::chrono::milliseconds>& longest) {
+    const auto start = std::chrono::steady_clock::now();
     try {
         return lts::explore(system,
                             [&](std::size_t states) {
                                 poll();
-                                if (states > most_specification_states || std::chrono::steady_clock::now() > end)
+                                const auto taken = std::chrono::steady_clock::now() - start;
+                                if (states > most_specification_states || (longest && taken > *longest))
                                     throw GivesUp();
                             })
             .graph;
@@ -51,14 +52,15 @@ machine::EventPlaces places(process::EventSet events) {
 
 }  // namespace
 
-std::optional<QuestionKey> key_of(const Question& question, const std::function<void()>& poll) {
+std::optional<QuestionKey> key_of(const Question& question, const std::function<void()>& poll,
+                                  const std::optional<std::chrono::milliseconds>& longest) {
     const machine::Supercombinator* const process = compiled(*question.process);
     if (process == nullptr) return std::nullopt;
     const machine::Supercombinator* specification = nullptr;
     std::optional<lts::Graph> graph;
     if (question.specification != nullptr) {
         specification = compiled(*question.specification);
-        if (specification == nullptr) graph = whole(*question.specification, poll);
+        if (specification == nullptr) graph = whole(*question.specification, poll, longest);
         if (specification == nullptr && !graph) return std::nullopt;
     }
     process::EventSet events;

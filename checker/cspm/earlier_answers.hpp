@@ -3,6 +3,7 @@
 // script.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -31,8 +32,13 @@ struct QuestionKey {
 };
 
 /// None where the process is not compiled, the specification is neither compiled nor small, or looking at all of it
-/// fails or takes long. Throws what `poll` throws.
-[[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll);
+/// fails or takes longer than `longest`. Without `longest`, whether there is one does not depend on the time that it
+/// takes. Throws what `poll` throws.
+[[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll,
+                                                const std::optional<std::chrono::milliseconds>& longest);
+
+/// For answers that are a help alone.
+inline constexpr std::chrono::milliseconds longest_look{1000};
 
 /// Where answers are kept, and of which searches.
 struct Memory {

@@ -212,7 +212,23 @@ struct Session::Impl {
         return text;
     }
 
+    /// A strategy by levels knows of each question before anything of it is worked out.
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
+        refine::LevelStrategy* const strategy = limits.by_levels;
+        if (strategy == nullptr) return decide_begun(assertion, limits, result);
+        strategy->begin_question(written(assertion));
+        refine::Verdict verdict;
+        try {
+            verdict = decide_begun(assertion, limits, result);
+        } catch (...) {
+            strategy->end_question(false);
+            throw;
+        }
+        strategy->end_question(verdict.outcome != refine::Outcome::inconclusive);
+        return verdict;
+    }
+
+    refine::Verdict decide_begun(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         const Assertion& asked = assertion.assertion;
         const refine::Model in = model(assertion);
         const auto start = std::chrono::steady_clock::now();
@@ -224,11 +240,11 @@ struct Session::Impl {
         const Polling polling(*this, evaluation);
         const auto ask = [&](refine::Earlier earlier) { return ask_of(both, assertion, in, limits, earlier); };
         if (limits.by_levels != nullptr)
-            return decide_by_levels(question_of(both, assertion, limits), assertion, *limits.by_levels, evaluation,
-                                    ask);
+            return decide_by_levels(question_of(both, assertion, limits), *limits.by_levels, evaluation, ask);
         if (memory.cache == nullptr || asked.kind == AssertionKind::has_trace) return ask(nullptr);
         const Question question = question_of(both, assertion, limits);
-        const auto key = key_of(question, [&evaluation] { evaluation.charge(); });
+        const auto key = key_of(
+            question, [&evaluation] { evaluation.charge(); }, longest_look);
         return key ? answer(question, *key, memory, ask) : ask(nullptr);
     }
 
@@ -244,23 +260,16 @@ struct Session::Impl {
 
     /// Such a search may go on from that of an earlier run, whatever bound ended it. Its answers have a place of their
     /// own, since figures of searches that find something are others.
-    refine::Verdict decide_by_levels(Question question, const Decl& assertion, refine::LevelStrategy& strategy,
-                                     refine::Budget& evaluation,
+    refine::Verdict decide_by_levels(Question question, refine::LevelStrategy& strategy, refine::Budget& evaluation,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask) {
         question.max_states = 0;
         std::optional<QuestionKey> key;
-        if (question.kind != AssertionKind::has_trace) key = key_of(question, [&evaluation] { evaluation.charge(); });
-        strategy.begin_question(written(assertion), key ? std::optional(key->digest) : std::nullopt);
-        refine::Verdict verdict;
-        try {
-            const Memory kept{strategy.answers(), memory.fewest_states};
-            verdict = key && kept.cache != nullptr ? answer(question, *key, kept, ask) : ask(nullptr);
-        } catch (...) {
-            strategy.end_question(false);
-            throw;
-        }
-        strategy.end_question(verdict.outcome != refine::Outcome::inconclusive);
-        return verdict;
+        if (question.kind != AssertionKind::has_trace)
+            key = key_of(
+                question, [&evaluation] { evaluation.charge(); }, std::nullopt);
+        strategy.identify_question(key ? std::optional(key->digest) : std::nullopt);
+        const Memory kept{strategy.answers(), 0};
+        return key && kept.cache != nullptr ? answer(question, *key, kept, ask) : ask(nullptr);
     }
 
     refine::Verdict ask_of(const Sides& both, const Decl& assertion, refine::Model in, const refine::Limits& limits,

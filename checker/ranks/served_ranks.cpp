@@ -58,6 +58,7 @@ void take_part(Exchange& exchange, const std::string& bytes, const refine::MakeR
 
 void serve(Exchange& exchange, const refine::MakeRowStore& make_store) {
     for (;;) {
+        exchange.begin_together();
         std::string job;
         exchange.broadcast(job);
         if (job.empty()) return;
@@ -65,9 +66,9 @@ void serve(Exchange& exchange, const refine::MakeRowStore& make_store) {
             take_part(exchange, job, make_store);
         } catch (const refine::RankLost&) {
             throw;
-        } catch (const std::bad_alloc&) {
-            // All ranks have left the search together (SharedWork), and rank 0 says why.
-        } catch (const std::runtime_error&) {
+        } catch (const std::exception&) {
+            // If all ranks have left the search together, rank 0 says why. Else others wait for this one.
+            if (!exchange.left_together()) throw;
         }
     }
 }

@@ -25,7 +25,7 @@ private:
 };
 
 /// What every other rank does: takes its part in each search, until rank 0 has no more. What ends a search is rank 0's
-/// to report.
+/// to report. Throws what has ended it at this rank alone, since the others wait for it.
 void serve(refine::Exchange& exchange, const refine::MakeRowStore& make_store = refine::memory_row_store);
 
 }  // namespace robochart::ranks

@@ -228,27 +228,65 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
     return parsed(path, std::string_view(text).substr(0, text.size() - sealed), kind);
 }
 
-std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind) {
-    std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> found;  // by number and ranks
+namespace {
+
+/// The checkpoints of all ranks of this number; none where they do not belong together. Throws BadFile.
+std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind, std::uint64_t number,
+                                 std::uint32_t ranks) {
+    std::vector<Checkpoint> all;
+    for (std::uint32_t rank = 0; rank < ranks; ++rank) {
+        const std::string name = name_of(number, {rank, ranks});
+        all.push_back(read(folder, kind, name));
+        const Checkpoint& one = all.back();
+        if (one.number != number || one.place != Place{rank, ranks})
+            throw BadFile(fmt::format("{}/{}: it does not belong to the others", diagnostics::shown(folder), name));
+        if (one.levels != all.front().levels) return {};
+    }
+    return all;
+}
+
+/// How many checkpoints there are by number and ranks.
+std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> counted(const std::string& folder) {
+    std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> found;
     for (const std::string& name : names_in(folder))
         if (const auto parts = named(name)) ++found[{parts->number, parts->place.ranks}];
+    return found;
+}
+
+/// The number of the newest complete checkpoint of so many ranks; 0: there is none. While others write and remove
+/// theirs, one that cannot be read does not count.
+std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t wanted) {
+    const auto found = counted(folder);
+    for (auto at = found.rbegin(); at != found.rend(); ++at) {
+        const auto [number, ranks] = at->first;
+        if (ranks != wanted || at->second != ranks) continue;
+        try {
+            if (!together(folder, kind, number, ranks).empty()) return number;
+        } catch (const BadFile&) {
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind) {
+    const auto found = counted(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {
         const auto [number, ranks] = at->first;
         if (at->second != ranks) continue;
-        std::vector<Checkpoint> all;
-        for (std::uint32_t rank = 0; rank < ranks; ++rank) {
-            const std::string name = name_of(number, {rank, ranks});
-            all.push_back(read(folder, kind, name));
-            const Checkpoint& one = all.back();
-            if (one.number != number || one.place != Place{rank, ranks} || one.levels != all.front().levels)
-                throw BadFile(fmt::format("{}/{}: it does not belong to the others", diagnostics::shown(folder), name));
-        }
-        return all;
+        if (std::vector<Checkpoint> all = together(folder, kind, number, ranks); !all.empty()) return all;
     }
     return {};
 }
 
-void remove_before(const std::string& folder, const RowKind& kind, std::uint64_t number, const Place& place) {
+std::uint64_t greatest_number(const std::string& folder) {
+    const auto found = counted(folder);
+    return found.empty() ? 0 : found.rbegin()->first.first;
+}
+
+void remove_old(const std::string& folder, const RowKind& kind, const Place& place) {
+    const std::uint64_t number = complete_number(folder, kind, place.ranks);
     const std::vector<std::string> names = names_in(folder);
     const auto mine = [&](const Place& other) {
         return other == place || (place.rank == 0 && other.ranks != place.ranks);

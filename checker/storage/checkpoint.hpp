@@ -50,12 +50,14 @@ void write(const std::string& folder, const RowKind& kind, const Checkpoint& che
 /// Reads one. Throws BadFile.
 [[nodiscard]] Checkpoint read(const std::string& folder, const RowKind& kind, const std::string& name);
 
-/// The newest complete checkpoint in a folder, that of each rank in the order of ranks; none where there is none.
+/// The newest complete checkpoint in a folder, that of each rank in the order of ranks; none where there is none. Those
+/// of a number do not belong together where a rank has closed more levels than another: then an older number counts.
 /// Throws BadFile.
 [[nodiscard]] std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind);
-/// Removes what is no longer needed in a folder once all ranks of `place` have a checkpoint of this number: older
-/// checkpoints, and files that no checkpoint names. Each rank removes its own; the first one also those of ranks that
-/// there are no more.
-void remove_before(const std::string& folder, const RowKind& kind, std::uint64_t number, const Place& place);
+/// The greatest number of a checkpoint in a folder, complete or not; 0: there is none.
+[[nodiscard]] std::uint64_t greatest_number(const std::string& folder);
+/// Removes what is no longer needed in a folder: checkpoints older than the newest complete one of so many ranks, and
+/// files that no checkpoint names. Each rank removes its own; the first one also those of ranks that there are no more.
+void remove_old(const std::string& folder, const RowKind& kind, const Place& place);
 
 }  // namespace robochart::storage

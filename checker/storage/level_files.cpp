@@ -44,6 +44,10 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
             if (entry.file != number)
                 throw BadFile(fmt::format("{}: level {} is in another file too",
                                           diagnostics::shown(files_.back().file->path()), level));
+            // They are found by their place in the level (read).
+            if (entry.count > 0 && blocks[i - 1].rows != RowFile::rows_of_block)
+                throw BadFile(fmt::format("{}: block {} has too few rows for one that others of its level follow",
+                                          diagnostics::shown(files_.back().file->path()), i - 1));
             ++entry.count;
             entry.rows += blocks[i].rows;
             rows_ += blocks[i].rows;
@@ -162,8 +166,7 @@ void LevelFiles::checkpoint(const Beside& beside) {
     made.unsure = save(beside.unsure);
     write(where_.folder, where_.kind, made);
     number_ = made.number;
-    // Where there are several ranks, others may not have written theirs yet.
-    remove_before(where_.folder, where_.kind, where_.place.ranks == 1 ? number_ : number_ - 1, where_.place);
+    remove_old(where_.folder, where_.kind, where_.place);
 }
 
 void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, const std::function<void()>& poll,

@@ -24,7 +24,8 @@ class LevelFiles {
 public:
     explicit LevelFiles(FolderOf where) : where_(std::move(where)) {}
 
-    /// Takes over the levels of a checkpoint of this rank; all its files are read and checked. Throws BadFile.
+    /// Takes over the levels of a checkpoint of this rank; all its files are read and checked. How many levels it has
+    /// is for the caller to bound. Throws BadFile.
     void adopt(const Checkpoint& checkpoint, const std::function<void()>& poll);
 
     [[nodiscard]] std::uint32_t levels() const { return static_cast<std::uint32_t>(levels_.size()); }
@@ -48,8 +49,8 @@ public:
         std::vector<std::pair<std::uint32_t, std::vector<Word>>> unsure;  ///< levels ascending
         std::vector<SavedFigures> expanded;
     };
-    /// Writes a checkpoint of all levels. Older ones of this rank are removed, but for the one before where there are
-    /// several ranks. Throws CannotWrite; then the one before counts.
+    /// Writes a checkpoint of all levels. Those of this rank that are older than the newest complete one are removed.
+    /// Throws CannotWrite; then the one before counts.
     void checkpoint(const Beside& beside);
     /// The number of the last checkpoint; 0: none.
     [[nodiscard]] std::uint64_t number() const { return number_; }

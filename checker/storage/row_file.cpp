@@ -101,6 +101,7 @@ RowFile::Check RowFile::check_of(std::size_t block, std::uint32_t level, std::ui
 }
 
 void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
+    if (!lost_.empty()) throw CannotWrite(lost_);
     const std::size_t blocks = blocks_.size();
     const std::uint64_t size = size_;
     try {
@@ -108,7 +109,7 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
         const std::size_t words = rows_of_block * kind_.width;
         for (std::size_t at = 0; at < rows.size(); at += words)
             write_block(level, rows.subspan(at, std::min(words, rows.size() - at)));
-    } catch (const CannotWrite&) {
+    } catch (...) {
         shorten(blocks, size);
         throw;
     }
@@ -163,12 +164,25 @@ Check check_of_end(const Check& head, std::string_view end, const std::vector<Ch
 }  // namespace
 
 void RowFile::finish() {
+    if (!lost_.empty()) throw CannotWrite(lost_);
+    const std::size_t blocks = blocks_.size();
+    const std::uint64_t size = size_;
+    try {
+        write_end();
+    } catch (const std::exception& error) {
+        lost_ = error.what();
+        shorten(blocks, size);
+        throw;
+    }
+    finished_ = true;
+    checks_ = {};
+}
+
+void RowFile::write_end() {
     const std::string end = end_of();
     end_check_ = check_of_end(head_check_, end, checks_);
     write(end + std::string(text_of(end_check_)));
     if (::fsync(file_.get()) != 0) cannot_write(path_, std::strerror(errno));
-    finished_ = true;
-    checks_ = {};
 }
 
 void RowFile::bad(std::uint64_t offset, const std::string& cause) const {

@@ -48,9 +48,10 @@ public:
     static RowFile open(const std::string& path, const RowKind& kind, const std::function<void()>& poll);
 
     /// Appends rows of one level, ascending, none twice, after those of this level that are there. Throws CannotWrite;
-    /// the file is then as it was before.
+    /// the file is then as it was before, also after any other exception.
     void append(std::uint32_t level, std::span<const Word> rows);
-    /// Nothing more is appended; what was is on the disk. Throws CannotWrite.
+    /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the blocks can still be read, but nobody
+    /// knows what of the file is on the disk, so that it can neither be finished nor grow any more.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
 
@@ -73,6 +74,7 @@ private:
     void shorten(std::size_t blocks, std::uint64_t size);
     void write_block(std::uint32_t level, std::span<const Word> rows);
     [[nodiscard]] std::string end_of() const;
+    void write_end();
     [[noreturn]] void bad(std::uint64_t offset, const std::string& cause) const;
     void read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const;
     void read_head();
@@ -86,6 +88,7 @@ private:
     std::uint64_t rows_ = 0;
     std::uint64_t size_ = 0;
     bool finished_ = false;
+    std::string lost_;  ///< why it could not be finished; "": it can still grow
     Check head_check_{};
     Check end_check_{};
     mutable std::string buffer_;

@@ -48,11 +48,17 @@ public:
     };
     [[nodiscard]] const Traffic& traffic() const { return traffic_; }
 
+    /// All ranks know that all leave what they do together (SharedWork), until `begin_together`.
+    void leave_together() { left_together_ = true; }
+    void begin_together() { left_together_ = false; }
+    [[nodiscard]] bool left_together() const { return left_together_; }
+
 protected:
     void count(const std::vector<Words>& out);
 
 private:
     Traffic traffic_;
+    bool left_together_ = false;
 };
 
 /// One rank alone.

@@ -1,9 +1,12 @@
 #include "checker/refine/levels/kept_levels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
 #include "checker/storage/sort_rows.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::refine {
 
@@ -17,12 +20,23 @@ KeptLevels::KeptLevels(KeptWhere where)
 KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
     const std::vector<storage::Checkpoint> found = storage::newest(where_.folder, where_.kind);
     Unsure unsure;
-    if (found.empty()) return unsure;
+    // Numbers that some ranks have used and others not are not used again.
+    const std::uint64_t greatest = storage::greatest_number(where_.folder);
+    if (found.empty()) {
+        files_.number_from(greatest);
+        if (greatest > 0 && where_.place.rank == 0 && where_.say)
+            where_.say(
+                fmt::format("{}: not all threads have written their part of a checkpoint; the search begins anew",
+                            diagnostics::shown(where_.folder)));
+        return unsure;
+    }
+    for (const storage::Checkpoint& each : found) check(each);
     const bool same = found.size() == where_.place.ranks;
     if (same)
         files_.adopt(found[where_.place.rank], where_.poll);
     else
         redistribute(found);
+    files_.number_from(greatest);
     const std::size_t width = where_.kind.width;
     const auto each_own = [&](std::span<const Word> rows, const auto& take) {
         for (std::size_t at = 0; at < rows.size(); at += width)
@@ -35,6 +49,9 @@ KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
             each_own(rows, [&](StateView row) { record.marks.insert(row); });
         });
         storage::LevelFiles::read_beside(from, each.unsure, where_.poll, [&](Level level, std::span<const Word> rows) {
+            if (level >= each.levels)
+                throw storage::BadFile(fmt::format("{}/{}: it has rows of level {}, which is not closed",
+                                                   diagnostics::shown(where_.folder), each.unsure.name, level));
             each_own(rows, [&](StateView row) { unsure.emplace_back(level, Words(row.begin(), row.end())); });
         });
         // Figures are summed up over ranks, so the first rank may have those of all.
@@ -47,6 +64,14 @@ KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
     }
     std::stable_sort(unsure.begin(), unsure.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return unsure;
+}
+
+/// Of each level but the last one there are figures, so that a number of levels takes no more memory than its text.
+void KeptLevels::check(const storage::Checkpoint& found) const {
+    if (found.levels > found.expanded.size() + 1)
+        throw storage::BadFile(
+            fmt::format("{}/{}: it has {} levels, and figures of {}", diagnostics::shown(where_.folder),
+                        storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
 /// The rows of this rank out of the files of all that there were.
@@ -70,7 +95,6 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found) {
         storage::sort_rows(rows, width);
         files_.add_level(rows);
     }
-    files_.number_from(found.front().number);
 }
 
 bool KeptLevels::checkpoint_due() const {

@@ -24,6 +24,8 @@ struct KeptWhere {
     std::function<bool(lts::StateView row)> mine;
     /// Called during long work; may throw.
     std::function<void()> poll;
+    /// Takes what the user should know, a sentence without its end; may be empty.
+    std::function<void(const std::string&)> say;
     /// While what it gives lives, a run that is to end is not ended by force; may be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
 };
@@ -50,6 +52,7 @@ public:
     }
 
 private:
+    void check(const storage::Checkpoint& found) const;
     void redistribute(const std::vector<storage::Checkpoint>& found);
 
     KeptWhere where_;

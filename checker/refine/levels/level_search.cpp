@@ -88,12 +88,17 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
         }
     } catch (const diagnostics::LimitReached&) {
         count(depth_ > 0 ? static_cast<Level>(depth_) : 0);
-        store_.checkpoint();
+        keep();
         throw;
     } catch (const std::bad_alloc&) {
-        store_.checkpoint();
+        keep();
         throw;
     }
+}
+
+/// Without a level there is nothing to go on from.
+void LevelSearch::keep() {
+    if (store_.levels() > 0) store_.checkpoint();
 }
 
 /// A level may be expanded again after others that were searched for taus alone.
@@ -119,7 +124,10 @@ void LevelSearch::begin() {
     });
     before_ = figures_until(store_.record().expanded.size());
     agree(0);
-    if (store_.levels() == 0) store_.close_level();
+    work_.attempt([this] {
+        if (store_.levels() == 0) store_.close_level();
+    });
+    work_.sum({});
 }
 
 /// In rounds, each of which ends with all ranks knowing what is left. The figures are added to those kept so far: the
@@ -147,7 +155,10 @@ void LevelSearch::expand_level(Level level) {
         }
         agree(store_.rows(level) - next);
         const std::uint64_t most = budget_.limits().max_states;
-        if (agreed_.known > most) throw LimitReached(fmt::format("the limit of {} states was reached", most));
+        if (agreed_.known > most) {
+            exchange_.leave_together();  // all ranks have the same sum
+            throw LimitReached(fmt::format("the limit of {} states was reached", most));
+        }
     } while (agreed_.waiting > 0);
     peak_bytes_ = std::max(peak_bytes_, bytes());
 }
@@ -429,6 +440,9 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
 }
 
 std::optional<LevelFinding> LevelSearch::first_divergence() {
+    // A limit in what follows leaves no rank the time for it.
+    work_.attempt([this] { keep(); });
+    work_.sum({});
     TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
     const std::optional<TauCycle> cycle = elimination.least_cycle();
     if (!cycle) return std::nullopt;

@@ -78,6 +78,7 @@ private:
     struct Step;
 
     void begin();
+    void keep();
     std::optional<LevelFinding> search();
     void expand_level(Level level);
     void expand_some(Level level, std::uint64_t& next);

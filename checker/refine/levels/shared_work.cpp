@@ -66,11 +66,12 @@ void SharedWork::sum(std::span<std::uint64_t> values) {
 void SharedWork::leave(bool by_limit) {
     const bool shown = failure_ && limit_ == by_limit;
     const std::vector<Words> texts = exchange_.gather(shown ? packed(words_of(failure_)) : Words{});
+    exchange_.leave_together();
     if (shown) std::rethrow_exception(failure_);
     const auto first = std::find_if(texts.begin(), texts.end(), [](const Words& text) { return !text.empty(); });
     const std::string why = first == texts.end() ? "another rank has ended" : unpacked(*first);
     if (by_limit) throw diagnostics::LimitReached(why);
-    throw std::runtime_error("rank " + std::to_string(first - texts.begin()) + ": " + why);
+    throw RankFailed("rank " + std::to_string(first - texts.begin()) + ": " + why);
 }
 
 }  // namespace robochart::refine

@@ -3,10 +3,17 @@
 
 #include <exception>
 #include <functional>
+#include <stdexcept>
 
 #include "checker/refine/levels/exchange.hpp"
 
 namespace robochart::refine {
+
+/// Another rank has met an error, which is not this one's.
+class RankFailed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 /// A rank that meets a limit or an error goes on taking part in what the ranks exchange, without doing more, until all
 /// of them hear of it at their next sum.
@@ -18,7 +25,7 @@ public:
     void attempt(const std::function<void()>& part);
     [[nodiscard]] bool failed() const { return failure_ != nullptr; }
     /// Exchange::sum. Where a rank has failed, all throw: that one what it has kept, the others LimitReached with its
-    /// words if that was a limit or memory that is not there, and else std::runtime_error.
+    /// words if that was a limit or memory that is not there, and else RankFailed.
     void sum(std::span<std::uint64_t> values);
 
 private:

@@ -3,7 +3,10 @@
 #include "checker/refine/levels/thread_exchange.hpp"
 
 #include <exception>
+#include <functional>
 #include <thread>
+
+#include "checker/refine/levels/shared_work.hpp"
 
 namespace robochart::refine {
 
@@ -17,9 +20,10 @@ public:
         count(out);
         meeting_.out_[rank_] = &out;
         meeting_.wait();
-        in.resize(ranks());
-        for (unsigned from = 0; from < ranks(); ++from) in[from] = (*meeting_.out_[from])[rank_];
-        meeting_.wait();
+        read([&] {
+            in.resize(ranks());
+            for (unsigned from = 0; from < ranks(); ++from) in[from] = (*meeting_.out_[from])[rank_];
+        });
     }
     void sum(std::span<std::uint64_t> values) override {
         meeting_.sums_[rank_].assign(values.begin(), values.end());
@@ -35,19 +39,31 @@ public:
         meeting_.out_[rank_] = &out;
         meeting_.wait();
         std::vector<Words> all;
-        for (const std::vector<Words>* each : meeting_.out_) all.push_back(each->front());
-        meeting_.wait();
+        read([&] {
+            for (const std::vector<Words>* each : meeting_.out_) all.push_back(each->front());
+        });
         return all;
     }
     void broadcast(std::string& bytes) override {
         meeting_.texts_[rank_] = &bytes;
         meeting_.wait();
-        const std::string first = *meeting_.texts_[0];
-        meeting_.wait();
-        bytes = first;
+        std::string first;
+        read([&] { first = *meeting_.texts_[0]; });
+        bytes = std::move(first);
     }
 
 private:
+    /// Then all wait, also where memory for what is read is not there: others may still read what this one has brought.
+    void read(const std::function<void()>& part) {
+        try {
+            part();
+        } catch (...) {
+            meeting_.wait();
+            throw;
+        }
+        meeting_.wait();
+    }
+
     Meeting& meeting_;
     unsigned rank_;
 };
@@ -77,24 +93,33 @@ void Meeting::leave() {
 
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work) {
     Meeting meeting(ranks);
-    std::vector<std::exception_ptr> errors(ranks), losses(ranks);
+    std::vector<std::exception_ptr> errors(ranks), heard(ranks), losses(ranks);
     const auto be = [&](unsigned rank) {
         try {
             work(*meeting.exchange(rank));
         } catch (const RankLost&) {
             losses[rank] = std::current_exception();
+        } catch (const RankFailed&) {
+            heard[rank] = std::current_exception();
         } catch (...) {
             errors[rank] = std::current_exception();
         }
-        if (errors[rank] || losses[rank]) meeting.leave();
+        if (errors[rank] || heard[rank] || losses[rank]) meeting.leave();
     };
     std::vector<std::thread> others;
-    for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(be, rank);
-    be(0);
+    try {
+        others.reserve(ranks);
+        for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(be, rank);
+        be(0);
+    } catch (...) {
+        // A thread cannot be started; the others lose it.
+        errors[0] = std::current_exception();
+        meeting.leave();
+    }
     for (std::thread& each : others) each.join();
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
-    if (losses[0]) std::rethrow_exception(losses[0]);
+    for (const auto* const kind : {&errors, &heard, &losses})
+        for (const std::exception_ptr& error : *kind)
+            if (error) std::rethrow_exception(error);
 }
 
 }  // namespace robochart::refine

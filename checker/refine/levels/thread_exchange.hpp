@@ -44,7 +44,8 @@ private:
 };
 
 /// Calls `work` in so many threads at once, the caller's among them as rank 0, and returns when all have ended. Throws
-/// what rank 0 has thrown, or else the first other rank that has not just lost another one.
+/// what the first rank has thrown that met an error itself, or else has heard of another's (RankFailed), or else has
+/// lost another one. Throws std::system_error where a thread cannot be started.
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work);
 
 }  // namespace robochart::refine

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -24,6 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* const questions_name = "questions";
 constexpr const char* const finished_prefix = "finished-";
+constexpr std::size_t search_digits = 16;
+constexpr std::size_t longest_line = 4096;
 constexpr std::string_view title = "robochart-verify questions 1";
 
 std::string hex(const diagnostics::Digest& digest) {
@@ -34,6 +37,7 @@ std::string hex(const diagnostics::Digest& digest) {
 
 diagnostics::Digest digest_of(const std::string& text) {
     diagnostics::Hasher hasher;
+    hasher.add(std::string_view("a question by its text alone"));
     hasher.add(std::string_view(text));
     return hasher.finish();
 }
@@ -48,15 +52,28 @@ std::string hex(const std::string& text) {
     throw storage::BadFile(fmt::format("{}: {}", diagnostics::shown(path), why));
 }
 
-/// A text in one line.
+/// A text in one line, of a long one its beginning.
 std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
+    constexpr std::size_t longest = 2000;
+    if (text.size() > longest) text.resize(longest);
+    for (char& byte : text)
+        if (byte == '\n' || byte == '\0') byte = ' ';
     return text;
+}
+
+/// The name of a search that is removed, as remove_searches gives it.
+bool is_finished(const std::string& name) {
+    constexpr std::string_view prefix = "finished-search-";
+    return name.size() == prefix.size() + search_digits && name.starts_with(prefix) &&
+           name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
 }  // namespace
 
 KeptSearch::KeptSearch(KeptSettings settings) : settings_(std::move(settings)) {
+    if (settings_.program.empty())
+        refuse(settings_.folder,
+               "this program was built without a build ID, by which it knows what it has written itself");
     std::error_code code;
     if (!settings_.resume) fs::create_directories(settings_.folder, code);
     const std::string shown = diagnostics::shown(settings_.folder);
@@ -67,21 +84,41 @@ KeptSearch::KeptSearch(KeptSettings settings) : settings_(std::move(settings)) {
         throw storage::CannotWrite(fmt::format("cannot write into {}: {}", shown, why));
     }
     if (::flock(folder_.get(), LOCK_EX | LOCK_NB) != 0) refuse(settings_.folder, "another run is using this folder");
-    const bool used = fs::exists(path(questions_name), code);
-    if (used && !settings_.resume)
-        refuse(settings_.folder,
-               "it has what an earlier run has found: --resume goes on from there; else name another folder");
-    if (!used && settings_.resume) refuse(settings_.folder, "there is no checkpoint in this folder");
     if (settings_.resume) {
+        if (!fs::exists(path(questions_name), code)) refuse(settings_.folder, "there is no checkpoint in this folder");
         read_questions();
         remove_finished();
+    } else {
+        take_empty_folder();
     }
     answers_.emplace(path("answers"), settings_.program, std::uint64_t{512} << 20U);
 }
 
-/// What is left is needed to go on, unless everything has been decided.
+/// From then on the folder is known as one of this program.
+void KeptSearch::take_empty_folder() const {
+    std::error_code code;
+    if (fs::exists(path(questions_name), code))
+        refuse(settings_.folder,
+               "it has what an earlier run has found: --resume goes on from there; else name another folder");
+    const bool empty = fs::is_empty(settings_.folder, code);
+    if (code) refuse(settings_.folder, code.message());
+    if (!empty) refuse(settings_.folder, "there are other files in this folder: name one that is empty or not there");
+    write_questions();
+}
+
+/// What is left is needed to go on, unless nothing was ever asked.
 KeptSearch::~KeptSearch() {
-    if (!all_decided_ || asked_.size() < earlier_.size() || asked_.empty()) return;
+    if (!asked_.empty() || !earlier_.empty() || !answers_) return;
+    std::error_code ignored;
+    fs::remove(path("answers"), ignored);  // a folder only if it is empty
+    fs::remove(path(questions_name), ignored);
+    fs::remove(settings_.folder, ignored);
+}
+
+void KeptSearch::all_asked() {
+    if (decided_ < asked_.size() || asked_.size() < earlier_.size() || asked_.empty()) return;
+    folders_ = std::move(answered_);
+    remove_searches();
     std::error_code ignored;
     fs::remove_all(path("answers"), ignored);
     fs::remove(path(questions_name), ignored);
@@ -90,53 +127,88 @@ KeptSearch::~KeptSearch() {
 
 void KeptSearch::read_questions() {
     const std::string file = path(questions_name);
+    std::error_code code;
+    if (fs::symlink_status(file, code).type() != fs::file_type::regular) refuse(file, "this is no file");
+    if (constexpr std::uintmax_t largest = std::uintmax_t{1} << 28U; fs::file_size(file, code) > largest || code)
+        refuse(file, "it is too large for a list of questions");
     std::ifstream in(file, std::ios::binary);
+    std::array<char, longest_line> buffer{};
     std::string line;
-    std::string program;
-    if (!std::getline(in, line) || line != title) refuse(file, "line 1: this is no list of questions of this program");
-    if (!std::getline(in, program)) refuse(file, "line 2: it was cut off");
-    if (program != hex(settings_.program))
+    const auto next_line = [&] {
+        if (!in.getline(buffer.data(), buffer.size())) return false;
+        line = buffer.data();
+        return true;
+    };
+    if (!next_line() || line != title) refuse(file, "line 1: this is no list of questions of this program");
+    if (!next_line()) refuse(file, "line 2: it was cut off");
+    if (line != hex(settings_.program))
         refuse(file, "line 2: another version of the program has written it, whose states may be others");
     constexpr std::size_t digits = 64;
-    for (std::size_t number = 3; std::getline(in, line); ++number) {
+    std::size_t number = 3;
+    for (; next_line(); ++number) {
         const bool good =
             line.size() > digits && line[digits] == ' ' && line.find_first_not_of("0123456789abcdef") == digits;
         if (!good) refuse(file, fmt::format("line {}: there is no question", number));
         earlier_.push_back({line.substr(0, digits), line.substr(digits + 1)});
     }
-    if (!in.eof()) refuse(file, "it cannot be read");
+    if (!in.eof()) refuse(file, fmt::format("line {}: it cannot be read, or is too long", number));
 }
 
 void KeptSearch::write_questions() const {
     std::string text = fmt::format("{}\n{}\n", title, hex(settings_.program));
-    const std::vector<Asked>& all = asked_.size() > earlier_.size() ? asked_ : earlier_;
+    // Those of this run, and behind them those that it has not asked yet.
+    std::vector<Asked> all = asked_;
+    if (earlier_.size() > all.size())
+        all.insert(all.end(), earlier_.begin() + static_cast<std::ptrdiff_t>(all.size()), earlier_.end());
     for (const Asked& each : all) text += fmt::format("{} {}\n", each.digest, each.text);
     if (const std::string error = diagnostics::replace_file(path(questions_name), text); !error.empty())
         throw storage::CannotWrite(error);
 }
 
-void KeptSearch::begin_question(const std::string& text, const std::optional<diagnostics::Digest>& digest) {
-    Asked asked{hex(digest ? *digest : digest_of(text)), one_line(text)};
+void KeptSearch::refuse_question(std::size_t place, const std::string& instead) const {
+    refuse(settings_.folder, fmt::format("it was written for question {}, `{}`, {}", place + 1,
+                                         diagnostics::shown(earlier_[place].text), instead));
+}
+
+/// As long as a question is not identified, it has the digest of its text.
+void KeptSearch::begin_question(const std::string& text) {
+    Asked asked{hex(digest_of(text)), one_line(text)};
     const std::size_t place = asked_.size();
-    if (place < earlier_.size() && earlier_[place].digest != asked.digest) {
-        const bool same_text = earlier_[place].text == asked.text;
-        refuse(
-            settings_.folder,
-            fmt::format("it was written for question {}, `{}`, {}", place + 1, diagnostics::shown(earlier_[place].text),
-                        same_text ? "about other processes or with other options"
-                                  : fmt::format("where this run asks `{}`", diagnostics::shown(asked.text))));
-    }
+    if (place < earlier_.size() && earlier_[place].text != asked.text)
+        refuse_question(place, fmt::format("where this run asks `{}`", diagnostics::shown(asked.text)));
     asked_.push_back(std::move(asked));
-    question_ = digest;
+    question_.reset();
     searches_ = 0;
     folders_.clear();
     if (asked_.size() > earlier_.size()) write_questions();
 }
 
+/// An earlier run may have been ended before it had identified the question.
+void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
+    Asked& asked = asked_.back();
+    const std::string unidentified = asked.digest;
+    if (digest) asked.digest = hex(*digest);
+    question_ = digest;
+    const bool again = asked_.size() <= earlier_.size();
+    const std::string& before = again ? earlier_[asked_.size() - 1].digest : unidentified;
+    if (before != unidentified && before != asked.digest)
+        refuse_question(asked_.size() - 1, "about other processes or with other options");
+    if (before != asked.digest) write_questions();
+    if (!digest && settings_.say)
+        settings_.say(
+            fmt::format("nothing is kept of the search for `{}`: its states have other numbers in each run, "
+                        "or what it depends on is too large to be looked at as a whole",
+                        diagnostics::shown(asked.text)));
+}
+
+/// A search that was decided is what is left of its answer where that was not kept.
 void KeptSearch::end_question(bool decided) {
+    if (decided) ++decided_;
+    const bool kept = question_ && answers_->find(*question_);
     question_.reset();
-    all_decided_ = all_decided_ && decided;
-    if (decided) remove_searches();
+    if (decided && kept) return remove_searches();
+    if (decided) answered_.insert(answered_.end(), folders_.begin(), folders_.end());
+    folders_.clear();
 }
 
 /// First all at once, by its name: a run that is killed must not leave half of it.
@@ -155,7 +227,7 @@ void KeptSearch::remove_finished() const {
     std::vector<fs::path> found;
     for (fs::directory_iterator at(settings_.folder, ignored); !ignored && at != fs::directory_iterator();
          at.increment(ignored))
-        if (at->path().filename().string().starts_with(finished_prefix)) found.push_back(at->path());
+        if (is_finished(at->path().filename().string())) found.push_back(at->path());
     for (const fs::path& each : found) fs::remove_all(each, ignored);
 }
 
@@ -176,8 +248,7 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
               question.events_until})
             hasher.add(part);
         const storage::RowKind kind{width, hasher.finish()};
-        constexpr std::size_t digits = 16;
-        const std::string folder = path("search-" + hex(kind.search).substr(0, digits));
+        const std::string folder = path("search-" + hex(kind.search).substr(0, search_digits));
         if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
             throw storage::CannotWrite(
                 fmt::format("cannot make the folder {}: {}", diagnostics::shown(folder), std::strerror(errno)));
@@ -192,7 +263,8 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
         bounds.report = on_end;
         make = [this, kind, folder, bounds, &budget](const LevelQuestion&, const lts::TransitionSystem&,
                                                      Exchange& exchange) -> std::unique_ptr<RowStore> {
-            KeptWhere where{folder, kind, {exchange.rank(), exchange.ranks()}, settings_.every, {}, {}, {}};
+            KeptWhere where{folder,        kind, {exchange.rank(), exchange.ranks()}, settings_.every, {}, {},
+                            settings_.say, {}};
             if (exchange.ranks() > 1)
                 where.mine = [rank = exchange.rank(), ranks = exchange.ranks()](lts::StateView row) {
                     return owner_of(lts::StateStore::hash(row), ranks) == rank;

@@ -24,11 +24,13 @@ namespace robochart::refine {
 
 struct KeptSettings {
     std::string folder;
-    bool resume = false;  ///< goes on from what is in the folder; else there may be nothing in it
+    bool resume = false;  ///< goes on from what is in the folder; else there is nothing in it, or it is not there
     bool disk = false;    ///< rows that memory does not hold stay in files
     std::chrono::milliseconds every = std::chrono::minutes(10);  ///< between checkpoints
     unsigned ranks = 1;
-    std::string program;  ///< its identity (diagnostics::program_identity)
+    std::string program;  ///< its identity (diagnostics::program_identity), not empty
+    /// Takes what the user should know, a sentence without its end; may be empty.
+    std::function<void(const std::string&)> say;
     /// While what it gives lives, the run is not ended by force.
     std::function<std::shared_ptr<void>()> undisturbed;
     // For tests: see DiskRowStore::Bounds.
@@ -39,14 +41,19 @@ struct KeptSettings {
 
 class KeptSearch final : public LevelStrategy {
 public:
-    /// Throws storage::BadFile where the folder has what another run has left, without `resume`; or with it, nothing
-    /// that this program can go on from. Throws storage::CannotWrite.
+    /// Throws storage::BadFile where the folder has anything in it, without `resume`; or with it, nothing that this
+    /// program can go on from; and where the program has no identity. Throws storage::CannotWrite.
     explicit KeptSearch(KeptSettings settings);
     ~KeptSearch() override;
 
     /// Throws storage::BadFile where the folder was written for another question at this place.
-    void begin_question(const std::string& text, const std::optional<diagnostics::Digest>& digest) override;
+    void begin_question(const std::string& text) override;
+    /// Throws storage::BadFile where it was written for this question about other processes.
+    void identify_question(const std::optional<diagnostics::Digest>& digest) override;
+    /// The searches of a question that is decided are removed where its answer is among `answers`.
     void end_question(bool decided) override;
+    /// If all have been decided, nothing of what was kept is left.
+    void all_asked() override;
     [[nodiscard]] diagnostics::Cache* answers() override { return answers_ ? &*answers_ : nullptr; }
     std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                     Statistics& statistics) override;
@@ -59,7 +66,9 @@ private:
         std::string digest;  ///< in hexadecimal
         std::string text;
     };
+    void take_empty_folder() const;
     void read_questions();
+    [[noreturn]] void refuse_question(std::size_t place, const std::string& instead) const;
     void write_questions() const;
     [[nodiscard]] std::string path(const std::string& name) const { return settings_.folder + "/" + name; }
     void remove_searches();
@@ -73,7 +82,8 @@ private:
     std::optional<diagnostics::Digest> question_;  ///< that is being decided
     std::uint64_t searches_ = 0;                   ///< of it
     std::vector<std::string> folders_;             ///< of these
-    bool all_decided_ = true;
+    std::vector<std::string> answered_;            ///< of questions that are decided, whose answers were not kept
+    std::size_t decided_ = 0;                      ///< questions of this run
 };
 
 }  // namespace robochart::refine

@@ -48,11 +48,15 @@ public:
     LevelStrategy(const LevelStrategy&) = delete;
     LevelStrategy& operator=(const LevelStrategy&) = delete;
     virtual ~LevelStrategy() = default;
-    /// The searches that follow belong to this question. The digest is of all that its answer depends on; none: that is
-    /// not known, or the states of its processes are not the same in every run.
-    virtual void begin_question(const std::string& /*text*/, const std::optional<diagnostics::Digest>& /*digest*/) {}
-    /// `decided`: nobody will ask it again.
+    /// This question is asked next. Nothing of it need be worked out yet.
+    virtual void begin_question(const std::string& /*text*/) {}
+    /// The searches that follow belong to the question begun. The digest is of all that its answer depends on; none:
+    /// that is not known, or the states of its processes are not the same in every run.
+    virtual void identify_question(const std::optional<diagnostics::Digest>& /*digest*/) {}
+    /// `decided`: it has its answer.
     virtual void end_question(bool /*decided*/) {}
+    /// No question follows, and none was left out.
+    virtual void all_asked() {}
     /// Where answers of earlier searches of this kind are kept, which have other figures than others; null: nowhere.
     [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
     /// What the question's search finds in the system. Throws LimitReached, also where the system cannot be searched in

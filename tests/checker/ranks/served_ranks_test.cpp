@@ -1,7 +1,9 @@
 // Searches whose other ranks know no more than what they are sent: the same answers, figures and runs as by one rank.
 #include <gtest/gtest.h>
 
+#include <new>
 #include <random>
+#include <span>
 
 #include "checker/machine/compiler.hpp"
 #include "checker/machine/transfer.hpp"
@@ -186,6 +188,29 @@ TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
         }
     }
     EXPECT_GT(refused, 100);
+}
+
+/// Of a rank that has no memory left for a sum: the others do not know.
+class ShortOfMemory final : public refine::Exchange {
+public:
+    [[nodiscard]] unsigned rank() const override { return 1; }
+    [[nodiscard]] unsigned ranks() const override { return 2; }
+    void all_to_all(const std::vector<refine::Words>& /*out*/, std::vector<refine::Words>& /*in*/) override {}
+    void sum(std::span<std::uint64_t> /*values*/) override { throw std::bad_alloc(); }
+    [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override { return {own, own}; }
+    void broadcast(std::string& bytes) override {
+        bytes = served_ ? "" : "no job";
+        served_ = true;
+    }
+
+private:
+    bool served_ = false;
+};
+
+// What the others do not know of is not passed over: they wait for this rank.
+TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
+    ShortOfMemory exchange;
+    EXPECT_THROW(serve(exchange, refine::memory_row_store), std::bad_alloc);
 }
 
 }  // namespace

@@ -156,6 +156,63 @@ TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
     EXPECT_EQ(newest(folder_.path(), where().kind).at(1).number, 2U);
 }
 
+// A rank that goes on writing checkpoints while another cannot does not remove what both have.
+TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
+    LevelFiles first(where({0, 2}));
+    LevelFiles second(where({1, 2}));
+    first.add_level(rows_of(0));
+    second.add_level(rows_of(0, 50));
+    first.checkpoint({});
+    second.checkpoint({});
+    for (std::uint32_t level = 1; level < 5; ++level) {
+        first.add_level(rows_of(level));
+        first.checkpoint({});
+    }
+    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].number, 1U);
+    for (const Checkpoint& each : found) {
+        LevelFiles files = adopted(each);
+        EXPECT_EQ(files.levels(), 1U);
+        expect_levels(files, each.place.rank * 50);
+    }
+    EXPECT_EQ(greatest_number(folder_.path()), 5U);
+}
+
+// Two of one number with other levels do not belong together; the ones before are still there.
+TEST_F(Levels, GoBackBehindCheckpointsOfOtherLevels) {
+    LevelFiles first(where({0, 2}));
+    LevelFiles second(where({1, 2}));
+    first.add_level(rows_of(0));
+    second.add_level(rows_of(0, 50));
+    first.checkpoint({});
+    second.checkpoint({});
+    first.add_level(rows_of(1));
+    first.add_level(rows_of(2));
+    second.add_level(rows_of(1, 50));
+    first.checkpoint({});
+    second.checkpoint({});
+    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].number, 1U);
+    for (const Checkpoint& each : found) EXPECT_EQ(adopted(each).levels(), 1U);
+}
+
+// Rows are found by their place in a level, which a short block in between would make wrong for ever.
+TEST_F(Levels, AreRefusedWithAShortBlockBeforeOthers) {
+    RowFile file = RowFile::create(folder_.path() + "/rows-0-of-1-0", where().kind);
+    file.append(0, std::vector<Word>{1, 1, 1});
+    file.append(0, std::vector<Word>{2, 2, 2});
+    file.finish();
+    Checkpoint made;
+    made.number = 1;
+    made.levels = 1;
+    made.files.push_back({"rows-0-of-1-0", 2, file.check()});
+    EXPECT_THROW((void)adopted(made), BadFile);
+    made.files[0].blocks = 1;
+    EXPECT_EQ(adopted(made).rows(), 1U);
+}
+
 TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
     std::mt19937 random(4);
     for (int round = 0; round < 10; ++round) {

@@ -240,5 +240,29 @@ TEST_F(RowFiles, SayThatTheDiskIsFull) {
     EXPECT_THAT(why, AllOf(HasSubstr("cannot write"), HasSubstr("/a: File too large")));
 }
 
+// It is not known what of the end is on the disk, so there is no second try.
+TEST_F(RowFiles, CannotBeFinishedAfterAFailure) {
+    RowFile file = RowFile::create(path("a"), kind(1));
+    file.append(0, std::vector<Word>{5, 6});
+    const std::uint64_t size = file.size();
+    const auto before = signal(SIGXFSZ, SIG_IGN);
+    rlimit usual{};
+    getrlimit(RLIMIT_FSIZE, &usual);
+    rlimit small = usual;
+    small.rlim_cur = size + 10;  // the end does not fit
+    setrlimit(RLIMIT_FSIZE, &small);
+    EXPECT_THROW(file.finish(), CannotWrite);
+    setrlimit(RLIMIT_FSIZE, &usual);
+    signal(SIGXFSZ, before);
+    EXPECT_EQ(std::filesystem::file_size(path("a")), size);
+    EXPECT_EQ(file.size(), size);
+    EXPECT_THROW(file.finish(), CannotWrite);
+    EXPECT_THROW(file.append(1, std::vector<Word>{1}), CannotWrite);
+    EXPECT_FALSE(file.finished());
+    std::vector<Word> rows;
+    file.read(0, rows);
+    EXPECT_EQ(rows, (std::vector<Word>{5, 6}));
+}
+
 }  // namespace
 }  // namespace robochart::storage

@@ -2,9 +2,14 @@
 // search is stopped again and again and goes on from its checkpoints, in another store, by other ranks; and if filters
 // of few bits take many new rows for old ones.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <random>
+#include <system_error>
 
 #include "checker/lts/graph.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
@@ -183,6 +188,155 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
         }
     }
     EXPECT_GT(stops, 50);
+}
+
+/// A system whose initial state nobody has the time for.
+class Endless final : public lts::TransitionSystem {
+public:
+    explicit Endless(const process::EventTable& events) : events_(events) {}
+    [[nodiscard]] std::size_t width() const override { return 1; }
+    void initial(std::span<lts::Word> /*state*/) override { throw LimitReached("no time"); }
+    void successors(lts::StateView /*state*/, lts::SuccessorSink& /*sink*/) override {}
+    [[nodiscard]] const process::EventTable& events() const override { return events_; }
+    [[nodiscard]] std::string describe(lts::StateView /*state*/) const override { return ""; }
+
+private:
+    const process::EventTable& events_;
+};
+
+// Without a level there is nothing that another run could read.
+TEST_F(KeptRows, HaveNoCheckpointBeforeTheFirstLevel) {
+    const process::EventTable table;
+    Endless system(table);
+    LoneExchange alone;
+    const Limits limits;
+    Budget budget(limits);
+    StateMonitor monitor(true);
+    for (const bool disk : {false, true}) {
+        clear();
+        std::unique_ptr<RowStore> store;
+        if (disk)
+            store = std::make_unique<DiskRowStore>(where(alone, 1), DiskRowStore::Bounds{});
+        else
+            store = std::make_unique<SavedRowStore>(where(alone, 1));
+        EXPECT_THROW(LevelSearch(system, monitor, *store, alone, budget, false).first_violation(), LimitReached);
+        EXPECT_EQ(storage::greatest_number(folder_.path()), 0U);
+    }
+}
+
+// What follows the last level may take long.
+TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
+    std::mt19937 random(8);
+    const Graph graph = random_graph(random, 300, false, 15);
+    const process::EventTable table;
+    lts::GraphSystem system(graph, table);
+    LoneExchange alone;
+    const Limits limits;
+    Budget budget(limits);
+    StateMonitor monitor(true);
+    SavedRowStore store(where(alone, 1));
+    LevelSearch search(system, monitor, store, alone, budget, true);
+    ASSERT_FALSE(search.first_violation());
+    EXPECT_TRUE(storage::newest(folder_.path(), where(alone, 1).kind).empty());
+    (void)search.first_divergence();
+    const auto found = storage::newest(folder_.path(), where(alone, 1).kind);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].levels, store.levels());
+}
+
+/// Why the checkpoint in the folder is refused.
+std::string refusal(const KeptWhere& where) {
+    try {
+        SavedRowStore store(where);
+    } catch (const storage::BadFile& refused) {
+        return refused.what();
+    }
+    return "";
+}
+
+TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
+    LoneExchange alone;
+    const KeptWhere where = this->where(alone, 1);
+    storage::LevelFiles files({where.folder, where.kind, where.place});
+    files.add_level(std::vector<lts::Word>{0});
+    files.checkpoint({});
+    EXPECT_EQ(refusal(where), "");
+    storage::Checkpoint made = storage::newest(where.folder, where.kind).at(0);
+    made.levels = 4'000'000'000;
+    storage::write(where.folder, where.kind, made);
+    EXPECT_NE(refusal(where).find("it has 4000000000 levels, and figures of 0"), std::string::npos);
+    clear();
+    storage::LevelFiles others({where.folder, where.kind, where.place});
+    others.add_level(std::vector<lts::Word>{0});
+    others.checkpoint({{}, {{7, {5}}}, {}});
+    EXPECT_NE(refusal(where).find("it has rows of level 7, which is not closed"), std::string::npos);
+}
+
+// Numbers that one rank alone has used are not used again, and nothing is passed over in silence.
+TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
+    LoneExchange alone;
+    KeptWhere where = this->where(alone, 1);
+    storage::LevelFiles files({where.folder, where.kind, {1, 2}});
+    files.number_from(6);
+    files.add_level(std::vector<lts::Word>{0});
+    files.checkpoint({});
+    std::string said;
+    where.say = [&](const std::string& what) { said += what; };
+    SavedRowStore store(where);
+    EXPECT_NE(said.find("the search begins anew"), std::string::npos);
+    const lts::Word row = 3;
+    store.enter({&row, 1}, lts::StateStore::hash({&row, 1}));
+    store.close_level();
+    store.checkpoint();
+    EXPECT_EQ(storage::newest(where.folder, where.kind).at(0).number, 8U);
+}
+
+// An error is that of the rank that has met it, whatever others have heard of it.
+TEST(Ranks, ThrowTheErrorOfTheRankThatHasMetIt) {
+    const auto work = [](Exchange& exchange) {
+        SharedWork shared(exchange);
+        shared.attempt([&] {
+            if (exchange.rank() == 1) throw storage::BadFile("damaged");
+        });
+        EXPECT_FALSE(exchange.left_together());
+        try {
+            shared.sum({});
+        } catch (...) {
+            EXPECT_TRUE(exchange.left_together());
+            throw;
+        }
+    };
+    EXPECT_THROW(as_ranks(3, work), storage::BadFile);
+}
+
+std::uint64_t virtual_pages() {
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages;
+}
+
+// No memory is left for the stacks of some of them.
+TEST(Ranks, EndWhereAThreadCannotBeStarted) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        rlimit limit{};
+        getrlimit(RLIMIT_AS, &limit);
+        limit.rlim_cur = virtual_pages() * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + (64U << 20U);
+        setrlimit(RLIMIT_AS, &limit);
+        try {
+            as_ranks(200, [](Exchange& exchange) { exchange.sum({}); });
+        } catch (const std::system_error&) {
+            _exit(3);
+        } catch (...) {
+            _exit(4);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3);
 }
 
 TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {

@@ -86,7 +86,8 @@ protected:
             limits.max_states = most_states;
             const process::EventTable table;
             lts::GraphSystem system(each.graph, table);
-            strategy.begin_question(each.text, digest(each.text));
+            strategy.begin_question(each.text);
+            strategy.identify_question(digest(each.text));
             const Verdict verdict = deadlock_free(system, Model::failures_divergences, limits);
             strategy.end_question(verdict.outcome != Outcome::inconclusive);
             all += each.text + " " + std::to_string(static_cast<int>(verdict.outcome)) + " " + verdict.reason + " " +
@@ -98,6 +99,7 @@ protected:
             }
             all += "\n";
         }
+        strategy.all_asked();
         return all;
     }
     std::string in_memory() {
@@ -120,7 +122,6 @@ TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
             KeptSearch search(settings(false, disk));
             search.on_end = [&](const DiskRowStore::Figures& figures) { rolled_back += figures.rolled_back; };
             EXPECT_EQ(decide(search), expected);
-            EXPECT_TRUE(there());
         }
         EXPECT_EQ(rolled_back > 0, disk);
         EXPECT_FALSE(fs::exists(kept())) << "all is decided";
@@ -218,12 +219,129 @@ TEST_F(KeptSearches, RefuseTheFolderOfAnother) {
     {
         KeptSearch search(settings(true, false));
         EXPECT_THAT(why([&] { KeptSearch second(settings(true, false)); }), HasSubstr("another run is using"));
-        EXPECT_THAT(why([&] { search.begin_question("holds", digest("otherwise")); }),
+        EXPECT_THAT(why([&] { search.begin_question("other"); }), HasSubstr("this run asks `other`"));
+        search.begin_question("holds");
+        EXPECT_THAT(why([&] { search.identify_question(digest("otherwise")); }),
                     HasSubstr("written for question 1, `holds`, about other processes or with other options"));
-        EXPECT_THAT(why([&] { search.begin_question("other", digest("other")); }), HasSubstr("this run asks `other`"));
     }
     std::ofstream(kept() + "/questions") << "x";
     EXPECT_THAT(why([&] { KeptSearch other(settings(true, false)); }), HasSubstr("questions: line 1"));
+}
+
+std::string refusal(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const storage::BadFile& refused) {
+        return refused.what();
+    }
+    return "";
+}
+
+TEST_F(KeptSearches, NeedTheIdentityOfTheProgram) {
+    KeptSettings own = settings(false, false);
+    own.program.clear();
+    EXPECT_THAT(refusal([&] { KeptSearch search(own); }), HasSubstr("without a build ID"));
+    EXPECT_FALSE(fs::exists(kept()));
+}
+
+TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
+    fs::create_directories(kept() + "/finished-work");
+    std::ofstream(kept() + "/finished-work/notes") << "mine";
+    EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false)); }), HasSubstr("there are other files"));
+    EXPECT_TRUE(fs::exists(kept() + "/finished-work/notes"));
+    EXPECT_FALSE(there());
+    fs::remove_all(kept());
+    {
+        KeptSearch search(settings(false, false));
+        search.begin_question("holds");
+    }
+    const std::vector<std::string> others{"finished-work", "finished-search-", "finished-search-0123456789abcdeg",
+                                          "finished-search-0123456789abcdef0"};
+    for (const std::string& each : others) fs::create_directory(kept() + "/" + each);
+    fs::create_directory(kept() + "/finished-search-0123456789abcdef");
+    KeptSearch search(settings(true, false));
+    for (const std::string& each : others) EXPECT_TRUE(fs::exists(kept() + "/" + each)) << each;
+    EXPECT_FALSE(fs::exists(kept() + "/finished-search-0123456789abcdef"));
+}
+
+TEST_F(KeptSearches, LeaveNothingWhereNothingWasAsked) {
+    { KeptSearch search(settings(false, false)); }
+    EXPECT_FALSE(fs::exists(kept()));
+}
+
+// Answers are needed until the verb says that all is decided.
+TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
+    const auto decided = [&](KeptSearch& search) {
+        search.begin_question("holds");
+        search.identify_question(digest("holds"));
+        search.answers()->keep(digest("holds"), "yes");
+        search.end_question(true);
+    };
+    {
+        KeptSearch search(settings(false, false));
+        decided(search);
+    }
+    {
+        KeptSearch search(settings(true, false));
+        EXPECT_EQ(search.answers()->find(digest("holds")), "yes");
+        decided(search);
+        search.begin_question("other");  // and is never identified
+        search.all_asked();
+    }
+    KeptSearch search(settings(true, false));
+    EXPECT_EQ(search.answers()->find(digest("holds")), "yes");
+    EXPECT_THAT(refusal([&] { search.begin_question("other"); }), HasSubstr("written for question 1, `holds`"));
+    decided(search);
+    search.all_asked();
+    EXPECT_TRUE(there()) << "one more was asked before";
+    search.begin_question("other");
+    search.identify_question(digest("other"));
+    search.end_question(true);
+    search.all_asked();
+    EXPECT_FALSE(fs::exists(kept()));
+}
+
+// What was searched is all that is left of an answer that was not kept.
+TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
+    const auto searches = [&] {
+        std::size_t count = 0;
+        for (const auto& each : fs::directory_iterator(kept()))
+            if (each.path().filename().string().starts_with("search-")) ++count;
+        return count;
+    };
+    for (const bool answered : {false, true}) {
+        KeptSearch search(settings(false, false));
+        Limits limits;
+        limits.by_levels = &search;
+        const process::EventTable table;
+        lts::GraphSystem system(asked_[0].graph, table);
+        search.begin_question("holds");
+        search.identify_question(digest("holds"));
+        EXPECT_EQ(deadlock_free(system, Model::failures, limits).outcome, Outcome::holds);
+        EXPECT_EQ(searches(), 1U);
+        if (answered) search.answers()->keep(digest("holds"), "yes");
+        search.end_question(true);
+        EXPECT_EQ(searches(), answered ? 0U : 1U);
+        search.all_asked();
+        EXPECT_FALSE(fs::exists(kept()));
+    }
+}
+
+TEST_F(KeptSearches, RefuseQuestionsThatAreNoList) {
+    {
+        KeptSearch search(settings(false, false));
+        search.begin_question("holds");
+    }
+    const auto why = [&] { return refusal([&] { KeptSearch search(settings(true, false)); }); };
+    EXPECT_EQ(why(), "");
+    std::ofstream(kept() + "/questions", std::ios::app) << digest("x").size() << std::string(10'000, 'a');
+    EXPECT_THAT(why(), HasSubstr("questions: line 4: it cannot be read, or is too long"));
+    fs::remove(kept() + "/questions");
+    fs::create_directory(kept() + "/questions");
+    EXPECT_THAT(why(), HasSubstr("questions: this is no file"));
+    fs::remove(kept() + "/questions");
+    fs::create_symlink("/dev/zero", kept() + "/questions");
+    EXPECT_THAT(why(), HasSubstr("questions: this is no file"));
 }
 
 }  // namespace
