@@ -82,6 +82,11 @@ public:
         return objection_.cause.empty() ? nullptr : &objection_;
     }
 
+    [[nodiscard]] bool decided() const override {
+        return std::none_of(robots_.begin(), robots_.end(),
+                            [](const Robot& each) { return each.given_up || !each.run.open().empty(); });
+    }
+
 private:
     struct Robot {
         RuleRun run;

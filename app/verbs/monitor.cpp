@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -74,6 +75,11 @@ public:
 
     [[nodiscard]] const simulation::Objection* objection() const override {
         return objection_.cause.empty() ? nullptr : &objection_;
+    }
+
+    [[nodiscard]] bool decided() const override {
+        return std::none_of(monitors_.begin(), monitors_.end(),
+                            [](const Monitor& each) { return each.verdict() == MonitorVerdict::unknown; });
     }
 
 private:

@@ -13,6 +13,9 @@
 
 namespace robochart::app {
 
+/// Said where a guard did not see all that it asks for, before what is said of the trials.
+inline constexpr const char* not_all_watched = "--monitor could not follow all that it asks for: not decided\n";
+
 class Monitors final : public simulation::Guard {
 public:
     Monitors(std::unique_ptr<conformance::MonitorBuild> build, const cpp_emit::DriveEmission& emission)

@@ -24,6 +24,8 @@ Exit run_verb(const Options& options) {
             return run_simulate(options);
         case Verb::step:
             return run_step(options);
+        case Verb::tune:
+            return run_tune(options);
         case Verb::validate:
             return run_validate(options);
         default:

@@ -141,7 +141,7 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
     else if (result.stopped())
         print("a controller stopped: see above\n");
     else
-        print("{}\n", simulation::summary(result));
+        print("{}{}\n", result.watched ? "" : not_all_watched, simulation::summary(result));
 }
 
 /// The first log that could not be written; set by the threads.
@@ -248,7 +248,9 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (options.format == Format::json) {
         if (unwritable) return show_diagnostics(project, options), exit;
-        print_exact(simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
+        print_exact(simulation::result_json(simulation->scenario, result,
+                                            simulation::guard_json(monitors.get(), result.watched), files,
+                                            static_cast<int>(exit)));
         return exit;
     }
     show_diagnostics(project, options);

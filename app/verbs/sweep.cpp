@@ -15,6 +15,7 @@
 #include "app/verbs/simulate.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "simulation/report/report.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "simulation/sweep/comparison.hpp"
 
@@ -130,7 +131,10 @@ private:
         if (!project.diagnostics.ok()) return refused(project);
         point.claims = found.claims;
         result_.interrupted = found.interrupted;
-        if (!found.interrupted && cache != nullptr) cache->keep(key, simulation::stored(found.claims));
+        if (result_.watched && !found.watched) unwatched_ = prepared_.monitors->note();
+        result_.watched = result_.watched && found.watched;
+        // What was not watched is to be said again.
+        if (!found.interrupted && found.watched && cache != nullptr) cache->keep(key, simulation::stored(found.claims));
         return std::nullopt;
     }
 
@@ -206,7 +210,8 @@ private:
         const Exit exit = exit_code();
         if (options_.format == Format::json)
             print_exact(simulation::sweep_json(scenario_, result_, simulation::comparison_json(scenario_, compared_),
-                                               files, static_cast<int>(exit)));
+                                               simulation::guard_json(prepared_.monitors.get(), result_.watched), files,
+                                               static_cast<int>(exit)));
         else
             print_text(files);
         return exit;
@@ -223,7 +228,8 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// Success where every point, or where values are tried until one is proved every least value, is decided.
+    /// Success where all that `--monitor` asks for was watched, and every point is decided, or where values are tried
+    /// until one is proved every least value.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
         if (std::any_of(compared_.begin(), compared_.end(),
@@ -238,7 +244,7 @@ private:
                 if (until_proved() && !scenario_.claims[c].estimate && !(found.value && found.certain))
                     return Exit::inconclusive;
             }
-        return Exit::success;
+        return result_.watched ? Exit::success : Exit::inconclusive;
     }
 
     void print_text(const std::vector<std::string>& files) const {
@@ -256,6 +262,7 @@ private:
             if (!files.empty()) print("\n");
         }
         if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached());
+        if (!result_.watched) print("{}{}", options_.quiet ? "" : unwatched_, not_all_watched);
         for (const std::string& line : simulation::least_lines(scenario_, result_)) print("{}\n", line);
         if (!options_.compare.empty()) print("{}\n", simulation::comparison_summary(scenario_, compared_));
     }
@@ -267,6 +274,7 @@ private:
     Prepared prepared_;
     bool shown_ = false;
     std::string rules_text_;                   ///< of `--monitor RULES.sleec`
+    std::string unwatched_;                    ///< the guard's note where it first did not see all
     std::vector<simulation::TableRow> table_;  ///< of `--compare`
     std::vector<simulation::Compared> compared_;
     simulation::SweepResult result_;

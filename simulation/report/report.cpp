@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "diagnostics/json.hpp"
@@ -171,8 +172,16 @@ std::string run_text(const Scenario& scenario, const RunResult& result) {
         result.seconds, seconds / std::max(result.seconds, 1e-9), steps / std::max(result.cpu_seconds, 1e-9) / 1e6);
 }
 
-std::string result_json(const Scenario& scenario, const RunResult& result, const std::vector<std::string>& files,
-                        int exit) {
+Json guard_json(const Guard* guard, bool complete) {
+    if (guard == nullptr) return {};
+    Json notes = Json::array();
+    std::istringstream lines(guard->note());
+    for (std::string line; std::getline(lines, line);) notes.push_back(line.substr(line.find_first_not_of(' ')));
+    return {{"complete", complete}, {"notes", std::move(notes)}};
+}
+
+std::string result_json(const Scenario& scenario, const RunResult& result, Json guard,
+                        const std::vector<std::string>& files, int exit) {
     const Json json{{"schema", "robochart-verify/simulation/1"},
                     {"scenario", scenario.name.text},
                     {"component", scenario.component.text},
@@ -187,6 +196,7 @@ std::string result_json(const Scenario& scenario, const RunResult& result, const
                     {"bands", bands_json(scenario, result)},
                     {"claims", claims_json(scenario, result)},
                     {"world", world_lines(scenario)},
+                    {"monitor", std::move(guard)},
                     {"files", files},
                     {"exit", exit}};
     return diagnostics::json_text(json) + "\n";

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "diagnostics/json.hpp"
 #include "simulation/report/run.hpp"
 
 namespace robochart::simulation {
@@ -15,8 +17,10 @@ namespace robochart::simulation {
 [[nodiscard]] std::string summary(const RunResult&);
 /// The run itself: trials, seconds simulated, speed.
 [[nodiscard]] std::string run_text(const Scenario&, const RunResult&);
-/// Schema "robochart-verify/simulation/1" (docs/cli.md).
-[[nodiscard]] std::string result_json(const Scenario&, const RunResult&, const std::vector<std::string>& files,
-                                      int exit);
+/// What a guard says of a run, for JSON: `complete`, `notes`; null without one. `complete`: all was watched.
+[[nodiscard]] diagnostics::Json guard_json(const Guard*, bool complete);
+/// Schema "robochart-verify/simulation/1" (docs/cli.md). `guard`: what one says of the run.
+[[nodiscard]] std::string result_json(const Scenario&, const RunResult&, diagnostics::Json guard,
+                                      const std::vector<std::string>& files, int exit);
 
 }  // namespace robochart::simulation

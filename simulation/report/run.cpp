@@ -56,6 +56,7 @@ public:
         result_.interrupted = stop_.load();
         result_.stops_are_errors = !scenario_.bands.empty() || scenario_.claims.empty();
         for (const ClaimJudge& each : judges_) result_.claims.push_back(each.result());
+        result_.watched = watched();
         for (Done& each : trials_) {
             const bool whole = result_.trials.size() < whole_;
             result_.steps += whole ? each.trial.steps : each.needed;
@@ -118,6 +119,7 @@ private:
         options.steps_done = &steps_;
         options.interrupted = trial < whole_ ? &stop_ : &enough_;
         done.trial = run_trial(plan_, drive_, *stage, options);
+        done.trial.watched = trace == nullptr || trace->decided();
     }
 
     /// Judges the claims on the trials that have ended without a gap.
@@ -149,6 +151,14 @@ private:
             if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
             if (options_.progress) options_.progress(progress());
         }
+    }
+
+    /// Of trials beyond those that the claims rest on, which threads may have begun, nothing is asked.
+    [[nodiscard]] bool watched() const {
+        std::uint64_t asked = whole_;
+        for (const ClaimResult& each : result_.claims) asked = std::max<std::uint64_t>(asked, each.trials());
+        const auto end = trials_.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(asked, trials_.size()));
+        return std::all_of(trials_.begin(), end, [](const Done& each) { return each.trial.watched; });
     }
 
     [[nodiscard]] RunProgress progress() const {
@@ -250,9 +260,9 @@ bool RunResult::fails() const {
 }
 
 bool RunResult::holds() const {
-    return !fails() && !interrupted && std::none_of(claims.begin(), claims.end(), [](const ClaimResult& claim) {
-        return claim.verdict == ClaimVerdict::open;
-    });
+    return !fails() && !interrupted && watched &&
+           std::none_of(claims.begin(), claims.end(),
+                        [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::open; });
 }
 
 std::uint32_t whole_trials(const Scenario& scenario, bool record) {

@@ -46,6 +46,7 @@ struct RunResult {
     std::vector<BandResult> bands;
     std::vector<ClaimResult> claims;
     bool interrupted = false;
+    bool watched = true;           ///< TrialResult::watched of all trials that bands and claims rest on
     bool stops_are_errors = true;  ///< else, where only claims are asked, a trial that stops is one against them
     std::uint64_t steps = 0;       ///< control steps of these trials, and of those that were only for claims
     double seconds = 0;            ///< on the clock
@@ -55,7 +56,8 @@ struct RunResult {
     [[nodiscard]] bool stopped() const;
     /// A band or a claim fails, or a controller stopped.
     [[nodiscard]] bool fails() const;
-    /// All trials complete, all bands and all claims hold. Neither holds nor fails: a claim is open.
+    /// All trials complete and watched, all bands and all claims hold. Neither holds nor fails: a claim is open, or not
+    /// all was watched.
     [[nodiscard]] bool holds() const;
 };
 

@@ -218,7 +218,7 @@ std::string sweep_trials_csv(const Scenario& scenario, const SweepResult& result
     return out;
 }
 
-std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json comparison,
+std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json comparison, Json guard,
                        const std::vector<std::string>& files, int exit) {
     Json points = Json::array();
     for (const PointResult& point : result.points) {
@@ -249,6 +249,7 @@ std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json
                     {"least", least_lines(scenario, result)},
                     {"comparison", std::move(comparison)},
                     {"world", world_lines(scenario)},
+                    {"monitor", std::move(guard)},
                     {"robotSteps", result.robot_steps(scenario)},
                     {"wholeRobotSteps", result.whole_robot_steps(scenario)},
                     {"earlier", result.earlier},

@@ -13,6 +13,7 @@ namespace robochart::simulation {
 struct SweepResult {
     std::vector<PointResult> points;  ///< all of them, those not looked at without claims
     bool interrupted = false;
+    bool watched = true;      ///< RunResult::watched of all points
     std::size_t earlier = 0;  ///< points that an earlier run had decided
     double seconds = 0;
     double cpu_seconds = 0;
@@ -35,8 +36,8 @@ struct SweepResult {
 /// A row for each trial.
 [[nodiscard]] std::string sweep_trials_csv(const Scenario&, const SweepResult&);
 /// Schema "robochart-verify/sweep/1" (docs/cli.md).
-/// `comparison`: with earlier trials.
+/// `comparison`: with earlier trials; `guard`: report/report.hpp, guard_json, of the last controller.
 [[nodiscard]] std::string sweep_json(const Scenario&, const SweepResult&, diagnostics::Json comparison,
-                                     const std::vector<std::string>& files, int exit);
+                                     diagnostics::Json guard, const std::vector<std::string>& files, int exit);
 
 }  // namespace robochart::simulation

@@ -30,6 +30,9 @@ public:
                        rc_drive_result result) = 0;
     /// Asked after each cycle; null: go on.
     [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
+    /// Asked at the end of the trial: whether it saw all that its objections rest on. False: that it had none says
+    /// less.
+    [[nodiscard]] virtual bool decided() const { return true; }
 };
 
 /// Watches all trials of a run.
@@ -54,6 +57,7 @@ struct Stop {
 struct TrialResult {
     std::uint64_t steps = 0;  ///< control steps done
     bool complete = false;    ///< neither stopped nor interrupted: at its end, or all claims are known
+    bool watched = true;      ///< by its trace, which saw all that it asks for; so too without one
     std::optional<Stop> stop;
     std::vector<double> statistics;  ///< of each band; NaN: never came about
     std::vector<Answer> answers;     ///< of each claim; a trial that stopped is one against it

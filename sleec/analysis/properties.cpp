@@ -1,7 +1,7 @@
 // See properties.hpp. A shortest history begins with the occurrences of the property, at one instant; every other one
 // fulfils a duty that is open, or ends it: leaving the others out breaks no rule, since they only open duties. The
 // history goes on for ever if it comes to a state in which silence keeps what is open, or to a part of the graph in
-// which seconds pass again and again and every duty without limit is fulfilled somewhere.
+// which seconds pass again and again and every duty without limit is fulfilled or ended.
 #include "sleec/analysis/properties.hpp"
 
 #include <fmt/format.h>
@@ -234,19 +234,31 @@ private:
         return found;
     }
 
+    /// Whether a run through all of these states and all steps between them, again and again, is one: seconds pass, and
+    /// no duty stays open for ever. One does iff each of the steps leaves it as it is: then no run in here ends it.
+    /// Another step may open the same duty anew where it ends one: it is in every state then, and yet fulfilled.
     [[nodiscard]] bool passes(std::span<const StateIndex> members) const {
         const std::set<StateIndex> inside(members.begin(), members.end());
         bool time = false;
-        std::set<std::size_t> waiting;  // duties without limit that are open in every state
-        for (const StateIndex state : members) {
-            for (const Step& each : steps_[state]) time = time || (!each.happening && inside.contains(each.target));
-            std::set<std::size_t> open;
-            for (const OpenDuty& each : states_[state].open)
-                if (without_limit(each)) open.insert(each.obligation);
-            if (state == members.front()) waiting = open;
-            std::erase_if(waiting, [&](std::size_t each) { return !open.contains(each); });
-        }
-        return time && waiting.empty();
+        std::vector<OpenDuty> left;  // that no step yet has ended or changed
+        for (const OpenDuty& each : states_[members.front()].open)
+            if (without_limit(each)) left.push_back(each);
+        for (const StateIndex state : members)
+            for (const Step& step : steps_[state]) {
+                if (!inside.contains(step.target)) continue;
+                time = time || !step.happening;
+                std::erase_if(left, [&](const OpenDuty& each) { return !leaves(step, each); });
+            }
+        return time && left.empty();
+    }
+
+    /// Whether the duty is behind the step what it is before it.
+    [[nodiscard]] bool leaves(const Step& step, const OpenDuty& duty) const {
+        const Obligation& obligation = obligations_[duty.obligation];
+        Progress progress = duty.progress;
+        const Effect effect =
+            step.happening ? take_event(obligation, progress, step.happening->event) : take_tock(obligation, progress);
+        return effect == Effect::open && progress == duty.progress;
     }
 
     /// Only a demand without limit is left of it.

@@ -290,6 +290,70 @@ TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
     EXPECT_THAT(ran.out, HasSubstr("not followed: Other: the controller has no event and no operation 'Alarm'\n"));
 }
 
+/// Two seconds without bands, which are a success unless a rule is broken or not followed.
+Ran guarded_briefly(const std::string& rules, const std::string& asked, const std::vector<std::string>& options) {
+    std::string measures;
+    for (int i = 0; i < 13; ++i) measures += " measure m" + std::to_string(i) + " : boolean";
+    const Folder folder(
+        {{"aggregation.rct", tests::contents(repository("corpus/aggregation/aggregation.rct"))},
+         {"brief.scenario",
+          "scenario Brief for aggregation::Aggregation {\n"
+          "step 0.1 s physics 0.01 s unit 0.1 s duration 2 s seed 1\narena 250 cm by 250 cm\n"
+          "robots 3 { radius 3.7 cm axle 5.1 cm wheel 12.8 cm/s\n"
+          "place random in (-125 cm, -125 cm) to (125 cm, 125 cm) }\n"
+          "sensor eye is line_of_sight\nfeed seeRobot with eye.robot\nfeed seeWall with eye.clear\n"
+          "actuator motors is differential_drive\n"
+          "drive motors by speeds(linearSpeed in cm/s, angularSpeed in rad/s)\nmeasure spread is spread\n" +
+              asked + "}\n"},
+         {"a.sleec",
+          "def_start\nevent seeRobot event seeWall" + measures + "\ndef_end\nrule_start\n" + rules + "\nrule_end\n"}});
+    std::vector<std::string> arguments{"simulate", folder / "brief.scenario", folder / "a.sleec", "--monitor",
+                                       "--no-pictures"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+}
+
+const std::string unread = "One when seeWall and m0 then not seeRobot within 0 seconds";
+
+/// As conform says of logs: what was not looked at is no success.
+TEST(RulesOfSimulations, ThatCannotBeFollowedAreNoSuccess) {
+    const Ran all = guarded_briefly("One when seeWall then not seeRobot within 0 seconds", "", {"--format", "json"});
+    EXPECT_EQ(all.exit, 0) << all.err;
+    const auto followed = nlohmann::json::parse(all.out).at("monitor");
+    EXPECT_EQ(followed.at("complete"), true);
+    EXPECT_THAT(followed.at("notes").at(0).get<std::string>(), HasSubstr("1 followed; robots watched: 3"));
+
+    const Ran some = guarded_briefly(unread, "", {"--format", "json"});
+    EXPECT_EQ(some.exit, 3) << some.err;
+    const auto skipped = nlohmann::json::parse(some.out);
+    EXPECT_EQ(skipped.at("exit"), 3);
+    EXPECT_EQ(skipped.at("monitor").at("complete"), false);
+    EXPECT_THAT(skipped.at("monitor").at("notes").at(1).get<std::string>(),
+                HasSubstr("One: of 3 robots some triggers were not followed"));
+    const Ran text = guarded_briefly(unread, "", {"--quiet"});
+    EXPECT_EQ(text.exit, 3);
+    EXPECT_THAT(text.out, HasSubstr("--monitor could not follow all that it asks for: not decided\n"));
+
+    std::string many = "m0";
+    for (int i = 1; i < 13; ++i) many += " and m" + std::to_string(i);
+    const Ran given_up =
+        guarded_briefly("One when seeWall and " + many + " then not seeRobot within 0 seconds", "", {});
+    EXPECT_EQ(given_up.exit, 3) << "8,192 combinations of values";
+    EXPECT_THAT(given_up.out, HasSubstr("robots were not followed to the end: "));
+}
+
+TEST(RulesOfSimulations, ThatCannotBeFollowedAreNoSuccessOfASweep) {
+    const std::string asked =
+        "vary robots in 2 to 3\ntrials 5\nestimate probability spread >= 0 cm at 1 s with confidence 90 %\n";
+    EXPECT_EQ(guarded_briefly("One when seeWall then not seeRobot within 0 seconds", asked, {}).exit, 0);
+    const Ran some = guarded_briefly(unread, asked, {"--format", "json"});
+    EXPECT_EQ(some.exit, 3) << some.err;
+    EXPECT_EQ(nlohmann::json::parse(some.out).at("monitor").at("complete"), false);
+    const Ran text = guarded_briefly(unread, asked, {});
+    EXPECT_EQ(text.exit, 3);
+    EXPECT_THAT(text.out, HasSubstr("some triggers were not followed"));
+}
+
 TEST(RulesOfSimulations, WrongUseIsSaid) {
     EXPECT_EQ(guarded("R when seeWall then Alarm within 5 seconds").exit, 2) << "nothing is followed";
     EXPECT_EQ(guarded("R when seeWall then").exit, 2);

@@ -93,6 +93,28 @@ TEST(SleecProperties, HistoriesAreEndless) {
         << "LEGOS: at once";
 }
 
+/// An occurrence that fulfils or ends a duty and opens an equal one: some instance is open at every instant, but none
+/// stays open for ever.
+TEST(SleecProperties, ADutyMayBeOpenedAnewWhereItIsFulfilled) {
+    EXPECT_EQ(ask("A when Go then Go", "exists Go").answer, Answer::yes) << "Go every second";
+    EXPECT_EQ(
+        ask("A when Go then Stop unless Go\nB when Go then Go within 1 seconds\nC when Go then not Stop", "exists Go")
+            .answer,
+        Answer::yes)
+        << "each Go ends what the last one asked for";
+    EXPECT_EQ(
+        ask("A when Go then Stop\nB when Go then Go within 1 seconds\nC when Go then not Stop", "exists Go").answer,
+        Answer::no)
+        << "nothing ends it";
+    const std::string rules =
+        "A when Go then Stop within 5 seconds otherwise Alarm\nB when Go then Go within 1 seconds\n"
+        "C when Go then not Stop\n";
+    EXPECT_EQ(ask(rules, "exists Go").answer, Answer::yes)
+        << "Go and Alarm every second: Alarm is what the Go of five seconds ago asks for, never what the last one does";
+    EXPECT_EQ(ask(rules + "D when Go then not Alarm within 1 seconds", "exists Go").answer, Answer::no)
+        << "there is no second without a Go in it or before it";
+}
+
 TEST(SleecProperties, WhatIsNotDecidedIsSaid) {
     Read read(with_definitions("A when Go and (({level} + 1) > 3) then Stop") +
               "purpose_start p exists Go purpose_end\n");
