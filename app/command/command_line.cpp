@@ -10,6 +10,7 @@
 
 #include "app/command/help.hpp"
 #include "app/command/option_table.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {
@@ -212,7 +213,7 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
     for (const std::string& text : o.constants) {
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0)
-            error = fmt::format("--const {}: expected NAME=VALUE", text);
+            error = fmt::format("--const {}: expected NAME=VALUE", diagnostics::shown(text));
         else
             result.constants[text.substr(0, equals)] = text.substr(equals + 1);
     }
@@ -226,9 +227,9 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
                           parse_number(view.substr(equals + 1, dots - equals - 1), low) &&
                           parse_number(view.substr(dots + 2), high);
         if (!good)
-            error = fmt::format("--range {}: expected TYPE=LOW..HIGH", text);
+            error = fmt::format("--range {}: expected TYPE=LOW..HIGH", diagnostics::shown(text));
         else if (low > high)
-            error = fmt::format("--range {}: the range is empty", text);
+            error = fmt::format("--range {}: the range is empty", diagnostics::shown(text));
         else
             result.ranges[text.substr(0, equals)] = {low, high};
     }

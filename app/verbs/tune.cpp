@@ -38,7 +38,7 @@ std::pair<std::string, std::string> split(const std::string& option) {
 
 std::string with_constants(const Pairs& constants) {
     std::vector<std::string> words;
-    for (const auto& [name, value] : constants) words.push_back(fmt::format("{}={}", name, value));
+    for (const auto& [name, value] : constants) words.push_back(diagnostics::shown(fmt::format("{}={}", name, value)));
     return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -73,12 +73,14 @@ std::string evidence_text(const Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
     for (const DecidedItem& each : evidence.assertions)
         if (each.answer != "holds" && each.answer != "no check")
-            out += fmt::format("  {:<12} {}\n", each.answer, each.subject);
-    for (const DecidedItem& each : evidence.conformance) out += fmt::format("  {:<12} {}\n", each.answer, each.subject);
+            out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::shown(each.subject));
+    for (const DecidedItem& each : evidence.conformance)
+        out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::shown(each.subject));
     out += fmt::format("claims, on seeds from {} on\n", evidence.seed);
     for (const DecidedClaim& each : evidence.claims)
-        out += fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
-                           each.claim, each.successes, each.trials, 100 * each.low, 100 * each.high);
+        out +=
+            fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
+                        diagnostics::shown(each.claim), each.successes, each.trials, 100 * each.low, 100 * each.high);
     return out;
 }
 
@@ -489,8 +491,10 @@ private:
         std::optional<Certificate> certified;
         if (source) certified = read_certificate(project_->sources.text(*source), error);
         if (!certified)
-            report(fmt::format("--verify-certificate {}: {}", diagnostics::shown(asked_.certificate), error));
+            report(fmt::format("--verify-certificate {}: {}", diagnostics::shown(asked_.certificate),
+                               diagnostics::shown(error)));
         if (!asked_.constants.empty()) report("the constants are those of the certificate: no --const beside it");
+        if (!asked_.ranges.empty()) report("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
         if (!project_->diagnostics.ok()) return refused();
         for (const auto& [name, value] : certified->constants)
@@ -502,13 +506,19 @@ private:
         return print_comparison(*certified);
     }
 
+    /// A certificate that says truly that something fails is no success either.
     Exit print_comparison(const Certificate& certified) const {
         const std::vector<std::string> lines = differences(certified.evidence, certificate_.evidence);
-        const Exit exit = lines.empty() ? Exit::success : Exit::failed;
+        const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
         if (options_.format == Format::json) {
+            diagnostics::Json constants = diagnostics::Json::array();
+            for (const auto& [name, value] : certified.constants)
+                constants.push_back({{"name", name}, {"value", value}});
             print_exact(diagnostics::json_text({{"schema", "robochart-verify/certified/1"},
                                                 {"scenario", scenario_.name.text},
                                                 {"program", certified.program},
+                                                {"constants", constants},
+                                                {"ranges", certified.ranges},
                                                 {"differences", lines},
                                                 {"exit", static_cast<int>(exit)}}) +
                         "\n");
@@ -516,11 +526,18 @@ private:
         }
         if (!options_.quiet) {
             print("certificate of {}: {}\n", scenario_.name.text, with_constants(certified.constants));
+            print("  ranges: {}\n  search: as recorded, not repeated\n",
+                  certified.ranges.empty() ? "none"
+                                           : diagnostics::shown(fmt::format("{}", fmt::join(certified.ranges, " "))));
             print("{}\n", evidence_text(certificate_.evidence));
         }
-        for (const std::string& line : lines) print("  differs      {}\n", line);
-        print("{}\n", lines.empty() ? "the certificate says what is decided here"
-                                    : "the certificate does not say what is decided here");
+        for (const std::string& line : lines) print("  differs      {}\n", diagnostics::shown(line));
+        print("{}{}\n",
+              lines.empty() ? "the certificate says what is decided here"
+                            : "the certificate does not say what is decided here",
+              !lines.empty() || exit == Exit::success ? ""
+              : exit == Exit::failed                  ? ": something fails"
+                                                      : ": something is open");
         return exit;
     }
 

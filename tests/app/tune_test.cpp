@@ -98,7 +98,8 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     const std::vector<std::string> verify{"tune", folder / "aim/aim.scenario", "--verify-certificate", file};
     const auto again = run(verify);
     EXPECT_EQ(again.exit, 0) << again.out << again.err;
-    EXPECT_THAT(again.out, HasSubstr("the certificate says what is decided here"));
+    EXPECT_THAT(again.out, HasSubstr("\nthe certificate says what is decided here\n"));
+    EXPECT_THAT(again.out, HasSubstr("  ranges: none\n  search: as recorded, not repeated\n"));
 
     // Changed without a new digest, then with one; then the model is another.
     const std::string text = contents(file);
@@ -118,6 +119,14 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_EQ(refuted.exit, 1) << refuted.err;
     EXPECT_THAT(refuted.out, HasSubstr("differs      claim: probability way <= 30 cm"));
 
+    // Text of a certificate makes no lines.
+    forged->evidence.assertions.at(0).subject = "A1\nthe certificate says what is decided here\n";
+    EXPECT_EQ(diagnostics::replace_file(file, certificate_text(*forged)), "");
+    const auto faked = run(verify);
+    EXPECT_EQ(faked.exit, 1) << faked.err;
+    EXPECT_THAT(faked.out, HasSubstr(R"(A1\nthe certificate says what is decided here\n is not there)"));
+    EXPECT_THAT(faked.out, Not(HasSubstr("\nthe certificate says what is decided here")));
+
     EXPECT_EQ(diagnostics::replace_file(file, text), "");
     EXPECT_EQ(diagnostics::replace_file(folder / "aim/aim.assertions", "// another\n" + std::string(harmless)), "");
     const auto other = run(verify);
@@ -135,6 +144,28 @@ TEST(Tune, WhatFailsACheckIsRefused) {
     std::uint64_t refused = 0;
     for (const auto& each : json.at("iterations")) refused += each.at("refused").get<std::uint64_t>();
     EXPECT_GT(refused, 0U);
+}
+
+/// No robot is there within a second, and a certificate that says so is true.
+TEST(Tune, ACertificateOfWhatFailsIsNoSuccess) {
+    std::string fast = world;
+    fast.replace(fast.find("within 30 s"), 11, "within 1 s");
+    const Folder folder({{"aim/aim.rct", model}, {"aim/aim.scenario", fast}, {"aim/aim.assertions", harmless}});
+    const std::string scenario = folder / "aim/aim.scenario";
+    const auto ran = run(
+        {"tune", scenario, "--const", "speed=1,2", "--budget", "60", "--range", "nat=0..2", "--out", folder / "out"});
+    ASSERT_EQ(ran.exit, 1) << ran.out << ran.err;
+    std::vector<std::string> verify{"tune", scenario, "--verify-certificate",
+                                    folder / "out/tuning/Aim/certificate.json"};
+    const auto again = run(verify);
+    EXPECT_EQ(again.exit, 1) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("\nthe certificate says what is decided here: something fails\n"));
+    EXPECT_THAT(again.out, HasSubstr("  ranges: nat=0..2\n"));
+    verify.insert(verify.end(), {"--format", "json"});
+    const auto json = nlohmann::json::parse(run(verify).out);
+    EXPECT_EQ(json.at("differences").size(), 0U);
+    EXPECT_EQ(json.at("ranges").at(0), "nat=0..2");
+    EXPECT_EQ(json.at("exit"), 1);
 }
 
 TEST(Tune, TheSameForAnyNumberOfThreadsAndGoesOnWhereItWas) {
@@ -182,6 +213,7 @@ TEST(Tune, WrongUsage) {
     expect({"--verify-certificate", folder / "none.json"}, "none.json");
     expect({"--verify-certificate", scenario}, "it is no JSON");
     expect({"--verify-certificate", scenario, "--const", "speed=1..3"}, "no --const beside it");
+    expect({"--verify-certificate", scenario, "--range", "nat=0..2"}, "no --range beside it");
 }
 
 TEST(Tune, ScenariosThatCannotBeTuned) {
