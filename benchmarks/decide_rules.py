@@ -115,7 +115,7 @@ def published(options, folder, values, limit, most):
     script.write_text(timed.read_text() + text)
     number = len(re.findall(r"^assert", script.read_text(), re.MULTILINE))
     child = measured.run([options.program, "cspm", "published.csp", "--assertion", str(number), "--brief", "--no-cache",
-                          "--progress", "never", "--max-states", str(options.limit), "--memory", "7GiB"], folder)
+                          "--progress", "never", "--max-states", str(options.limit), "--memory", "12GiB"], folder)
     said = " ".join(child.said().split())
     reached = re.search(r"the limit of (\d+) states was reached", said)
     if reached:
