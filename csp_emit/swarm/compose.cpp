@@ -128,15 +128,9 @@ private:
     /// The units of one degree in the only argument; 0 where there is no such number.
     [[nodiscard]] std::int64_t scale_of(const Port& call) const {
         if (call.types.size() != 1) return 0;
-        switch (system_.type(call.types.front()).kind) {
-            case ir::TypeKind::nat:
-            case ir::TypeKind::integer:
-                return 1;
-            case ir::TypeKind::real:
-                return instantiation_.scale;
-            default:
-                return 0;
-        }
+        const ir::TypeKind kind = system_.type(call.types.front()).kind;
+        if (kind == ir::TypeKind::nat || kind == ir::TypeKind::integer) return 1;
+        return kind == ir::TypeKind::real ? instantiation_.scale : 0;
     }
     /// All of the port's events become this one, in which a__ is their value.
     void rename(const Port& port, const std::string& target) {
@@ -286,20 +280,13 @@ private:
                 if (!std::binary_search(carrier.begin(), carrier.end(), robot * scale)) return false;
             return true;
         };
-        switch (system_.type(type).kind) {
-            case ir::TypeKind::nat:
-                return has_all(instantiation_.nat, 1) ? "i__" : "";
-            case ir::TypeKind::integer:
-                return has_all(instantiation_.integer, 1) ? "i__" : "";
-            case ir::TypeKind::real:
-                return has_all(instantiation_.real, instantiation_.scale)
-                           ? fmt::format("(i__ * {})", instantiation_.scale)
-                           : "";
-            case ir::TypeKind::given:
-                return instantiation_.given_size >= swarm_.robots ? "i__" : "";
-            default:
-                return "";
-        }
+        const ir::TypeKind kind = system_.type(type).kind;
+        if (kind == ir::TypeKind::nat) return has_all(instantiation_.nat, 1) ? "i__" : "";
+        if (kind == ir::TypeKind::integer) return has_all(instantiation_.integer, 1) ? "i__" : "";
+        if (kind == ir::TypeKind::real && has_all(instantiation_.real, instantiation_.scale))
+            return fmt::format("(i__ * {})", instantiation_.scale);
+        if (kind == ir::TypeKind::given && instantiation_.given_size >= swarm_.robots) return "i__";
+        return "";
     }
 
     /// What nothing is bound to: what the robot does by itself it can do at any time, what it would receive never
