@@ -40,7 +40,6 @@ constexpr std::array not_run = {
     NotRun{"docs/emergence.md", "robochart-verify tune ", "hundreds of trials"},
     NotRun{"docs/scale.md", "apt install ", "installs packages"},
     NotRun{"docs/scale.md", "mpirun ", "a cluster"},
-    NotRun{"docs/scale.md", "srun ", "a cluster"},
     NotRun{"docs/cpp.md", "$ build/M_console", "a conversation on a terminal"},
     NotRun{"editors/vscode/README.md", "code ", "needs VS Code"},
     NotRun{"editors/vscode/README.md", "ln -s", "needs VS Code"},
