@@ -303,10 +303,20 @@ std::string closing(const Report& report) {
 
 }  // namespace
 
-std::string_view answer_word(Answer answer) {
-    constexpr std::array<std::string_view, 7> words{"holds", "FAILS",       "inconclusive", "no check",
+std::string_view name_of(Answer answer) {
+    constexpr std::array<std::string_view, 7> names{"holds", "fails",       "inconclusive", "no check",
                                                     "error", "not checked", "value"};
-    return words[static_cast<std::size_t>(answer)];
+    return names[static_cast<std::size_t>(answer)];
+}
+
+std::string_view name_of(conformance::Outcome outcome) {
+    constexpr std::array<std::string_view, 5> names{"conforms", "differs", "not schedulable", "not generated",
+                                                    "inconclusive"};
+    return names[static_cast<std::size_t>(outcome)];
+}
+
+std::string_view answer_word(Answer answer) {
+    return answer == Answer::fails ? "FAILS" : name_of(answer);
 }
 
 const std::string_view indent_of_runs = "                 ";

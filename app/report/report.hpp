@@ -25,6 +25,9 @@ enum class Answer {
     computed,   ///< a value was asked for, and is there
 };
 
+/// As data: "holds", "fails".
+[[nodiscard]] std::string_view name_of(Answer);
+[[nodiscard]] std::string_view name_of(conformance::Outcome);
 /// For people: "holds", "FAILS".
 [[nodiscard]] std::string_view answer_word(Answer);
 

@@ -1,5 +1,4 @@
 // The report for programs. A library writes the JSON; the schema is in docs/cli.md.
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "app/report/probability_report.hpp"
@@ -30,11 +29,9 @@ Json counterexample(const runs::Run& run) {
 }
 
 Json assertion(const AssertionReport& a) {
-    constexpr std::array<const char*, 7> words{"holds", "fails",       "inconclusive", "no check",
-                                               "error", "not checked", "value"};
     Json json{{"title", a.title},
               {"place", a.place},
-              {"answer", words[static_cast<std::size_t>(a.answer)]},
+              {"answer", name_of(a.answer)},
               {"statistics", statistics(a.statistics)}};
     const bool decided = a.answer == Answer::holds || a.answer == Answer::fails;
     if (decided && !a.searched) json["known"] = true;
@@ -79,12 +76,9 @@ Json missed(const conformance::MissedEvent& m) {
 }
 
 Json conformance_json(const ConformanceReport& c) {
-    constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated",
-                                               "inconclusive"};
     const conformance::Result& r = c.result;
-    Json json{{"component", c.component},    {"outcome", words[static_cast<std::size_t>(r.outcome)]},
-              {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
-              {"dispatched", r.dispatched},  {"statistics", statistics(r.product)},
+    Json json{{"component", c.component},    {"outcome", name_of(r.outcome)}, {"codeStates", r.code_states},
+              {"codeCycles", r.code_cycles}, {"dispatched", r.dispatched},    {"statistics", statistics(r.product)},
               {"seconds", c.seconds}};
     for (const conformance::FewValues& each : r.represented)
         json["represented"].push_back({{"type", each.type}, {"values", each.values}});

@@ -13,42 +13,6 @@ namespace robochart::app {
 
 namespace {
 
-const char* answer_of(Answer answer) {
-    switch (answer) {
-        case Answer::holds:
-            return "holds";
-        case Answer::fails:
-            return "fails";
-        case Answer::inconclusive:
-            return "inconclusive";
-        case Answer::no_check:
-            return "no check";
-        case Answer::error:
-            return "error";
-        case Answer::unchecked:
-            return "not checked";
-        case Answer::computed:
-            return "value";
-    }
-    return "";
-}
-
-const char* outcome_of(conformance::Outcome outcome) {
-    switch (outcome) {
-        case conformance::Outcome::conforms:
-            return "conforms";
-        case conformance::Outcome::differs:
-            return "differs";
-        case conformance::Outcome::not_schedulable:
-            return "not schedulable";
-        case conformance::Outcome::not_generated:
-            return "not generated";
-        case conformance::Outcome::inconclusive:
-            return "inconclusive";
-    }
-    return "";
-}
-
 /// The texts of a model, but for libraries that come with the program, by the names of their files.
 Evidence::Files files_of(const Project& project) {
     Evidence::Files files;
@@ -94,7 +58,7 @@ void decide_assertions(const Options& options, const simulation::Scenario& scena
             if (each.core && each.core->information) continue;
             std::string subject = each.title;
             if (each.core) subject = fmt::format("{} of {}", each.core->property, each.core->component);
-            evidence.assertions.push_back({std::move(subject), answer_of(each.answer)});
+            evidence.assertions.push_back({std::move(subject), std::string(name_of(each.answer))});
         }
     }
 }
@@ -110,7 +74,7 @@ void decide_conformance(const Options& options, const simulation::Scenario& scen
             !code_components(part.project->system, wanted.component).empty())
             check_conformance(*part.project, wanted, report);
     for (const ConformanceReport& each : report.conformance)
-        evidence.conformance.push_back({each.component, outcome_of(each.result.outcome)});
+        evidence.conformance.push_back({each.component, std::string(name_of(each.result.outcome))});
     if (report.conformance.empty()) evidence.conformance.push_back({scenario.component.text, "error"});
 }
 

@@ -170,6 +170,15 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
 
 }  // namespace
 
+void add_trials(const Simulation& simulation, diagnostics::Hasher& hasher) {
+    hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
+    for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
+    for (const auto& file : simulation.emission.files) {
+        hasher.add(file.path);
+        hasher.add(file.text);
+    }
+}
+
 std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation, const Options& options) {
     std::string error;
     auto controller = simulation::Controller::build(simulation.emission, "", error,

@@ -6,6 +6,7 @@
 
 #include "app/command/pipeline.hpp"
 #include "app/tune/certificate.hpp"
+#include "diagnostics/cache/digest.hpp"
 #include "simulation/report/run.hpp"
 #include "simulation/scenario/plan.hpp"
 #include "simulation/trial/controller.hpp"
@@ -26,6 +27,10 @@ struct Simulation {
 [[nodiscard]] simulation::Scenario read_scenario_of(Project&, const Options&);
 /// Builds the controller; on failure null, and what is wrong is among the project's diagnostics.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
+
+/// Adds what a trial depends on but for its seed: the texts of scenario and drawings, and the generated code. The
+/// program itself is in the cache's own keys.
+void add_trials(const Simulation&, diagnostics::Hasher&);
 
 /// The path of a scenario's model, where the scenario has this path.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path);

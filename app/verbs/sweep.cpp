@@ -153,17 +153,12 @@ private:
         return std::nullopt;
     }
 
-    /// All that an answer depends on; the program itself is in the cache's own keys.
+    /// All that an answer depends on.
     [[nodiscard]] diagnostics::Digest key_of(const simulation::Point& point) const {
         const Simulation& simulation = *prepared_.simulation;
         diagnostics::Hasher hasher;
         hasher.add("point of a sweep");
-        hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
-        for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
-        for (const auto& file : simulation.emission.files) {
-            hasher.add(file.path);
-            hasher.add(file.text);
-        }
+        add_trials(simulation, hasher);
         for (std::size_t v = 0; v < point.size(); ++v)
             hasher.add(simulation::value_text(scenario_.variations[v], point[v]));
         hasher.add(simulation.scenario.seed);

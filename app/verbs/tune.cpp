@@ -181,16 +181,11 @@ private:
                 unusable_ = fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), each.message());
     }
 
-    /// All that a trial's cost depends on but its seed; the program itself is in the cache's own keys.
+    /// All that a trial's cost depends on but its seed.
     static diagnostics::Digest digest_of(const Simulation& simulation) {
         diagnostics::Hasher hasher;
         hasher.add("trial of a search");
-        hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
-        for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
-        for (const auto& file : simulation.emission.files) {
-            hasher.add(file.path);
-            hasher.add(file.text);
-        }
+        add_trials(simulation, hasher);
         return hasher.finish();
     }
 

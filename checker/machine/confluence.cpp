@@ -138,8 +138,7 @@ std::uint32_t Confluence::tracking(RuleNumber rule, std::vector<std::uint32_t> s
     if (number == no) return no;
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
-    const std::uint32_t list = asking(slots, has);
-    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), list, {}});
+    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, {}});
     return number;
 }
 
@@ -153,21 +152,21 @@ std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<cha
     return rarest->slot;
 }
 
-/// The place of what lists the rules that ask these components.
-std::uint32_t Confluence::asking(const std::vector<std::uint32_t>& slots, const std::vector<char>& has) {
-    const auto [known, fresh] = asking_numbers_.emplace(slots, static_cast<std::uint32_t>(asking_.size()));
-    if (!fresh) return known->second;
-    Asking& made = asking_.emplace_back();
-    for (const std::uint32_t slot : slots) {
+/// The rules that ask the tracked components.
+const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
+    const auto [known, fresh] = asking_.try_emplace(tracked.slots);
+    Asking& made = known->second;
+    if (!fresh) return made;
+    for (const std::uint32_t slot : tracked.slots) {
         std::vector<ByEvent>& listed = made.emplace_back();
         for (std::uint32_t event = 0; event < component(slot).alphabet().size(); ++event) {
             std::vector<RuleNumber> rules;
             for (const RuleNumber each : rules_->asking[slot][event])
-                if (listed_at(rules_->rules[each], has) == slot) rules.push_back(each);
+                if (listed_at(rules_->rules[each], tracked.has) == slot) rules.push_back(each);
             if (!rules.empty()) listed.push_back({event, std::move(rules)});
         }
     }
-    return known->second;
+    return made;
 }
 
 /// What tracks the parts of the first of the other rules that has some which are not tracked, and not too many.
@@ -253,6 +252,7 @@ bool Confluence::confluent(RuleNumber rule, std::span<const Local> state) {
 
 /// The answer depends on the states of the tracked components alone: so does what is asked next.
 std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, std::span<const Local> state) {
+    if (tracked_[number].asking == nullptr) tracked_[number].asking = &asking(tracked_[number]);
     Closure closure(*this, tracked_[number]);
     if (closure.prove(Locals(state.begin(), state.end()))) {
         for (const std::uint64_t each : closure.keys()) keep(number, each, yes);
@@ -285,7 +285,7 @@ bool Confluence::holds_now(const Tracked& tracked, const Locals& state, Outcomes
         const Local local = state[slot];
         const Component::Edges edges = component(slot).edges(local);
         auto edge = edges.begin();
-        for (const ByEvent& each : asking_[tracked.asking][place]) {
+        for (const ByEvent& each : (*tracked.asking)[place]) {
             while (edge != edges.end() && edge->event < each.event) ++edge;
             if (edge == edges.end()) break;
             if (edge->event == each.event && !leave_it_possible(each.rules)) return false;

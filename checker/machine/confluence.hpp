@@ -24,6 +24,8 @@ namespace robochart::machine {
 class Confluence {
 public:
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules);
+    Confluence(const Confluence&) = delete;
+    Confluence& operator=(const Confluence&) = delete;
 
     /// Takes the first tau of the state, given by the components' states, that is proved to be confluent. False if
     /// there is none.
@@ -47,7 +49,7 @@ private:
         std::vector<std::uint32_t> slots;    ///< ascending: the rule's parts, and components beside them
         std::vector<std::uint64_t> weights;  ///< of each one's state in keys
         std::vector<char> has;               ///< by slot, whether it is one of them
-        std::uint32_t asking = 0;            ///< a place in `asking_`
+        const Asking* asking = nullptr;      ///< of the slots, once a proof is tried
         std::unordered_map<std::uint64_t, std::uint32_t>
             answers;  ///< by key: `no`, `yes`, or the number of what to ask
     };
@@ -68,7 +70,7 @@ private:
     void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
     std::uint32_t tracking(RuleNumber rule, std::vector<std::uint32_t> slots);
     std::uint32_t tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others);
-    std::uint32_t asking(const std::vector<std::uint32_t>& slots, const std::vector<char>& has);
+    const Asking& asking(const Tracked& tracked);
     [[nodiscard]] std::uint32_t listed_at(const WholeRule& rule, const std::vector<char>& has) const;
     [[nodiscard]] static std::uint64_t key(const Tracked& tracked, std::span<const Local> state);
 
@@ -89,9 +91,8 @@ private:
     std::vector<std::vector<std::uint32_t>> known_;              // by slot and state, one more than a place in lists_
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;
-    std::deque<Asking> asking_;
-    std::map<std::vector<std::uint32_t>, std::uint32_t> asking_numbers_;
-    std::vector<std::uint32_t> first_;  // by rule, what tracks its parts alone
+    std::map<std::vector<std::uint32_t>, Asking> asking_;  // by slots
+    std::vector<std::uint32_t> first_;                     // by rule, what tracks its parts alone
     std::map<std::pair<RuleNumber, std::vector<std::uint32_t>>, std::uint32_t> numbers_;  // of what tracks these
     std::size_t answers_ = 0;
 };

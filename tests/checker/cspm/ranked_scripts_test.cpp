@@ -12,27 +12,15 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
 #include "tests/checker/cspm/support.hpp"
+#include "tests/checker/processes/verdict_text.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::cspm::test {
 namespace {
 
+using refine::everything;
 using refine::Outcome;
 using refine::Verdict;
-
-std::string everything(const Verdict& verdict) {
-    const refine::Statistics& size = verdict.statistics;
-    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
-    for (const std::uint64_t each :
-         {size.states, size.transitions, size.depth, size.chased, size.spec_nodes, size.replicas})
-        text += " " + std::to_string(each);
-    if (!verdict.counterexample) return text;
-    for (const auto* steps : {&verdict.counterexample->steps, &verdict.counterexample->loop}) {
-        text += "\n  run:";
-        for (const refine::Step& step : *steps) text += " " + std::to_string(step.event) + ">" + step.state;
-    }
-    return text;
-}
 
 std::string in_common(const Verdict& verdict) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;

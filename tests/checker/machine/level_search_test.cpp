@@ -104,18 +104,11 @@ TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
 
 class LevelFamilies : public testing::Test {
 protected:
-    TermId cycle(const std::string& name, const std::vector<std::string>& events) {
-        const TermId again = s.name(name);
-        TermId rest = again;
-        for (auto event = events.rbegin(); event != events.rend(); ++event) rest = s.prefix(*event, rest);
-        s.bind(again, rest);
-        return again;
-    }
     std::unique_ptr<SupercombinatorSystem> cells(int count) {
         std::vector<TermId> all;
         for (int cell = 0; cell < count; ++cell) {
             const std::string name = std::to_string(cell);
-            all.push_back(cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
+            all.push_back(s.cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
         }
         return compiler.compile(s.over(Op::parallel, all, {}), {});
     }

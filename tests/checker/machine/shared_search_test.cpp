@@ -13,14 +13,6 @@ using process::Scripted;
 
 class SharedSearch : public testing::Test {
 protected:
-    /// A process that does the events one after the other, again and again.
-    TermId cycle(const std::string& name, const std::vector<std::string>& events) {
-        const TermId again = s.name(name);
-        TermId rest = again;
-        for (auto event = events.rbegin(); event != events.rend(); ++event) rest = s.prefix(*event, rest);
-        s.bind(again, rest);
-        return again;
-    }
     std::unique_ptr<SupercombinatorSystem> compiled(TermId term) {
         auto system = compiler.compile(term, {});
         EXPECT_NE(system, nullptr);
@@ -43,7 +35,7 @@ TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
     std::vector<TermId> cells;
     for (char cell = '1'; cell <= '9'; ++cell) {
         const std::string name(1, cell);
-        cells.push_back(cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
+        cells.push_back(s.cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
     }
     const auto system = compiled(s.over(Op::parallel, cells, {}));
     for (const unsigned threads : {1U, 2U, 3U}) {
@@ -59,9 +51,9 @@ TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
 /// Hidden steps, a region with priorities inside, and a specification that one event violates.
 TEST_F(SharedSearch, FindsTheSameViolations) {
     const TermId inside = s.prioritise(
-        s.over(Op::parallel, {cycle("P", {"a", "b", "x"}), cycle("Q", {"c", "b", "y"})}, {"b"}), {{"a"}, {"c"}});
-    const TermId with_r = s.over(Op::parallel, {inside, cycle("R", {"x", "u", "v"})}, {"x"});
-    const TermId with_s = s.over(Op::parallel, {with_r, cycle("S", {"y", "w", "z"})}, {"y"});
+        s.over(Op::parallel, {s.cycle("P", {"a", "b", "x"}), s.cycle("Q", {"c", "b", "y"})}, {"b"}), {{"a"}, {"c"}});
+    const TermId with_r = s.over(Op::parallel, {inside, s.cycle("R", {"x", "u", "v"})}, {"x"});
+    const TermId with_s = s.over(Op::parallel, {with_r, s.cycle("S", {"y", "w", "z"})}, {"y"});
     const TermId term = s.over(Op::hide, {with_s}, {"b", "u", "w"});
     const auto system = compiled(term);
     for (const std::string missing : {"v", "z", ""}) {

@@ -44,6 +44,15 @@ public:
         return op(Op::prefix, {}, static_cast<std::uint32_t>(prefixes_.size() - 1));
     }
 
+    /// The events one after the other, again and again.
+    TermId cycle(const std::string& named, const std::vector<std::string>& event_names) {
+        const TermId again = name(named);
+        TermId rest = again;
+        for (auto each = event_names.rbegin(); each != event_names.rend(); ++each) rest = prefix(*each, rest);
+        bind(again, rest);
+        return again;
+    }
+
     TermId op(Op kind, std::vector<TermId> children = {}, std::uint32_t payload = 0, std::vector<SetId> sets = {}) {
         return store.make(Term{kind, payload, std::move(children), std::move(sets)});
     }

@@ -16,6 +16,7 @@
 #include "tests/checker/machine/random_rules.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/random_cases.hpp"
+#include "tests/checker/processes/verdict_text.hpp"
 
 namespace robochart::ranks {
 namespace {
@@ -27,20 +28,6 @@ using process::Scripted;
 using process::TermId;
 using refine::Outcome;
 using refine::Verdict;
-
-std::string everything(const Verdict& verdict) {
-    const refine::Statistics& size = verdict.statistics;
-    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
-    for (const std::uint64_t each :
-         {size.states, size.transitions, size.depth, size.chased, size.spec_nodes, size.replicas})
-        text += " " + std::to_string(each);
-    if (!verdict.counterexample) return text;
-    text += " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind));
-    for (const auto* steps : {&verdict.counterexample->steps, &verdict.counterexample->loop})
-        for (const refine::Step& step : *steps)
-            text += " " + std::to_string(step.event) + "/" + std::to_string(step.revealed) + ">" + step.state;
-    return text;
-}
 
 using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
 
@@ -93,19 +80,12 @@ TEST(ServedRanks, AnswerAsOneRankDoes) {
 
 class Cells : public testing::Test {
 protected:
-    TermId cycle(const std::string& name, const std::vector<std::string>& events) {
-        const TermId again = s.name(name);
-        TermId rest = again;
-        for (auto event = events.rbegin(); event != events.rend(); ++event) rest = s.prefix(*event, rest);
-        s.bind(again, rest);
-        return again;
-    }
     /// Six equal cells of four states, called by other names.
     TermId cells() {
         std::vector<TermId> all;
         for (int cell = 0; cell < 6; ++cell) {
             const std::string name = std::to_string(cell);
-            all.push_back(cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
+            all.push_back(s.cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
         }
         return s.over(Op::parallel, all, {});
     }

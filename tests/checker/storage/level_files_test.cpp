@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include <thread>
 
 #include "diagnostics/files.hpp"
+#include "tests/file_limit.hpp"
 
 namespace robochart::storage {
 namespace {
@@ -245,22 +245,15 @@ TEST_F(Levels, KeepTheLastCheckpointWhereTheDiskIsFull) {
     LevelFiles files(where());
     for (std::uint32_t level = 0; level < 8; ++level) files.add_level(rows_of(level));
     files.checkpoint({});
-    const auto before = signal(SIGXFSZ, SIG_IGN);
-    rlimit usual{};
-    getrlimit(RLIMIT_FSIZE, &usual);
-    rlimit small = usual;
-    small.rlim_cur = 3000;
-    setrlimit(RLIMIT_FSIZE, &small);
     std::string why;
     std::uint32_t reached = 0;
     try {
+        const tests::FileLimit limit(3000);
         for (std::uint32_t level = 8; level < 100; ++level) files.add_level(rows_of(level));
     } catch (const CannotWrite& error) {
         why = error.what();
         reached = files.levels();
     }
-    setrlimit(RLIMIT_FSIZE, &usual);
-    signal(SIGXFSZ, before);
     EXPECT_THAT(why, HasSubstr("cannot write"));
     EXPECT_EQ(newest(folder_.path(), where().kind).at(0).levels, 8U);
     expect_levels(files);

@@ -4,8 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -15,6 +13,7 @@
 #include <set>
 
 #include "diagnostics/files.hpp"
+#include "tests/file_limit.hpp"
 
 namespace robochart::storage {
 namespace {
@@ -223,20 +222,13 @@ TEST_F(RowFiles, AreFilesAndNothingElse) {
 }
 
 TEST_F(RowFiles, SayThatTheDiskIsFull) {
-    const auto before = signal(SIGXFSZ, SIG_IGN);
-    rlimit usual{};
-    getrlimit(RLIMIT_FSIZE, &usual);
-    rlimit small = usual;
-    small.rlim_cur = 100;
-    setrlimit(RLIMIT_FSIZE, &small);
     std::string why;
     try {
+        const tests::FileLimit limit(100);
         written("a");
     } catch (const CannotWrite& error) {
         why = error.what();
     }
-    setrlimit(RLIMIT_FSIZE, &usual);
-    signal(SIGXFSZ, before);
     EXPECT_THAT(why, AllOf(HasSubstr("cannot write"), HasSubstr("/a: File too large")));
 }
 
@@ -245,15 +237,10 @@ TEST_F(RowFiles, CannotBeFinishedAfterAFailure) {
     RowFile file = RowFile::create(path("a"), kind(1));
     file.append(0, std::vector<Word>{5, 6});
     const std::uint64_t size = file.size();
-    const auto before = signal(SIGXFSZ, SIG_IGN);
-    rlimit usual{};
-    getrlimit(RLIMIT_FSIZE, &usual);
-    rlimit small = usual;
-    small.rlim_cur = size + 10;  // the end does not fit
-    setrlimit(RLIMIT_FSIZE, &small);
-    EXPECT_THROW(file.finish(), CannotWrite);
-    setrlimit(RLIMIT_FSIZE, &usual);
-    signal(SIGXFSZ, before);
+    {
+        const tests::FileLimit limit(size + 10);  // the end does not fit
+        EXPECT_THROW(file.finish(), CannotWrite);
+    }
     EXPECT_EQ(std::filesystem::file_size(path("a")), size);
     EXPECT_EQ(file.size(), size);
     EXPECT_THROW(file.finish(), CannotWrite);

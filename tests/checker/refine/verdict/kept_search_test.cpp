@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "checker/lts/graph.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "diagnostics/files.hpp"
+#include "tests/file_limit.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -176,21 +176,14 @@ TEST_F(KeptSearches, GoOnAfterALimit) {
 
 TEST_F(KeptSearches, KeepTheLastCheckpointWhereTheDiskIsFull) {
     const std::string expected = in_memory();
-    const auto before = signal(SIGXFSZ, SIG_IGN);
-    rlimit usual{};
-    getrlimit(RLIMIT_FSIZE, &usual);
-    rlimit small = usual;
-    small.rlim_cur = 3000;
-    setrlimit(RLIMIT_FSIZE, &small);
     std::string found;
     {
+        const tests::FileLimit limit(3000);
         KeptSettings own = settings(false, true);
         own.every = std::chrono::hours(1);
         KeptSearch search(std::move(own));
         found = decide(search);
     }
-    setrlimit(RLIMIT_FSIZE, &usual);
-    signal(SIGXFSZ, before);
     EXPECT_THAT(found, HasSubstr("holds 2 cannot write "));
     KeptSearch search(settings(true, false));
     EXPECT_EQ(decide(search), expected);

@@ -1,0 +1,31 @@
+// A disk that is full: files of the program grow no further.
+#pragma once
+
+#include <sys/resource.h>
+
+#include <csignal>
+
+namespace robochart::tests {
+
+/// While it lives, no file grows over so many bytes: writing fails, and no signal is sent.
+class FileLimit {
+public:
+    explicit FileLimit(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &usual_);
+        rlimit small = usual_;
+        small.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    FileLimit(const FileLimit&) = delete;
+    FileLimit& operator=(const FileLimit&) = delete;
+    ~FileLimit() {
+        setrlimit(RLIMIT_FSIZE, &usual_);
+        std::signal(SIGXFSZ, before_);
+    }
+
+private:
+    void (*before_)(int);
+    rlimit usual_{};
+};
+
+}  // namespace robochart::tests
