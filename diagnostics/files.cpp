@@ -32,10 +32,12 @@ std::string failure(const std::string& path) {
     return failure(path, std::strerror(errno));
 }
 
+constexpr std::string_view unfinished = ".robochart-";
+
 std::string random_name() {
     std::uint64_t number = 0;
     if (getrandom(&number, sizeof number, 0) != sizeof number) return "";
-    return fmt::format(".robochart-{:016x}", number);
+    return fmt::format("{}{:016x}", unfinished, number);
 }
 
 bool leads_below(const fs::path& relative) {
@@ -122,6 +124,11 @@ std::string put(const Descriptor& folder, const fs::path& path, std::string_view
 }
 
 }  // namespace
+
+bool is_unfinished(const std::string& name) {
+    return name.size() == unfinished.size() + 16 && name.starts_with(unfinished) &&
+           name.find_first_not_of("0123456789abcdef", unfinished.size()) == std::string::npos;
+}
 
 std::string write_below(const std::string& root, const std::string& relative, std::string_view text, Budget* budget) {
     std::string error;

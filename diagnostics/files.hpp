@@ -33,6 +33,9 @@ struct FilesBelow {
 /// The same for a path that the user named as a whole: a link to a file stays one, and the file it leads to is
 /// replaced. With an existing file's permissions, and on the disk before the old one is gone.
 [[nodiscard]] std::string replace_file(const std::string& path, std::string_view text, Budget* budget = nullptr);
+/// Whether a file in a folder has the name that both give to what is not yet in its place: where a run was killed, it
+/// stays.
+[[nodiscard]] bool is_unfinished(const std::string& name);
 
 /// A folder of one's own with an unpredictable name, which nobody else may look into; removed with the object.
 class TemporaryFolder {

@@ -68,6 +68,13 @@ bool is_finished(const std::string& name) {
            name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
+/// What a run leaves that was killed while it wrote.
+bool is_unfinished(const fs::directory_entry& entry) {
+    std::error_code ignored;
+    return diagnostics::is_unfinished(entry.path().filename().string()) &&
+           entry.symlink_status(ignored).type() == fs::file_type::regular;
+}
+
 }  // namespace
 
 KeptSearch::KeptSearch(KeptSettings settings) : settings_(std::move(settings)) {
@@ -87,7 +94,7 @@ KeptSearch::KeptSearch(KeptSettings settings) : settings_(std::move(settings)) {
     if (settings_.resume) {
         if (!fs::exists(path(questions_name), code)) refuse(settings_.folder, "there is no checkpoint in this folder");
         read_questions();
-        remove_finished();
+        remove_left_over();
     } else {
         take_empty_folder();
     }
@@ -100,9 +107,11 @@ void KeptSearch::take_empty_folder() const {
     if (fs::exists(path(questions_name), code))
         refuse(settings_.folder,
                "it has what an earlier run has found: --resume goes on from there; else name another folder");
-    const bool empty = fs::is_empty(settings_.folder, code);
+    for (fs::directory_iterator at(settings_.folder, code); !code && at != fs::directory_iterator(); at.increment(code))
+        if (!is_unfinished(*at))
+            refuse(settings_.folder, "there are other files in this folder: name one that is empty or not there");
     if (code) refuse(settings_.folder, code.message());
-    if (!empty) refuse(settings_.folder, "there are other files in this folder: name one that is empty or not there");
+    remove_left_over();
     write_questions();
 }
 
@@ -222,12 +231,12 @@ void KeptSearch::remove_searches() {
     folders_.clear();
 }
 
-void KeptSearch::remove_finished() const {
+void KeptSearch::remove_left_over() const {
     std::error_code ignored;
     std::vector<fs::path> found;
     for (fs::directory_iterator at(settings_.folder, ignored); !ignored && at != fs::directory_iterator();
          at.increment(ignored))
-        if (is_finished(at->path().filename().string())) found.push_back(at->path());
+        if (is_finished(at->path().filename().string()) || is_unfinished(*at)) found.push_back(at->path());
     for (const fs::path& each : found) fs::remove_all(each, ignored);
 }
 

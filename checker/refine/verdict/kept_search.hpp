@@ -72,7 +72,7 @@ private:
     void write_questions() const;
     [[nodiscard]] std::string path(const std::string& name) const { return settings_.folder + "/" + name; }
     void remove_searches();
-    void remove_finished() const;
+    void remove_left_over() const;
 
     KeptSettings settings_;
     diagnostics::Descriptor folder_;  ///< locked

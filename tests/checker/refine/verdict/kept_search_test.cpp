@@ -257,6 +257,20 @@ TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
     EXPECT_FALSE(fs::exists(kept() + "/finished-search-0123456789abcdef"));
 }
 
+// Killed before the folder had its first file, a run leaves that file under another name.
+TEST_F(KeptSearches, TakeAFolderThatAKilledRunHasBegun) {
+    const std::string left = kept() + "/.robochart-0123456789abcdef";
+    fs::create_directories(kept());
+    std::ofstream(left) << "half";
+    std::ofstream(kept() + "/.robochart-notes") << "mine";
+    EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false)); }), HasSubstr("there are other files"));
+    EXPECT_TRUE(fs::exists(left)) << "nothing is removed from a folder of others";
+    fs::remove(kept() + "/.robochart-notes");
+    KeptSearch search(settings(false, false));
+    EXPECT_TRUE(there());
+    EXPECT_FALSE(fs::exists(left));
+}
+
 TEST_F(KeptSearches, LeaveNothingWhereNothingWasAsked) {
     { KeptSearch search(settings(false, false)); }
     EXPECT_FALSE(fs::exists(kept()));
