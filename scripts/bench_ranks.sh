@@ -18,6 +18,6 @@ for model in milner15 cbuf10; do
   echo 'assert SYSTEM :[deadlock free [F]]' >> "$made/$model.csp"
   build/release/benchmarks/benchmark_ranks "$made/$model.csp" 1 5 1 2 4 8 16 32
 done
-echo "## the high-voltage controller's P2, from our own script"
+echo "## the high-voltage controller's P4, from our own script"
 build/release/app/robochart-verify emit csp "$bench/hvc" --out "$made" --quiet || true
-build/release/benchmarks/benchmark_ranks "$made"/csp-gen/timed/*_assertions.csp 12 1 1 2 4 8
+build/release/benchmarks/benchmark_ranks "$made"/csp-gen/timed/*_assertions.csp 17 1 1 2 4 8
