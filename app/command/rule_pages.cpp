@@ -40,7 +40,7 @@ class PageReader {
 public:
     explicit PageReader(std::string_view text) : lines_(lines_of(text)) {}
 
-    Page read() {
+    RulePage read() {
         title();
         kind();
         while (at_ < lines_.size()) body_line(lines_[at_++]);
@@ -110,7 +110,7 @@ private:
     std::vector<std::string_view> lines_;
     std::size_t at_ = 0;
     std::string_view section_;
-    Page page_;
+    RulePage page_;
 };
 
 // ---------------------------------------------------------------- drawing
@@ -200,7 +200,7 @@ std::string_view page_text(std::string_view code) {
     return {};
 }
 
-Page read_page(std::string_view text) {
+RulePage read_page(std::string_view text) {
     return PageReader(text).read();
 }
 

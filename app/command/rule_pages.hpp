@@ -27,7 +27,7 @@ struct Block {
 };
 
 /// The parts of a page.
-struct Page {
+struct RulePage {
     std::string code, title;
     std::string severity;  ///< "error", "warning", "error or warning", ...
     std::string area;      ///< a heading of the index
@@ -37,7 +37,7 @@ struct Page {
     std::vector<std::string> faults;  ///< departures from the form, in words; empty for a good page
 };
 
-[[nodiscard]] Page read_page(std::string_view text);
+[[nodiscard]] RulePage read_page(std::string_view text);
 
 /// The page for a terminal: headings and code words marked where colours are on, examples indented, links by name.
 [[nodiscard]] std::string render_page(std::string_view text, bool color);

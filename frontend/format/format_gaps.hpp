@@ -30,7 +30,7 @@ enum class Gap : std::uint8_t {
 };
 
 /// Owns the document; the layout of one word after the other.
-class WordLayout : protected WordReader {
+class WordLayout : protected TokenReader {
 public:
     WordLayout(const WordLayout&) = delete;
     WordLayout& operator=(const WordLayout&) = delete;
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::string run(std::string_view line_end);
 
 protected:
-    using WordReader::WordReader;
+    using TokenReader::TokenReader;
     ~WordLayout() = default;
 
     /// What the text consists of.

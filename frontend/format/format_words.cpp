@@ -19,26 +19,26 @@ bool is_word_character(char c) {
 
 }  // namespace
 
-WordReader::WordReader(std::string_view text, const TokenStream& stream) : text_(text), stream_(stream) {
+TokenReader::TokenReader(std::string_view text, const TokenStream& stream) : text_(text), stream_(stream) {
     if (text.starts_with(byte_order_mark)) previous_end_ = byte_order_mark.size();
 }
 
-Token WordReader::peek(std::size_t ahead) const {
+Token TokenReader::peek(std::size_t ahead) const {
     return stream_.tokens[std::min(at_ + ahead, stream_.tokens.size() - 1)];
 }
 
-bool WordReader::at_word(std::string_view word, std::size_t ahead) const {
+bool TokenReader::at_word(std::string_view word, std::size_t ahead) const {
     const Token& token = peek(ahead);
     const bool word_like = token.kind == TokenKind::identifier || token.kind == TokenKind::keyword;
     return word_like && !token.escaped && token.text == word;
 }
 
-bool WordReader::at_closing() const {
+bool TokenReader::at_closing() const {
     constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "|)", "|]", ">"};
     return at_end() || std::any_of(closing.begin(), closing.end(), [&](std::string_view word) { return at(word); });
 }
 
-bool WordReader::may_touch() const {
+bool TokenReader::may_touch() const {
     constexpr std::array<std::string_view, 17> joined = {
         "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "//", "/*"};
     if (at_ == 0 || at_end()) return true;
@@ -53,7 +53,7 @@ bool WordReader::may_touch() const {
                         [&](std::string_view word) { return word.size() > left.size() && both.starts_with(word); });
 }
 
-std::string_view WordReader::take() {
+std::string_view TokenReader::take() {
     const Token& token = peek();
     previous_end_ = token.span.end;
     if (!at_end()) ++at_;
@@ -62,11 +62,11 @@ std::string_view WordReader::take() {
 
 // ---------------------------------------------------------------- comments and text
 
-bool WordReader::commented() const {
+bool TokenReader::commented() const {
     return comment_ < stream_.comments.size() && stream_.comments[comment_].begin < peek().span.begin;
 }
 
-std::vector<Piece> WordReader::take_comments() {
+std::vector<Piece> TokenReader::take_comments() {
     std::vector<Piece> result;
     std::size_t end = previous_end_;
     const auto add = [&](diagnostics::Span span, bool is_token) {
@@ -81,16 +81,16 @@ std::vector<Piece> WordReader::take_comments() {
     return result;
 }
 
-void WordReader::skip_comments(std::size_t offset) {
+void TokenReader::skip_comments(std::size_t offset) {
     while (comment_ < stream_.comments.size() && stream_.comments[comment_].begin < offset) ++comment_;
 }
 
-std::string_view WordReader::source(diagnostics::Span span) const {
+std::string_view TokenReader::source(diagnostics::Span span) const {
     return text_.substr(span.begin, span.end - span.begin);
 }
 
 /// Line ends between two offsets, at most 2.
-std::size_t WordReader::line_ends(std::size_t begin, std::size_t end) const {
+std::size_t TokenReader::line_ends(std::size_t begin, std::size_t end) const {
     std::size_t count = 0;
     for (std::size_t at = begin; at < end && count < 2; ++at) {
         if (!is_line_break(text_[at])) continue;
@@ -100,7 +100,7 @@ std::size_t WordReader::line_ends(std::size_t begin, std::size_t end) const {
     return count;
 }
 
-std::optional<std::string_view> WordReader::margin(std::size_t offset) const {
+std::optional<std::string_view> TokenReader::margin(std::size_t offset) const {
     std::size_t begin = offset;
     while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
     if (begin > 0 && !is_line_break(text_[begin - 1])) return std::nullopt;

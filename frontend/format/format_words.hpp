@@ -22,9 +22,9 @@ struct Piece {
 };
 
 /// Owns the place in the text; text and tokens outlive it.
-class WordReader {
+class TokenReader {
 public:
-    WordReader(std::string_view text, const TokenStream& stream);
+    TokenReader(std::string_view text, const TokenStream& stream);
 
     // The next words
     [[nodiscard]] Token peek(std::size_t ahead = 0) const;

@@ -15,7 +15,7 @@ const std::string page =
     "```robochart file=a.rct\nstm S  // expect: X1\n```\n\n## Right\n\n```robochart\nstm S\n```\n";
 
 TEST(PageText, IsReadIntoItsParts) {
-    const Page read = read_page(page);
+    const RulePage read = read_page(page);
     EXPECT_TRUE(read.faults.empty());
     EXPECT_EQ(read.code, "X1");
     EXPECT_EQ(read.title, "a `thing` is wrong");

@@ -48,10 +48,10 @@ std::multiset<std::string> of_interest(const std::multiset<std::string>& finding
     return result;
 }
 
-class RulePage : public ::testing::TestWithParam<app::PageText> {};
+class PageOfARule : public ::testing::TestWithParam<app::PageText> {};
 
-TEST_P(RulePage, HasTheForm) {
-    const app::Page page = app::read_page(GetParam().text);
+TEST_P(PageOfARule, HasTheForm) {
+    const app::RulePage page = app::read_page(GetParam().text);
     EXPECT_EQ(page.code, GetParam().code) << "the title names the rule of the file's name";
     for (const std::string& fault : page.faults) {
         const bool excused = without_example.contains(page.code) && fault.find("no example") != std::string::npos;
@@ -62,8 +62,8 @@ TEST_P(RulePage, HasTheForm) {
     EXPECT_TRUE(!title.empty() && title.back() != '.') << "a title is a phrase: " << title;
 }
 
-TEST_P(RulePage, NamesTheSeveritiesOfTheTable) {
-    const app::Page page = app::read_page(GetParam().text);
+TEST_P(PageOfARule, NamesTheSeveritiesOfTheTable) {
+    const app::RulePage page = app::read_page(GetParam().text);
     const auto rules = app::find_rules(page.code);
     ASSERT_FALSE(rules.empty()) << "no rule has the code " << page.code;
     using diagnostics::Severity;
@@ -75,8 +75,8 @@ TEST_P(RulePage, NamesTheSeveritiesOfTheTable) {
         EXPECT_EQ(has(severity), page.severity.find(word) != std::string::npos) << page.code << ": " << page.severity;
 }
 
-TEST_P(RulePage, WrongExampleBreaksTheRuleAlone) {
-    const app::Page page = app::read_page(GetParam().text);
+TEST_P(PageOfARule, WrongExampleBreaksTheRuleAlone) {
+    const app::RulePage page = app::read_page(GetParam().text);
     if (without_example.contains(page.code) && page.wrong.empty()) return;  // nothing can be shown
     const testing::Judgement found = testing::judge(page.wrong);
     const auto findings = of_interest(found.findings, page.code);
@@ -89,8 +89,8 @@ TEST_P(RulePage, WrongExampleBreaksTheRuleAlone) {
         EXPECT_THAT(finding, ::testing::EndsWith(" " + page.code)) << found.report;
 }
 
-TEST_P(RulePage, RightExampleIsInOrder) {
-    const app::Page page = app::read_page(GetParam().text);
+TEST_P(PageOfARule, RightExampleIsInOrder) {
+    const app::RulePage page = app::read_page(GetParam().text);
     if (without_example.contains(page.code) && page.right.empty()) return;  // nothing can be shown
     const testing::Judgement found = testing::judge(page.right);
     EXPECT_EQ(of_interest(found.findings, page.code), found.expected) << found.report;
@@ -103,7 +103,7 @@ std::string as_identifier(const ::testing::TestParamInfo<app::PageText>& page) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, RulePage, ::testing::ValuesIn(pages()), as_identifier);
+INSTANTIATE_TEST_SUITE_P(Pages, PageOfARule, ::testing::ValuesIn(pages()), as_identifier);
 
 TEST(RulePages, EveryRuleHasOne) {
     std::set<std::string_view> codes;
@@ -125,7 +125,7 @@ TEST(RulePages, IndexListsEachUnderItsArea) {
         }
     }
     for (const app::PageText& text : pages()) {
-        const app::Page page = app::read_page(text.text);
+        const app::RulePage page = app::read_page(text.text);
         const std::string wanted = "* [" + page.code + "](" + page.code + ".md): " + page.title;
         const auto found = area_of_line.find(wanted);
         EXPECT_TRUE(found != area_of_line.end()) << "docs/rules/README.md lacks the line\n" << wanted;
