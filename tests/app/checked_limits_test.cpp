@@ -135,17 +135,19 @@ void expect_that_limits_only_hide(const Inputs& inputs, Seen& seen) {
     EXPECT_FALSE(whole.assertions.empty()) << model.name();
     for (const AssertionReport& each : whole.assertions)
         EXPECT_NE(each.answer, Answer::inconclusive) << model.name() << ": " << each.title << ": " << each.reason;
-    for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
-        for (const unsigned threads : {1U, 4U})
-            expect_equal_or_inconclusive(whole, model.check(states, threads),
-                                         fmt::format("{}, {} states, {} threads", model.name(), states, threads), seen);
+    unsigned threads = 1;
+    for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U}) {
+        expect_equal_or_inconclusive(whole, model.check(states, threads),
+                                     fmt::format("{}, {} states, {} threads", model.name(), states, threads), seen);
+        threads = 5 - threads;  // 1 and 4 in turn
+    }
 }
 
 TEST(CheckedLimits, NeverTurnAnAnswerIntoAnother) {
     Seen seen;
     for (const Inputs& inputs : models()) expect_that_limits_only_hide(inputs, seen);
-    EXPECT_GT(seen.decided, 1000U);
-    EXPECT_GT(seen.inconclusive, 1000U);
+    EXPECT_GT(seen.decided, 500U);
+    EXPECT_GT(seen.inconclusive, 500U);
 }
 
 /// One of them may be cut short where the next is decided: its counterexample is not one of the claim.
@@ -239,8 +241,8 @@ TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
                 }
             }
     }
-    EXPECT_GT(seen.decided, 1000U);
-    EXPECT_GT(seen.inconclusive, 1000U);
+    EXPECT_GT(seen.decided, 500U);
+    EXPECT_GT(seen.inconclusive, 500U);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ Campaign run(random_models::Shape (*shape_of)(std::uint64_t), bool all_choices, 
 }
 
 TEST(RandomModels, Conform) {
-    const Campaign campaign = run(core_shape, false, tests::rounds(600));
+    const Campaign campaign = run(core_shape, false, tests::rounds(200));
     print(campaign.tally());
     EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";
     expect_everything(campaign.tally());
@@ -130,7 +130,7 @@ TEST(RandomModels, OfTheOtherShapesConform) {
     for (const NamedShape& shape : shapes) {
         if (shape.of == core_shape) continue;
         SCOPED_TRACE(shape.name);
-        const Campaign campaign = run(shape.of, false, tests::rounds(60));
+        const Campaign campaign = run(shape.of, false, tests::rounds(25));
         EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";
     }
 }

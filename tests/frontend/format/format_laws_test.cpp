@@ -6,6 +6,7 @@
 #include "frontend/syntax/print.hpp"
 #include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/tests/seeds.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::frontend {
 namespace {
@@ -42,29 +43,32 @@ TEST(FormatLaws, HoldUnderRandomBlanksAndComments) {
     EXPECT_GT(correct, tried / 2) << "most mutants are not models any more";
 }
 
+/// The examples take turns with the forms of a comment: ROBOCHART_SEEDS=7 tries each with all.
 TEST(FormatLaws, HoldWithACommentInEveryGap) {
-    for (const Example& example : examples())
-        for (const std::string comment :
-             {" /* c */ ", " // c\n", "\n// c\n", "\n/* c */\n", "\n/* c */ ", " /* c */\n", "/* c\nd */"}) {
+    const std::vector<std::string> comments = {" /* c */ ",  " // c\n",    "\n// c\n",  "\n/* c */\n",
+                                               "\n/* c */ ", " /* c */\n", "/* c\nd */"};
+    for (const std::uint64_t seed : seeds(1))
+        for (std::size_t i = 0; i < examples().size(); ++i) {
+            const std::string& comment = comments[(i + seed) % comments.size()];
             const auto choose = [&](std::string_view before) { return std::string(before) + comment; };
-            const Example mutant = respaced(example, choose);
+            const Example mutant = respaced(examples()[i], choose);
             if (is_correct(mutant)) expect_laws(mutant);
             if (HasFailure()) return;
         }
 }
 
-/// Names of any length, so that lines break anywhere.
+/// Names of any length, so that lines break anywhere; the examples take turns: ROBOCHART_SEEDS=4 tries each with all.
 TEST(FormatLaws, HoldForLongNames) {
+    const std::vector<std::size_t> lengths = {2, 8, 30, 130};
     for (const std::uint64_t seed : seeds(1))
-        for (const Example& example : examples())
-            for (const std::size_t most : {2U, 8U, 30U, 130U}) {
-                Random random(seed);
-                const Example mutant = lengthened(example, random, most);
-                const Example spaced = respaced(mutant, random);
-                expect_laws(mutant);
-                if (is_correct(spaced)) expect_laws(spaced);
-                if (HasFailure()) return;
-            }
+        for (std::size_t i = 0; i < examples().size(); ++i) {
+            Random random(seed);
+            const Example mutant = lengthened(examples()[i], random, lengths[(i + seed) % lengths.size()]);
+            const Example spaced = respaced(mutant, random);
+            expect_laws(mutant);
+            if (is_correct(spaced)) expect_laws(spaced);
+            if (HasFailure()) return;
+        }
 }
 
 /// Random texts with every construct, names of any length, blanks and comments.
@@ -122,7 +126,7 @@ std::string machines(std::size_t count) {
 
 /// What takes more than linear time here does not end within the time limit of the tests.
 TEST(FormatLaws, LongFilesTakeLinearTime) {
-    EXPECT_FALSE(formatted(machines(30'000)).empty());  // 150,000 lines
+    EXPECT_FALSE(formatted(machines(tests::rounds(30'000))).empty());  // 150,000 lines
 }
 
 TEST(FormatLaws, LongRunsOfBlanksAndLongLinesTakeLinearTime) {

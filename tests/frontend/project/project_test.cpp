@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/frontend/fixture.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::frontend {
 namespace {
@@ -73,7 +74,7 @@ TEST_F(Project, GarbageIsAnError) {
                                "ELF\x02\x01\0\0\0",
                                9));
     EXPECT_EQ(load("a.rct"), "a.rct RC-P08 ");
-    write("a.rct", std::string(10'000'000, 'x'));
+    write("a.rct", std::string(tests::rounds(10'000'000), 'x'));
     EXPECT_EQ(load("a.rct"), "a.rct RC-P01 ");
     EXPECT_LT(reading_->report().size(), 2000U);
 }

@@ -4,6 +4,7 @@
 
 #include "diagnostics/json.hpp"
 #include "tests/frontend/fixture.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::frontend {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 using testing::read;
 using testing::resolved;
 
-constexpr std::size_t deep = 100'000;
+constexpr std::size_t deep = tests::rounds(100'000);
+constexpr std::size_t megabytes = tests::rounds(10'000'000);
 
 std::string times(std::size_t n, const std::string& text) {
     std::string out;
@@ -131,11 +133,11 @@ TEST(Extremes, NestedBracesInAssertionsAreAFewMistakes) {
 // ---------------------------------------------------------------- long, not deep
 
 TEST(Extremes, ALineOfTenMegabytesIsReadToTheEnd) {
-    for (const std::string& text : {"type " + std::string(10'000'000, 'x') + " )", std::string(10'000'000, '9'),
-                                    std::string(10'000'000, '{'), std::string(10'000'000, 'a') + ":",
-                                    std::string(10'000'000, '^'), "type A " + std::string(10'000'000, ' ') + ")",
-                                    "// " + std::string(10'000'000, 'c') + "\n)", "'" + std::string(10'000'000, 's'),
-                                    "type " + times(1'000'000, "A::") + "A", times(200'000, "type A ") + ")"}) {
+    for (const std::string& text :
+         {"type " + std::string(megabytes, 'x') + " )", std::string(megabytes, '9'), std::string(megabytes, '{'),
+          std::string(megabytes, 'a') + ":", std::string(megabytes, '^'), "type A " + std::string(megabytes, ' ') + ")",
+          "// " + std::string(megabytes, 'c') + "\n)", "'" + std::string(megabytes, 's'),
+          "type " + times(1'000'000, "A::") + "A", times(200'000, "type A ") + ")"}) {
         const auto reading = judged(text);
         EXPECT_FALSE(reading->findings.ok()) << text.substr(0, 20);
         EXPECT_LT(diagnostics::render_json(reading->sources, reading->findings).size(), 1'000'000U);
@@ -144,8 +146,8 @@ TEST(Extremes, ALineOfTenMegabytesIsReadToTheEnd) {
 
 TEST(Extremes, ALongLineOfAssertionsIsReadToTheEnd) {
     for (const std::string& text :
-         {"assertion A: " + std::string(10'000'000, 'x') + " is", "csp P csp-begin " + std::string(10'000'000, '-'),
-          "csp P csp-begin " + std::string(10'000'000, 'x') + " csp-end )",
+         {"assertion A: " + std::string(megabytes, 'x') + " is", "csp P csp-begin " + std::string(megabytes, '-'),
+          "csp P csp-begin " + std::string(megabytes, 'x') + " csp-end )",
           "assertion A: " + times(1'000'000, "A::") + "A terminates )"})
         EXPECT_FALSE(judged(text, true)->findings.ok()) << text.substr(0, 20);
 }

@@ -127,7 +127,7 @@ std::vector<std::string> corpus_texts() {
 
 /// Thousands of edits; after each handful the server agrees with one that saw only the result.
 TEST(Incremental, IsTheSameAsFromScratch) {
-    for (std::uint32_t seed = 1; seed <= tests::rounds(12); ++seed) {
+    for (std::uint32_t seed = 1; seed <= tests::rounds(4); ++seed) {
         Editing editing(corpus_texts(), seed);
         for (int round = 0; round < 30; ++round) {
             for (int i = 0; i < 8; ++i) editing.edit();

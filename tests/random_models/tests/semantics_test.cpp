@@ -92,12 +92,13 @@ TEST(Semantics, TakesTheTimedCore) {
     EXPECT_GE(tally.emitted * 10, tally.models * 9);
 }
 
+/// `scripts/random_scripts.sh` tries a thousand models. From seed 2, as below: the model of seed 1 has more than 20,000
+/// configurations, half a minute each time.
 TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
-    pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 30);
+    pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 10, 2);
 }
 
-/// Broadcast events have no published semantics; everything else is to be taken. `scripts/random_scripts.sh` tries a
-/// thousand models. From seed 2: the model of seed 1 has more than 20,000 configurations, half a minute each time.
+/// Broadcast events have no published semantics; everything else is to be taken.
 TEST(Semantics, TakesTheLanguageWithoutBroadcast) {
     Shape shape = Shape::whole_language();
     shape.broadcast = false;
