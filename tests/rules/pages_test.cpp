@@ -48,11 +48,18 @@ std::multiset<std::string> of_interest(const std::multiset<std::string>& finding
     return result;
 }
 
-class PageOfARule : public ::testing::TestWithParam<app::PageText> {};
+/// Asked of each page in one test: the program has to be started for each test, and there are hundreds of pages.
+template <class Expectation>
+void for_each_page(Expectation expectation) {
+    for (const app::PageText& text : pages()) {
+        SCOPED_TRACE("docs/rules/" + std::string(text.code) + ".md");
+        const app::RulePage page = app::read_page(text.text);
+        EXPECT_EQ(page.code, text.code) << "the title names the rule of the file's name";
+        expectation(page);
+    }
+}
 
-TEST_P(PageOfARule, HasTheForm) {
-    const app::RulePage page = app::read_page(GetParam().text);
-    EXPECT_EQ(page.code, GetParam().code) << "the title names the rule of the file's name";
+void expect_form(const app::RulePage& page) {
     for (const std::string& fault : page.faults) {
         const bool excused = without_example.contains(page.code) && fault.find("no example") != std::string::npos;
         EXPECT_TRUE(excused) << "docs/rules/" << page.code << ".md: " << fault;
@@ -62,8 +69,11 @@ TEST_P(PageOfARule, HasTheForm) {
     EXPECT_TRUE(!title.empty() && title.back() != '.') << "a title is a phrase: " << title;
 }
 
-TEST_P(PageOfARule, NamesTheSeveritiesOfTheTable) {
-    const app::RulePage page = app::read_page(GetParam().text);
+TEST(RulePages, HaveTheForm) {
+    for_each_page(expect_form);
+}
+
+void expect_severities(const app::RulePage& page) {
     const auto rules = app::find_rules(page.code);
     ASSERT_FALSE(rules.empty()) << "no rule has the code " << page.code;
     using diagnostics::Severity;
@@ -75,8 +85,11 @@ TEST_P(PageOfARule, NamesTheSeveritiesOfTheTable) {
         EXPECT_EQ(has(severity), page.severity.find(word) != std::string::npos) << page.code << ": " << page.severity;
 }
 
-TEST_P(PageOfARule, WrongExampleBreaksTheRuleAlone) {
-    const app::RulePage page = app::read_page(GetParam().text);
+TEST(RulePages, NameTheSeveritiesOfTheTable) {
+    for_each_page(expect_severities);
+}
+
+void expect_wrong_example(const app::RulePage& page) {
     if (without_example.contains(page.code) && page.wrong.empty()) return;  // nothing can be shown
     const testing::Judgement found = testing::judge(page.wrong);
     const auto findings = of_interest(found.findings, page.code);
@@ -89,21 +102,20 @@ TEST_P(PageOfARule, WrongExampleBreaksTheRuleAlone) {
         EXPECT_THAT(finding, ::testing::EndsWith(" " + page.code)) << found.report;
 }
 
-TEST_P(PageOfARule, RightExampleIsInOrder) {
-    const app::RulePage page = app::read_page(GetParam().text);
+TEST(RulePages, WrongExamplesBreakTheRuleAlone) {
+    for_each_page(expect_wrong_example);
+}
+
+void expect_right_example(const app::RulePage& page) {
     if (without_example.contains(page.code) && page.right.empty()) return;  // nothing can be shown
     const testing::Judgement found = testing::judge(page.right);
     EXPECT_EQ(of_interest(found.findings, page.code), found.expected) << found.report;
     EXPECT_FALSE(found.codes().contains(page.code)) << found.report;
 }
 
-std::string as_identifier(const ::testing::TestParamInfo<app::PageText>& page) {
-    std::string name(page.param.code);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
+TEST(RulePages, RightExamplesAreInOrder) {
+    for_each_page(expect_right_example);
 }
-
-INSTANTIATE_TEST_SUITE_P(Pages, PageOfARule, ::testing::ValuesIn(pages()), as_identifier);
 
 TEST(RulePages, EveryRuleHasOne) {
     std::set<std::string_view> codes;
