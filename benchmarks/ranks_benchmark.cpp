@@ -5,8 +5,7 @@
 // ranks.
 //
 //   benchmark_ranks SCRIPT NUMBER TIMES RANKS...    the process of the script's assertion of this number, all its
-//   states;
-//                                                   of so many times the one with the shortest critical path
+//                                                   states; of so many searches for each rank and level the least time
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,10 +36,12 @@ struct Measured {
     double critical = 0;  ///< s: sum over levels of the largest time of a rank
     double total = 0;     ///< s: of all ranks
     std::uint64_t crossing = 0, bytes = 0, messages = 0, rounds = 0;
-    std::uint64_t most_bytes = 0;  ///< of a rank: rows and messages
-    std::vector<Width> widths;     ///< by one rank
+    std::uint64_t most_bytes = 0;              ///< of a rank: rows and messages
+    std::vector<Width> widths;                 ///< by one rank
+    std::vector<std::vector<double>> seconds;  ///< by rank, then level
 };
 
+/// What one rank has done.
 struct RankFigures {
     std::vector<double> seconds;
     refine::Exchange::Traffic traffic;
@@ -71,22 +72,33 @@ Measured measure(const lts::TransitionSystem& system, unsigned ranks) {
             result.widths.push_back(
                 {static_cast<double>(store.rows(level)), static_cast<double>(expanded[level].transitions)});
     });
-    for (std::size_t level = 0; level < figures.front().seconds.size(); ++level) {
-        double largest = 0;
-        for (const RankFigures& rank : figures) {
-            largest = std::max(largest, rank.seconds[level]);
-            result.total += rank.seconds[level];
-        }
-        result.critical += largest;
-    }
-    for (const RankFigures& rank : figures) {
+    for (RankFigures& rank : figures) {
         result.crossing += rank.crossing;
         result.bytes += rank.traffic.bytes;
         result.messages += rank.traffic.messages;
         result.rounds = rank.traffic.rounds;
         result.most_bytes = std::max(result.most_bytes, rank.bytes);
+        result.seconds.push_back(std::move(rank.seconds));
     }
     return result;
+}
+
+/// What else ran on the machine can only have made a time longer: of each rank and level the least one counts.
+void take_least(Measured& kept, const Measured& again) {
+    for (std::size_t rank = 0; rank < kept.seconds.size(); ++rank)
+        for (std::size_t level = 0; level < kept.seconds[rank].size(); ++level)
+            kept.seconds[rank][level] = std::min(kept.seconds[rank][level], again.seconds[rank][level]);
+}
+
+void sum_up(Measured& measured) {
+    for (std::size_t level = 0; level < measured.seconds.front().size(); ++level) {
+        double largest = 0;
+        for (const std::vector<double>& rank : measured.seconds) {
+            largest = std::max(largest, rank[level]);
+            measured.total += rank[level];
+        }
+        measured.critical += largest;
+    }
 }
 
 /// The mean of the largest of P independent Poisson loads of this mean each.
@@ -143,13 +155,15 @@ void print_predictions(const Measured& alone, double a_transition, double bytes_
         }
 }
 
-Measured best_of(unsigned times, const lts::TransitionSystem& system, unsigned ranks) {
-    Measured best = measure(system, ranks);
-    for (unsigned i = 1; i < times; ++i) {
-        Measured next = measure(system, ranks);
-        if (next.critical < best.critical) best = std::move(next);
-    }
-    return best;
+/// All numbers of ranks in turn, so that each has its share of quiet moments.
+std::vector<Measured> measure_all(unsigned times, const lts::TransitionSystem& system,
+                                  const std::vector<unsigned>& counts) {
+    std::vector<Measured> all;
+    for (const unsigned ranks : counts) all.push_back(measure(system, ranks));
+    for (unsigned i = 1; i < times; ++i)
+        for (std::size_t at = 0; at < counts.size(); ++at) take_least(all[at], measure(system, counts[at]));
+    for (Measured& each : all) sum_up(each);
+    return all;
 }
 
 int run(const std::string& path, std::size_t number, unsigned times, const std::vector<unsigned>& counts) {
@@ -172,15 +186,15 @@ int run(const std::string& path, std::size_t number, unsigned times, const std::
         std::cerr << "the process stays a term\n";
         return 2;
     }
-    std::vector<Measured> all;
+    const std::vector<Measured> all = measure_all(times, *system, counts);
     bool same = true;
     std::cout << "| ranks | states | transitions | levels | critical path s | speed-up | model | CPU of all / of one | "
                  "crossing | B a crossing row | messages | rounds | B a state and rank | of one's share |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-    for (const unsigned ranks : counts) {
-        all.push_back(best_of(times, *system, ranks));
+    for (std::size_t at = 0; at < counts.size(); ++at) {
+        const unsigned ranks = counts[at];
         const Measured& one = all.front();
-        const Measured& now = all.back();
+        const Measured& now = all[at];
         same = same && now.states == one.states && now.transitions == one.transitions;
         const double a_transition = one.total / static_cast<double>(one.transitions);
         constexpr Network none{"none", 0, 0};
@@ -195,7 +209,6 @@ int run(const std::string& path, std::size_t number, unsigned times, const std::
             ranks, now.states, now.transitions, one.widths.size() + 1, now.critical, one.critical / now.critical, model,
             now.total / one.total, ratio(now.crossing, now.transitions), ratio(now.bytes, now.crossing), now.messages,
             now.rounds, ratio(now.most_bytes * ranks, now.states), ratio(now.most_bytes * ranks, one.most_bytes));
-        std::cout.flush();
     }
     if (!all.front().widths.empty())
         print_predictions(all.front(), all.front().total / static_cast<double>(all.front().transitions),
