@@ -5,12 +5,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <thread>
 
 namespace robochart::app {
 
+using refine::Messages;
 using refine::Words;
 
 namespace {
@@ -21,11 +21,15 @@ int as_count(std::size_t words) {
     return static_cast<int>(words);
 }
 
-/// Where each part begins, if all lie side by side. The sum is the last one's end.
-int place(const std::vector<int>& counts, std::vector<int>& places) {
-    places.resize(counts.size());
-    std::exclusive_scan(counts.begin(), counts.end(), places.begin(), 0);
-    return places.empty() ? 0 : places.back() + counts.back();
+/// Where each part begins, if all lie side by side, and how long they are together.
+std::size_t place(const std::vector<int>& counts, std::vector<int>& places) {
+    std::size_t end = 0;
+    places.clear();
+    for (const int count : counts) {
+        places.push_back(as_count(end));
+        end += static_cast<std::size_t>(count);
+    }
+    return static_cast<std::size_t>(as_count(end));
 }
 
 /// MPI itself looks without pause; what takes longer than a moment is looked for less often.
@@ -63,25 +67,23 @@ MpiExchange::MpiExchange() {
     rank_ = static_cast<unsigned>(rank);
     ranks_ = static_cast<unsigned>(ranks);
     send_counts_.resize(ranks_);
+    send_places_.resize(ranks_);
     counts_.resize(ranks_);
 }
 
-void MpiExchange::all_to_all(const std::vector<Words>& out, std::vector<Words>& in) {
+void MpiExchange::all_to_all(const Messages& out, Messages& in) {
     count(out);
-    send_.clear();
+    as_count(out.words.size());
     for (unsigned to = 0; to < ranks_; ++to) {
-        send_counts_[to] = as_count(out[to].size());
-        send_.insert(send_.end(), out[to].begin(), out[to].end());
+        send_counts_[to] = as_count(out.sizes[to]);
+        send_places_[to] = as_count(out.begins[to]);
     }
-    as_count(send_.size());
     MPI_Alltoall(send_counts_.data(), 1, MPI_INT, counts_.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    place(send_counts_, send_places_);
-    received_.resize(static_cast<std::size_t>(place(counts_, places_)));
-    MPI_Alltoallv(send_.data(), send_counts_.data(), send_places_.data(), MPI_UINT32_T, received_.data(),
+    in.words.resize(place(counts_, places_));
+    MPI_Alltoallv(out.words.data(), send_counts_.data(), send_places_.data(), MPI_UINT32_T, in.words.data(),
                   counts_.data(), places_.data(), MPI_UINT32_T, MPI_COMM_WORLD);
-    in.resize(ranks_);
-    for (unsigned from = 0; from < ranks_; ++from)
-        in[from].assign(received_.begin() + places_[from], received_.begin() + places_[from] + counts_[from]);
+    in.begins.assign(places_.begin(), places_.end());
+    in.sizes.assign(counts_.begin(), counts_.end());
 }
 
 void MpiExchange::sum(std::span<std::uint64_t> values) {
@@ -91,7 +93,7 @@ void MpiExchange::sum(std::span<std::uint64_t> values) {
 std::vector<Words> MpiExchange::gather(const Words& own) {
     const int size = as_count(own.size());
     MPI_Allgather(&size, 1, MPI_INT, counts_.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    received_.resize(static_cast<std::size_t>(place(counts_, places_)));
+    received_.resize(place(counts_, places_));
     MPI_Allgatherv(own.data(), size, MPI_UINT32_T, received_.data(), counts_.data(), places_.data(), MPI_UINT32_T,
                    MPI_COMM_WORLD);
     std::vector<Words> all(ranks_);

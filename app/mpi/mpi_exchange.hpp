@@ -23,7 +23,7 @@ public:
     MpiExchange();
     [[nodiscard]] unsigned rank() const override { return rank_; }
     [[nodiscard]] unsigned ranks() const override { return ranks_; }
-    void all_to_all(const std::vector<refine::Words>& out, std::vector<refine::Words>& in) override;
+    void all_to_all(const refine::Messages& out, refine::Messages& in) override;
     void sum(std::span<std::uint64_t> values) override;
     [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override;
     void broadcast(std::string& bytes) override;
@@ -31,8 +31,7 @@ public:
 private:
     unsigned rank_ = 0;
     unsigned ranks_ = 1;
-    // Of all messages, side by side.
-    refine::Words send_, received_;
+    refine::Words received_;  // of all ranks, side by side
     std::vector<int> send_counts_, send_places_, counts_, places_;
 };
 

@@ -2,12 +2,12 @@
 
 namespace robochart::refine {
 
-void Exchange::count(const std::vector<Words>& out) {
+void Exchange::count(const Messages& out) {
     ++traffic_.rounds;
-    for (unsigned to = 0; to < out.size(); ++to) {
-        if (to == rank() || out[to].empty()) continue;
+    for (unsigned to = 0; to < ranks(); ++to) {
+        if (to == rank() || out.sizes[to] == 0) continue;
         ++traffic_.messages;
-        traffic_.bytes += out[to].size() * sizeof(lts::Word);
+        traffic_.bytes += out.sizes[to] * sizeof(lts::Word);
     }
 }
 

@@ -20,6 +20,15 @@ using Words = std::vector<lts::Word>;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
 }
 
+/// A message for, or from, each rank, all in one piece of memory.
+struct Messages {
+    explicit Messages(unsigned ranks) : begins(ranks), sizes(ranks) {}
+    [[nodiscard]] lts::StateView of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
+
+    Words words;
+    std::vector<std::size_t> begins, sizes;  ///< by rank: where its message lies
+};
+
 class Exchange {
 public:
     Exchange() = default;
@@ -31,8 +40,9 @@ public:
     [[nodiscard]] virtual unsigned rank() const = 0;
     [[nodiscard]] virtual unsigned ranks() const = 0;
 
-    /// Sends `out[r]` to each rank r, and gives in `in[r]` what r has sent here. Fewer than 2^31 bytes to each rank.
-    virtual void all_to_all(const std::vector<Words>& out, std::vector<Words>& in) = 0;
+    /// Sends `out.of(r)` to each rank r, and gives in `in.of(r)` what r has sent here. Fewer than 2^31 words all
+    /// together.
+    virtual void all_to_all(const Messages& out, Messages& in) = 0;
     /// Replaces each value by the sum of all ranks' values in its place.
     virtual void sum(std::span<std::uint64_t> values) = 0;
     /// What each rank has given, at every rank. For few words.
@@ -54,7 +64,7 @@ public:
     [[nodiscard]] bool left_together() const { return left_together_; }
 
 protected:
-    void count(const std::vector<Words>& out);
+    void count(const Messages& out);
 
 private:
     Traffic traffic_;
@@ -66,7 +76,7 @@ class LoneExchange final : public Exchange {
 public:
     [[nodiscard]] unsigned rank() const override { return 0; }
     [[nodiscard]] unsigned ranks() const override { return 1; }
-    void all_to_all(const std::vector<Words>& out, std::vector<Words>& in) override { in = out; }
+    void all_to_all(const Messages& out, Messages& in) override { in = out; }
     void sum(std::span<std::uint64_t> /*values*/) override {}
     [[nodiscard]] std::vector<Words> gather(const Words& own) override { return {own}; }
     void broadcast(std::string& /*bytes*/) override {}

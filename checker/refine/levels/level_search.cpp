@@ -51,6 +51,7 @@ LevelSearch::LevelSearch(lts::TransitionSystem& system, Monitor& monitor, RowSto
       note_taus_(note_taus),
       work_(exchange),
       batches_(exchange.ranks(), store.width()),
+      sent_(store.width()),
       no_rows_(store.width()) {}
 
 LevelSearch::~LevelSearch() {
@@ -136,6 +137,7 @@ void LevelSearch::expand_level(Level level) {
     fault_.reset();
     forbidden_.reset();
     level_seconds_.resize(level + std::size_t{1});
+    if (exchange_.ranks() > 1) work_.attempt([this] { sent_.fit(store_.bytes() / 64); });
     std::uint64_t next = 0;
     do {
         {
@@ -166,13 +168,18 @@ void LevelSearch::expand_level(Level level) {
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
     // What waits takes little beside what is kept.
-    const std::uint64_t most_waiting = std::max<std::uint64_t>(std::uint64_t{1} << 14U, store_.bytes() / 32);
+    const std::uint64_t most_waiting = std::max<std::uint64_t>(std::uint64_t{1} << 13U, store_.bytes() / 32);
     for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
         block_.clear();
         const std::size_t count = store_.read(level, next, rows_a_block, block_);
         if (count == 0) return;
         expansion_.clear(width);
         for (std::size_t i = 0; i < count; ++i) {
+            if (expansion_.size() >= rows_at_once) take();
+            if (batches_.full(most_waiting)) {
+                next += i;
+                return;
+            }
             try {
                 expand(StateView(block_).subspan(i * width, width));
             } catch (const LimitReached&) {
@@ -193,7 +200,6 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
 }
 
 void LevelSearch::expand(StateView row) {
-    if (expansion_.size() >= rows_at_once) take();
     budget_.charge();
     expander_->expand(row, expansion_);
     const Expansion::Pair& pair = expansion_.pairs.back();
@@ -203,19 +209,22 @@ void LevelSearch::expand(StateView row) {
     if (pair.forbidden) keep_least(forbidden_, {{row.begin(), row.end()}, ViolationKind::trace, *pair.forbidden});
 }
 
-/// Rows of others are put aside, and this rank's own entered.
+/// Rows of others are put aside, and this rank's own entered. Whether a tau leads back depends on the level: its target
+/// is sent each time.
 void LevelSearch::take() {
     const unsigned ranks = exchange_.ranks();
     const unsigned self = exchange_.rank();
     own_.clear();
     for (std::uint32_t i = 0; i < expansion_.size(); ++i) {
-        const unsigned owner = ranks == 1 ? 0 : owner_of(expansion_.hash(i), ranks);
+        const std::uint64_t hash = expansion_.hash(i);
+        const unsigned owner = ranks == 1 ? 0 : owner_of(hash, ranks);
         if (owner == self) {
-            store_.prefetch(expansion_.hash(i));
+            store_.prefetch(hash);
             own_.push_back(i);
-        } else {
-            batches_.add(owner, expansion_.row(i), note_taus_ && expansion_.by_tau(i));
+            continue;
         }
+        const bool by_tau = note_taus_ && expansion_.by_tau(i);
+        if (by_tau || !sent_.again(expansion_.row(i), hash)) batches_.add(owner, expansion_.row(i), by_tau);
     }
     for (const std::uint32_t i : own_) enter(expansion_.row(i), expansion_.hash(i), note_taus_ && expansion_.by_tau(i));
     expansion_.clear(store_.width());
@@ -256,6 +265,7 @@ std::optional<Level> LevelSearch::settle() {
 
 void LevelSearch::roll_back_to(Level level) {
     work_.attempt([&] { store_.roll_back_to(level); });
+    sent_.clear();
     work_.sum({});
     std::vector<LevelFigures>& expanded = store_.record().expanded;
     if (level <= expanded.size()) {
@@ -282,7 +292,7 @@ void LevelSearch::close_level() {
 
 std::uint64_t LevelSearch::bytes() const {
     const lts::StateStore& marks = store_.record().marks;
-    return store_.bytes() + batches_.bytes() + marks.size() * marks.width() * sizeof(lts::Word);
+    return store_.bytes() + batches_.bytes() + sent_.bytes() + marks.size() * marks.width() * sizeof(lts::Word);
 }
 
 LevelFigures LevelSearch::figures_until(std::size_t levels) const {

@@ -14,6 +14,7 @@
 #include "checker/refine/levels/exchange.hpp"
 #include "checker/refine/levels/row_batches.hpp"
 #include "checker/refine/levels/row_store.hpp"
+#include "checker/refine/levels/sent_rows.hpp"
 #include "checker/refine/levels/shared_work.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/search/expansion.hpp"
@@ -111,6 +112,7 @@ private:
     const bool note_taus_;
     SharedWork work_;
     RowBatches batches_;
+    SentRows sent_;
     lts::StateStore no_rows_;  // what an expander of rows that lie elsewhere is given
     std::optional<Expander> expander_;
     Expansion expansion_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "checker/lts/state_store.hpp"
 #include "checker/refine/levels/exchange.hpp"
@@ -12,13 +14,21 @@ namespace robochart::refine {
 /// For each rank a message: how many of its rows no tau has led to, these rows, the rows that a tau has led to.
 class RowBatches {
 public:
-    RowBatches(unsigned ranks, std::size_t width) : width_(width), by_tau_(ranks), out_(ranks) {}
+    RowBatches(unsigned ranks, std::size_t width);
 
     void add(unsigned rank, lts::StateView row, bool by_tau) {
-        Words& words = (by_tau ? by_tau_ : out_)[rank];
-        if (!by_tau && words.empty()) words.push_back(0);
-        for (const lts::Word word : row) words.push_back(word);  // few
-        largest_ = std::max(largest_, words.size());
+        Message& message = messages_[rank];
+        if (message.front + message.back + width_ > space_) make_space();
+        std::size_t at = begin_of(rank);
+        if (by_tau) {
+            message.back += width_;
+            at += space_ - message.back;
+        } else {
+            at += message.front;
+            message.front += width_;
+        }
+        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // few
+        largest_ = std::max(largest_, message.front + message.back);
         ++waiting_;
     }
     /// Whether a message has reached 64 KiB, or all together this many bytes: time to send.
@@ -35,9 +45,10 @@ public:
     void receive(const Prefetch& prefetch, const Enter& enter) const {
         constexpr std::size_t ahead = 64;
         std::array<std::uint64_t, ahead> hashes{};
-        for (const Words& message : in_) {
+        for (unsigned rank = 0; rank < messages_.size(); ++rank) {
+            const lts::StateView message = in_.of(rank);
             if (message.empty()) continue;
-            const lts::StateView rows = lts::StateView(message).subspan(1);
+            const lts::StateView rows = message.subspan(1);
             const std::size_t count = rows.size() / width_;
             for (std::size_t first = 0; first < count; first += ahead) {
                 const std::size_t end = std::min(count, first + ahead);
@@ -51,16 +62,27 @@ public:
         }
     }
     /// In memory.
-    [[nodiscard]] std::uint64_t bytes() const;
+    [[nodiscard]] std::uint64_t bytes() const {
+        return (out_.words.capacity() + in_.words.capacity()) * sizeof(lts::Word);
+    }
 
 private:
+    /// Words used of a rank's space: from its front on the number, still unknown, and the rows that no tau has led to;
+    /// up to its end the others.
+    struct Message {
+        std::size_t front = 1;
+        std::size_t back = 0;
+    };
+    [[nodiscard]] std::size_t begin_of(unsigned rank) const { return rank * space_; }
+    void make_space();
+
     std::size_t width_;
+    std::size_t space_;  // words of each message
     std::size_t largest_ = 0;
     std::uint64_t waiting_ = 0;  // rows that have not been sent
     std::uint64_t rows_ = 0;     // that have
-    std::vector<Words> by_tau_;  // by rank
-    std::vector<Words> out_;     // by rank: the number, still 0, and the other rows
-    std::vector<Words> in_;
+    std::vector<Message> messages_;
+    Messages out_, in_;
 };
 
 }  // namespace robochart::refine

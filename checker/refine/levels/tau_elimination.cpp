@@ -161,16 +161,16 @@ std::vector<Words> TauElimination::at_first_rank() {
     constexpr std::size_t rows_a_message = 1U << 14U;
     const std::size_t width = store_.width();
     std::vector<Words> all;
-    std::vector<Words> out(exchange_.ranks()), in;
+    Messages out(exchange_.ranks()), in(exchange_.ranks());
     Level level = 0;
     std::uint64_t next = 0;
     std::uint64_t more[1] = {1};
     while (more[0] > 0) {
         more[0] = 0;
-        out[0].clear();
+        out.words.clear();
         work_.attempt([&] {
             Words block;
-            while (level < store_.levels() && out[0].size() < rows_a_message * width) {
+            while (level < store_.levels() && out.words.size() < rows_a_message * width) {
                 block.clear();
                 const std::size_t count = store_.read(level, next, 1024, block);
                 next += count;
@@ -182,18 +182,18 @@ std::vector<Words> TauElimination::at_first_rank() {
                     const StateView row = StateView(block).subspan(i * width, width);
                     const StateIndex found = reached_.find(row);
                     if (found == lts::no_state || taus_to_[found] == 0) continue;
-                    out[0].push_back(level);
-                    out[0].insert(out[0].end(), row.begin(), row.end());
+                    out.words.push_back(level);
+                    out.words.insert(out.words.end(), row.begin(), row.end());
                 }
             }
             more[0] = level < store_.levels() ? 1 : 0;
         });
+        out.sizes[0] = out.words.size();
         exchange_.all_to_all(out, in);
         work_.attempt([&] {
-            for (const Words& message : in)
-                for (std::size_t at = 0; at < message.size(); at += width + 1)
-                    all.emplace_back(message.begin() + static_cast<std::ptrdiff_t>(at),
-                                     message.begin() + static_cast<std::ptrdiff_t>(at + width + 1));
+            for (std::size_t at = 0; at < in.words.size(); at += width + 1)
+                all.emplace_back(in.words.begin() + static_cast<std::ptrdiff_t>(at),
+                                 in.words.begin() + static_cast<std::ptrdiff_t>(at + width + 1));
             budget_.charge(all.size() / 1024 + 1);
         });
         work_.sum(more);

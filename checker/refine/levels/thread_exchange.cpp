@@ -16,13 +16,23 @@ public:
     [[nodiscard]] unsigned rank() const override { return rank_; }
     [[nodiscard]] unsigned ranks() const override { return meeting_.ranks_; }
 
-    void all_to_all(const std::vector<Words>& out, std::vector<Words>& in) override {
+    void all_to_all(const Messages& out, Messages& in) override {
         count(out);
         meeting_.out_[rank_] = &out;
         meeting_.wait();
         read([&] {
-            in.resize(ranks());
-            for (unsigned from = 0; from < ranks(); ++from) in[from] = (*meeting_.out_[from])[rank_];
+            std::size_t size = 0;
+            for (unsigned from = 0; from < ranks(); ++from) {
+                in.begins[from] = size;
+                in.sizes[from] = meeting_.out_[from]->sizes[rank_];
+                size += in.sizes[from];
+            }
+            in.words.clear();
+            in.words.reserve(size);
+            for (const Messages* const each : meeting_.out_) {
+                const lts::StateView message = each->of(rank_);
+                in.words.insert(in.words.end(), message.begin(), message.end());
+            }
         });
     }
     void sum(std::span<std::uint64_t> values) override {
@@ -35,12 +45,11 @@ public:
         meeting_.wait();
     }
     [[nodiscard]] std::vector<Words> gather(const Words& own) override {
-        const std::vector<Words> out(1, own);
-        meeting_.out_[rank_] = &out;
+        meeting_.words_[rank_] = &own;
         meeting_.wait();
         std::vector<Words> all;
         read([&] {
-            for (const std::vector<Words>* each : meeting_.out_) all.push_back(each->front());
+            for (const Words* const each : meeting_.words_) all.push_back(*each);
         });
         return all;
     }

@@ -21,7 +21,7 @@ public:
 /// Where threads meet. Each has an exchange of its own; the meeting outlives them.
 class Meeting {
 public:
-    explicit Meeting(unsigned ranks) : ranks_(ranks), out_(ranks), sums_(ranks), texts_(ranks) {}
+    explicit Meeting(unsigned ranks) : ranks_(ranks), out_(ranks), words_(ranks), sums_(ranks), texts_(ranks) {}
     /// The exchange of a thread, which is rank `rank`.
     [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned rank);
     /// All others that wait, or ever will, get RankLost.
@@ -38,7 +38,8 @@ private:
     std::uint64_t turn_ = 0;
     bool left_ = false;
     // What each has brought; changed by its owner between two waits in which nobody reads it.
-    std::vector<const std::vector<Words>*> out_;
+    std::vector<const Messages*> out_;
+    std::vector<const Words*> words_;
     std::vector<std::vector<std::uint64_t>> sums_;
     std::vector<const std::string*> texts_;
 };

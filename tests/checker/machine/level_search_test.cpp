@@ -165,10 +165,16 @@ TEST(ThreadRanks, ARankThatFailsEndsAll) {
 TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
     refine::as_ranks(3, [](refine::Exchange& exchange) {
         const unsigned rank = exchange.rank();
-        std::vector<refine::Words> out(3), in;
-        for (unsigned to = 0; to < 3; ++to) out[to].assign(to, 10 * rank + to);
+        refine::Messages out(3), in(3);
+        for (unsigned to = 0; to < 3; ++to) {
+            out.words.push_back(99);  // of no message
+            out.begins[to] = out.words.size();
+            out.sizes[to] = to;
+            out.words.insert(out.words.end(), to, 10 * rank + to);
+        }
         exchange.all_to_all(out, in);
-        for (unsigned from = 0; from < 3; ++from) EXPECT_EQ(in[from], refine::Words(rank, 10 * from + rank));
+        for (unsigned from = 0; from < 3; ++from)
+            EXPECT_EQ(refine::Words(in.of(from).begin(), in.of(from).end()), refine::Words(rank, 10 * from + rank));
         std::uint64_t values[2] = {rank, 1};
         exchange.sum(values);
         EXPECT_EQ(values[0], 3U);
