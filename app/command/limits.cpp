@@ -14,10 +14,7 @@ refine::Limits limits(const Options& o, const std::string& subject) {
         result.interrupted = [&budget] { return budget.interrupted(); };
         result.by_levels = o.run->kept_searches();
     }
-    if (o.by_levels != nullptr) {
-        if (result.by_levels != nullptr) throw UsageError("searches by several programs are not kept in files");
-        result.by_levels = o.by_levels;
-    }
+    if (o.by_levels != nullptr) result.by_levels = o.by_levels;
     result.max_states = o.max_states;
     result.progress = progress_of(o, subject);
     result.threads = o.threads;

@@ -117,6 +117,38 @@ Independent projects are processed separately.
 Results go to standard output, diagnostics and progress to standard error.
 )";
 
+constexpr std::string_view ranks = R"(.SH "SEVERAL PROCESSES"
+.B robochart\-verify\-mpi
+takes the same verbs and options; it is there where it was built with MPI.
+.B mpirun
+or
+.B srun
+starts it so many times, and these
+.I ranks
+share the states of each search:
+.PP
+.RS
+.nf
+mpirun \-n 4 robochart\-verify\-mpi cspm model.csp
+srun \-\-ntasks=64 robochart\-verify\-mpi cspm model.csp \-\-memory 3G
+.fi
+.RE
+.PP
+Rank 0 reads, compiles and prints. Verdicts, counterexamples and exit status do not depend on the number of ranks.
+.B \-\-memory
+is that of each rank,
+.B \-\-max\-states
+those of all together.
+.BR \-\-checkpoint ,
+.BR \-\-resume ,
+.B \-\-disk
+and more than one of
+.B \-\-threads
+are refused. Where a rank fails, all end, with the exit status of its error. Where
+.B mpirun
+itself gets a signal, the results so far are printed, and its exit status is its own.
+)";
+
 constexpr std::string_view closing = R"(.SH ENVIRONMENT
 .TP
 .B NO_COLOR
@@ -198,8 +230,8 @@ std::string manual_page() {
     return fmt::format(
         ".\\\" Made by `robochart\\-verify help \\-\\-generate man`.\n"
         ".TH ROBOCHART\\-VERIFY 1 \"\" \"robochart\\-verify {}\" \"User Commands\"\n"
-        ".SH NAME\nrobochart\\-verify \\- verify RoboChart models\n{}{}{}{}{}{}",
-        program_version, synopsis(), description, verbs_section(), options_section(), exit_section(), closing);
+        ".SH NAME\nrobochart\\-verify \\- verify RoboChart models\n{}{}{}{}{}{}{}",
+        program_version, synopsis(), description, verbs_section(), options_section(), exit_section(), ranks, closing);
 }
 
 }  // namespace robochart::app

@@ -11,19 +11,40 @@ using refine::RowStore;
 
 ServedRanks::~ServedRanks() {
     try {
-        std::string nothing;
-        exchange_.broadcast(nothing);
-    } catch (const refine::RankLost&) {
-        // It needs no end any more.
+        end();
+    } catch (const std::exception&) {
+        // Others that are lost need no end any more; and nobody is here to say that there is no more memory.
     }
+}
+
+void ServedRanks::end() {
+    if (ended_ || others_wait_) return;
+    ended_ = true;
+    std::string nothing;
+    exchange_.broadcast(nothing);
 }
 
 std::optional<refine::Violation> ServedRanks::search(lts::TransitionSystem& system,
                                                      const refine::LevelQuestion& question, refine::Budget& budget,
                                                      refine::Statistics& statistics) {
-    std::optional<std::string> job = encode(system, question, budget.limits());
+    if (others_wait_) throw refine::LimitReached("an error has parted the ranks in an earlier search");
+    const std::optional<std::string> job = encode(system, question, budget.limits());
     if (!job) return refine::OneRank(make_store_).search(system, question, budget, statistics);
-    exchange_.broadcast(*job);
+    exchange_.begin_together();
+    try {
+        return search_together(system, question, *job, budget, statistics);
+    } catch (...) {
+        others_wait_ = !exchange_.left_together();
+        throw;
+    }
+}
+
+std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSystem& system,
+                                                              const refine::LevelQuestion& question,
+                                                              const std::string& job, refine::Budget& budget,
+                                                              refine::Statistics& statistics) {
+    std::string sent = job;
+    exchange_.broadcast(sent);
     refine::SharedWork ready(exchange_);
     std::unique_ptr<RowStore> store;
     ready.attempt([&] { store = make_store_(question, system, exchange_); });

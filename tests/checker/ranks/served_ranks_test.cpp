@@ -17,6 +17,7 @@
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
+#include "tests/checker/ranks/faulty_exchange.hpp"
 
 namespace robochart::ranks {
 namespace {
@@ -136,6 +137,56 @@ TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
     });
 }
 
+/// Whichever rank meets an error of its own at whichever call, all end: rank 0 knows that the others wait for it, and
+/// searches no more.
+TEST_F(Cells, EndTogetherWhateverRankFails) {
+    const auto system = compiler.compile(cells(), {});
+    for (const unsigned failing : {0U, 2U})
+        for (std::uint64_t call = 0;; ++call) {
+            const auto fault = call % 2 == 0 ? FaultyExchange::Fault::error : FaultyExchange::Fault::memory;
+            bool failed = false;
+            const auto work = [&](refine::Exchange& real) {
+                const bool own = real.rank() == failing;
+                FaultyExchange faulty(real, own ? call : ~std::uint64_t{0}, fault);
+                if (real.rank() != 0) {
+                    serve(faulty);
+                } else {
+                    ServedRanks strategy(faulty);
+                    refine::Limits limits;
+                    limits.by_levels = &strategy;
+                    std::string why;
+                    try {
+                        why = refine::deadlock_free(*system, refine::Model::failures, limits).reason;
+                    } catch (const std::logic_error& error) {
+                        why = error.what();
+                    }
+                    if (!faulty.has_failed()) {
+                        strategy.end();
+                    } else {
+                        EXPECT_TRUE(strategy.others_wait()) << call;
+                        EXPECT_NE(why, "") << call;
+                        EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits).outcome,
+                                  Outcome::inconclusive);
+                        failed = true;
+                        throw std::runtime_error("the first rank ends");
+                    }
+                }
+                if (own && faulty.has_failed()) failed = true;
+            };
+            bool all_ended_well = true;
+            try {
+                refine::as_ranks(3, work);
+            } catch (const std::exception&) {
+                all_ended_well = false;
+            }
+            if (all_ended_well) {
+                EXPECT_GT(call, 10U);  // it has more calls than these
+                break;
+            }
+            ASSERT_LT(call, 10'000U) << failed;
+        }
+}
+
 std::vector<refine::RunStep> steps(lts::TransitionSystem& system, lts::StateView state) {
     return refine::steps_from(system, state);
 }
@@ -175,7 +226,7 @@ class ShortOfMemory final : public refine::Exchange {
 public:
     [[nodiscard]] unsigned rank() const override { return 1; }
     [[nodiscard]] unsigned ranks() const override { return 2; }
-    void all_to_all(const std::vector<refine::Words>& /*out*/, std::vector<refine::Words>& /*in*/) override {}
+    void all_to_all(const refine::Messages& /*out*/, refine::Messages& /*in*/) override {}
     void sum(std::span<std::uint64_t> /*values*/) override { throw std::bad_alloc(); }
     [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override { return {own, own}; }
     void broadcast(std::string& bytes) override {

@@ -1,0 +1,73 @@
+#include "app/mpi/ranked_command.hpp"
+
+#include <signal.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/command/command_line.hpp"
+#include "app/command/run.hpp"
+#include "app/mpi/mpi_exchange.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/ranks/served_ranks.hpp"
+
+namespace robochart::app {
+namespace {
+
+constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+
+/// Files of searches are those of one program, and a search by ranks has one thread at each.
+void refuse_what_ranks_have_not(const Options& options) {
+    const bool of_trials = options.verb == Verb::simulate || options.verb == Verb::tune || options.verb == Verb::prism;
+    if (options.threads > 1 && !of_trials)
+        throw UsageError("a rank searches with one thread: leave out --threads, and start one rank a core");
+    for (const std::string& folder : {options.checkpoint, options.resume, options.disk})
+        if (!folder.empty())
+            throw UsageError(
+                "searches by ranks are not kept in files: --checkpoint, --resume and --disk are for robochart-verify");
+}
+
+/// The command as ever, with a strategy for its searches.
+int command(int argc, char** argv, refine::Exchange& exchange) {
+    ranks::ServedRanks served(exchange);
+    const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
+        refuse_what_ranks_have_not(given);
+        Options options = given;
+        options.by_levels = &served;
+        return run_verb(options);
+    });
+    if (served.others_wait()) MpiProgram::abort(code);
+    served.end();
+    return code;
+}
+
+[[noreturn]] void end_all(unsigned rank, Exit code, const char* why) {
+    std::fprintf(stderr, "robochart-verify-mpi: rank %u: %s; all ranks end\n", rank, why);
+    MpiProgram::abort(static_cast<int>(code));
+}
+
+}  // namespace
+
+void block_signals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int each : ending) sigaddset(&signals, each);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
+    try {
+        if (exchange.rank() == 0) return command(argc, argv, exchange);
+        for (const int each : ending) signal(each, SIG_IGN);
+        ranks::serve(exchange);
+        return 0;
+    } catch (const std::bad_alloc&) {
+        end_all(exchange.rank(), Exit::inconclusive, "there is no more memory");
+    } catch (const std::exception& error) {
+        end_all(exchange.rank(), Exit::internal, error.what());
+    }
+}
+
+}  // namespace robochart::app

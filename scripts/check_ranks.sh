@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Searches by ranks against the ordinary search (docs/scale.md):
+#   scripts/check_ranks.sh           threads as 1, 2, 3, 4 and 8 ranks, on every script of the tests and of ROBOCHART_SHARED
+#   scripts/check_ranks.sh --mpirun  real ranks, 2 and 4 of them, on ten scripts; and every way in which all end
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
+if [[ "${1:-}" == --mpirun ]]; then
+  cmake --build --preset release --target robochart-verify robochart-verify-mpi faulty_ranks
+  programs=build/release/app
+  python3 tests/app/mpi/compare_ranks.py $programs/robochart-verify $programs/mpi/robochart-verify-mpi mpirun tests/app/mpi/scripts
+  exec python3 tests/app/mpi/end_ranks.py mpirun $programs/mpi/robochart-verify-mpi build/release/tests/app/mpi/faulty_ranks
+fi
+cmake --build --preset release --target tests_cspm
+failed=0
+folders=(tests/app benchmarks "${ROBOCHART_SHARED:-../shared}/suite")
+for folder in $(grep -rl --include='*.csp' '^ *assert' "${folders[@]}" | grep -v should_fail | xargs dirname | sort -u); do
+  echo "$folder"
+  ROBOCHART_RANKED_SCRIPTS=$folder build/release/tests/checker/cspm/tests_cspm \
+    --gtest_filter='RankedScripts.OfAFolder*' --gtest_brief=1 || failed=1
+done
+exit $failed

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Ends searches by real ranks in every way that is documented, and looks whether all ranks end, with the exit code and
+message that are documented (docs/scale.md): errors of one rank, limits, signals to mpirun. Exits with 1 where
+something differs. With --sample only some of the ways are tried.
+
+    end_ranks.py MPIEXEC PROGRAM FAULTY_RANKS [--sample]"""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+SCRIPT = """channel a, b, c, d : {0..11}
+P(i) = a.i -> b.i -> c.i -> d.i -> P(i)
+assert ||| i : {0..11} @ P(i) :[deadlock free [F]]
+"""  # 4^12 states
+FEW = "assert (a.0 -> STOP) ||| (a.1 -> STOP) :[divergence free]\nchannel a : {0..1}\n"
+INTERNAL, INCONCLUSIVE, USAGE = 70, 3, 4
+
+
+class Ends:
+    def __init__(self, mpiexec: str, program: str, faulty: str, folder: str):
+        self.mpiexec, self.program, self.faulty, self.folder = mpiexec, program, faulty, folder
+        self.wrong = 0
+
+    def run(self, what: str, arguments: list[str], codes: set[int], words: str, *, after: int = 0) -> None:
+        """`after`: a signal that mpirun gets when the search has begun; 0: none."""
+        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                           TMPDIR=self.folder)
+        child = subprocess.Popen([self.mpiexec, "--oversubscribe", "-n", "3", *arguments, "--no-cache"],
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
+        output = ""
+        if after:
+            while "searching" not in (line := child.stdout.readline()) and line:
+                output += line
+            child.send_signal(after)
+        try:
+            output += child.communicate(timeout=60)[0]
+        except subprocess.TimeoutExpired:
+            child.kill()
+            output += "(it did not end)"
+        right = child.returncode in codes and output.count(words) == 1
+        # Ranks that are ended by mpirun may need a moment.
+        limit = time.monotonic() + 5
+        while self.left() and time.monotonic() < limit:
+            time.sleep(0.05)
+        left = self.left()
+        if not right or left:
+            self.wrong += 1
+            print(f"{what}: exit {child.returncode}, {sorted(codes)} expected, with `{words}`; left: {left}\n{output}")
+        else:
+            print(f"{what}: exit {child.returncode}")
+
+    def left(self) -> list[str]:
+        """Ranks that still run: those that have the script of this run among their arguments."""
+        found = []
+        for entry in Path("/proc").iterdir():
+            try:
+                words = (entry / "cmdline").read_bytes() if entry.name.isdigit() else b""
+            except OSError:
+                continue
+            if self.folder.encode() in words and entry.name != str(os.getpid()):
+                found.append(entry.name)
+        return found
+
+
+def limits_and_refusals(ends: Ends, program: str, many: str, few: str, folder: str) -> None:
+    ends.run("--timeout", [program, "cspm", many, "--no-reduction", "--timeout", "1"], {INCONCLUSIVE},
+             "the time limit was reached")
+    ends.run("--max-states", [program, "cspm", many, "--no-reduction", "--max-states", "2000"], {INCONCLUSIVE},
+             "the limit of 2000 states was reached")
+    ends.run("--threads", [program, "cspm", few, "--threads", "2"], {USAGE}, "one rank a core")
+    ends.run("--disk", [program, "cspm", few, "--disk", os.path.join(folder, "d")], {USAGE}, "not kept in files")
+
+
+def main() -> int:
+    mpiexec, program, faulty = sys.argv[1:4]
+    sample = "--sample" in sys.argv[4:]
+    with tempfile.TemporaryDirectory() as folder:
+        many, few = os.path.join(folder, "many.csp"), os.path.join(folder, "few.csp")
+        Path(many).write_text(SCRIPT)
+        Path(few).write_text(FEW)
+        ends = Ends(mpiexec, program, faulty, folder)
+        for rank in ("2",) if sample else ("0", "2"):
+            who = "" if rank == "0" else f"rank {rank}: "
+            ends.run(f"an error of rank {rank}", [faulty, rank, "5", "error", "cspm", many], {INTERNAL},
+                     f"{'an internal error: ' if rank == '0' else who}an injected error")
+            if sample:
+                continue
+            ends.run(f"no memory at rank {rank}", [faulty, rank, "5", "memory", "cspm", many], {INCONCLUSIVE},
+                     f"{who}there is no more memory")
+        if not sample:
+            limits_and_refusals(ends, program, many, few, folder)
+        searching = [program, "cspm", many, "--no-reduction", "--progress", "json"]
+        # mpirun has an exit code of its own where it was interrupted.
+        for name in ("SIGTERM",) if sample else ("SIGINT", "SIGTERM"):
+            ends.run(f"{name} to mpirun", searching, {1, INCONCLUSIVE}, "the run was interrupted",
+                     after=getattr(signal, name))
+        return 1 if ends.wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,25 @@
+// robochart-verify-mpi in which one rank meets an error of its own.
+//
+//   faulty_ranks RANK CALL error|memory ARGUMENT...    the rank's call of its exchange, from 0 on, that throws
+#include <cstdlib>
+#include <string>
+
+#include "app/mpi/mpi_exchange.hpp"
+#include "app/mpi/ranked_command.hpp"
+#include "tests/checker/ranks/faulty_exchange.hpp"
+
+int main(int argc, char** argv) {
+    using robochart::ranks::FaultyExchange;
+    robochart::app::block_signals();
+    const robochart::app::MpiProgram program(argc, argv);
+    if (argc < 4) return EXIT_FAILURE;
+    robochart::app::MpiExchange exchange;
+    const bool faulty = exchange.rank() == std::stoul(argv[1]);
+    const auto fault = std::string(argv[3]) == "memory" ? FaultyExchange::Fault::memory : FaultyExchange::Fault::error;
+    argv[3] = argv[0];
+    argc -= 3;
+    argv += 3;
+    if (!faulty) return robochart::app::ranked_command(argc, argv, exchange);
+    FaultyExchange wrong(exchange, std::stoul(argv[-1]), fault);
+    return robochart::app::ranked_command(argc, argv, wrong);
+}

@@ -1,0 +1,54 @@
+// An exchange of a rank that meets an error of its own in the midst of what all ranks do together.
+#pragma once
+
+#include <cstdint>
+#include <new>
+#include <stdexcept>
+
+#include "checker/refine/levels/exchange.hpp"
+
+namespace robochart::ranks {
+
+/// Passes everything on to another exchange; at its call of this number it throws instead, before the others hear
+/// anything of it.
+class FaultyExchange final : public refine::Exchange {
+public:
+    enum class Fault { error, memory };
+    /// `call`: counted from 0 on.
+    FaultyExchange(refine::Exchange& real, std::uint64_t call, Fault fault) : real_(real), left_(call), fault_(fault) {}
+
+    [[nodiscard]] unsigned rank() const override { return real_.rank(); }
+    [[nodiscard]] unsigned ranks() const override { return real_.ranks(); }
+    void all_to_all(const refine::Messages& out, refine::Messages& in) override {
+        call();
+        real_.all_to_all(out, in);
+    }
+    void sum(std::span<std::uint64_t> values) override {
+        call();
+        real_.sum(values);
+    }
+    [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override {
+        call();
+        return real_.gather(own);
+    }
+    void broadcast(std::string& bytes) override {
+        call();
+        real_.broadcast(bytes);
+    }
+    [[nodiscard]] bool has_failed() const { return failed_; }
+
+private:
+    void call() {
+        if (left_-- != 0) return;
+        failed_ = true;
+        if (fault_ == Fault::memory) throw std::bad_alloc();
+        throw std::logic_error("an injected error");
+    }
+
+    refine::Exchange& real_;
+    std::uint64_t left_;
+    Fault fault_;
+    bool failed_ = false;
+};
+
+}  // namespace robochart::ranks
