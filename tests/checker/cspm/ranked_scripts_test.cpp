@@ -22,9 +22,10 @@ using refine::everything;
 using refine::Outcome;
 using refine::Verdict;
 
+/// Figures only where all states are seen: also a negated assertion holds by a counterexample.
 std::string in_common(const Verdict& verdict) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
-    if (verdict.outcome == Outcome::holds)
+    if (verdict.outcome == Outcome::holds && !verdict.counterexample)
         text += " " + std::to_string(verdict.statistics.states) + " " + std::to_string(verdict.statistics.transitions);
     if (!verdict.counterexample) return text;
     return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + " after " +
