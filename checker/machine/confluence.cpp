@@ -14,10 +14,8 @@ constexpr std::size_t most_answers = 4'000'000;  // kept
 constexpr std::size_t most_together = 500;
 /// Components beside the rule's parts that a proof may track.
 constexpr std::size_t most_beside = 4;
-/// Proofs are not worth what they cost where they have looked at more states than the first, and than the second for
-/// each one that succeeded.
-constexpr std::uint64_t least_looked = 1'000;
-constexpr std::uint64_t most_looked_for_one = 200;
+/// Where no proof has succeeded after so many states were looked at, none is tried.
+constexpr std::uint64_t most_in_vain = 1'000;
 
 /// Answers that are no number of what to ask.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
@@ -63,13 +61,10 @@ void Confluence::list_tau_rules() {
         const WholeRule& rule = rules_->rules[number];
         if (rule.event != tau || !rule.prevented.empty()) continue;
         const Part* lead = nullptr;
-        std::vector<std::uint32_t> slots;
-        for (const Part& part : rule.parts) {
+        for (const Part& part : rule.parts)
             if (part.event && (lead == nullptr || share(part) < share(*lead))) lead = &part;
-            slots.push_back(part.slot);
-        }
         if (lead == nullptr) continue;
-        first_[number] = tracking(number, std::move(slots));
+        first_[number] = tracking(number, parts_of(number));
         if (first_[number] != no) leading_[lead->slot][*lead->event].push_back(number);
     }
 }
@@ -131,10 +126,10 @@ std::uint64_t Confluence::key(const Tracked& tracked, Locals state) {
 
 /// The number of what tracks these components for the rule, or of what the plan has in place of it; `no` if it has
 /// none, and where their states are too many for keys.
-std::uint32_t Confluence::tracking(RuleNumber rule, std::vector<std::uint32_t> slots) {
+std::uint32_t Confluence::tracking(RuleNumber rule, Slots slots) {
     const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
     if (!fresh) return known->second;
-    const auto planned = plan_.find(known->first);
+    const auto planned = plan_.find({parts_of(rule), known->first.second});
     if (planned == plan_.end())
         known->second = made(rule, known->first.second);
     else if (!planned->second.empty())
@@ -142,7 +137,7 @@ std::uint32_t Confluence::tracking(RuleNumber rule, std::vector<std::uint32_t> s
     return known->second;
 }
 
-std::uint32_t Confluence::made(RuleNumber rule, std::vector<std::uint32_t> slots) {
+std::uint32_t Confluence::made(RuleNumber rule, Slots slots) {
     std::vector<std::uint64_t> weights;
     std::uint64_t states = 1;
     for (const std::uint32_t slot : slots) {
@@ -157,30 +152,57 @@ std::uint32_t Confluence::made(RuleNumber rule, std::vector<std::uint32_t> slots
     return static_cast<std::uint32_t>(tracked_.size() - 1);
 }
 
-bool Confluence::worth_it(const Tracked& tracked) const {
-    return tracked.looked < std::max(least_looked, tracked.proofs * most_looked_for_one);
-}
+/// What proofs have taken and given, those for rules of the same components together: of a channel each value has a
+/// rule.
+class Confluence::Experience {
+public:
+    void add(const Slots& parts, const Tracked& tracked, const std::deque<Tracked>& all) {
+        Sum& sum = sums_[{parts, tracked.slots}];
+        sum.proofs += tracked.proofs;
+        sum.looked += tracked.looked;
+        for (const auto& [next, often] : tracked.next) sum.next[all[next].slots] += often;
+    }
+    [[nodiscard]] ProofPlan plan() const {
+        ProofPlan result;
+        for (const auto& [key, sum] : sums_) {
+            if (sum.proofs > 0 || sum.looked < most_in_vain) continue;
+            Slots& instead = result[key];
+            std::uint64_t most = 0;
+            for (const auto& [next, often] : sum.next) {
+                if (often <= most || !leads_to_proofs({key.first, next})) continue;
+                most = often;
+                instead = next;
+            }
+        }
+        return result;
+    }
 
-/// Whether proofs that begin with it have succeeded, as often as it was worth it. (What is asked next tracks more.)
-bool Confluence::leads_to_proofs(const Tracked& tracked) const {
-    if (tracked.proofs > 0 && worth_it(tracked)) return true;
-    return std::any_of(tracked.next.begin(), tracked.next.end(),
-                       [&](const auto& next) { return leads_to_proofs(tracked_[next.first]); });
-}
+private:
+    struct Sum {
+        std::uint64_t proofs = 0, looked = 0;
+        std::map<Slots, std::uint64_t> next;
+    };
+    /// Whether proofs that begin with it have succeeded. (What is asked next tracks more.)
+    [[nodiscard]] bool leads_to_proofs(const std::pair<Slots, Slots>& key) const {
+        const Sum& sum = sums_.at(key);
+        return sum.proofs > 0 || std::any_of(sum.next.begin(), sum.next.end(), [&](const auto& next) {
+                   return leads_to_proofs({key.first, next.first});
+               });
+    }
+
+    std::map<std::pair<Slots, Slots>, Sum> sums_;
+};
 
 ProofPlan Confluence::plan() const {
-    ProofPlan result;
-    for (const Tracked& each : tracked_) {
-        if (worth_it(each)) continue;
-        std::vector<std::uint32_t>& instead = result[{each.rule, each.slots}];
-        std::uint64_t most = 0;
-        for (const auto& [next, often] : each.next) {
-            if (often <= most || !leads_to_proofs(tracked_[next])) continue;
-            most = often;
-            instead = tracked_[next].slots;
-        }
-    }
-    return result;
+    Experience experience;
+    for (const Tracked& each : tracked_) experience.add(parts_of(each.rule), each, tracked_);
+    return experience.plan();
+}
+
+Slots Confluence::parts_of(RuleNumber rule) const {
+    Slots slots;
+    for (const Part& part : rules_->rules[rule].parts) slots.push_back(part.slot);
+    return slots;
 }
 
 /// Of the components in question that the rule asks for an event, the one that can do it in the fewest of its states.
@@ -213,10 +235,10 @@ const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
 /// What tracks the parts of the first of the other rules that has some which are not tracked, and not too many.
 Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
-    const std::vector<std::uint32_t>& before = tracked_[number].slots;
+    const Slots& before = tracked_[number].slots;
     const std::size_t most = rules_->rules[rule].parts.size() + most_beside;
     for (std::size_t i = 0; i < others.size(); ++i) {
-        std::vector<std::uint32_t> slots = before;
+        Slots slots = before;
         for (const Part& part : rules_->rules[others[i]].parts)
             if (part.event && !std::binary_search(before.begin(), before.end(), part.slot)) slots.push_back(part.slot);
         if (slots.size() == before.size() || slots.size() > most) continue;

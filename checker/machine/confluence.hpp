@@ -19,9 +19,11 @@
 
 namespace robochart::machine {
 
-/// What proofs of a rule of the whole need not look at, because it seldom decides: by rule and slots of components, the
-/// slots to look at in place of them. Empty: it is taken for no proof.
-using ProofPlan = std::map<std::pair<std::uint32_t, std::vector<std::uint32_t>>, std::vector<std::uint32_t>>;
+/// Places of components, ascending.
+using Slots = std::vector<std::uint32_t>;
+/// What proofs need not look at, because it seldom decides: by the slots of the rule's parts and of the components that
+/// are looked at, the slots to look at in place of them. Empty: the proof is taken to fail.
+using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
 /// Proves taus confluent by their rule and the present states of the components that take part in it, and keeps what
 /// has been proved. Gives the same answers whatever it was asked before.
@@ -55,7 +57,7 @@ private:
     /// A rule with the components whose present states its proofs look at, and what these proofs gave.
     struct Tracked {
         RuleNumber rule = 0;
-        std::vector<std::uint32_t> slots;    ///< ascending: the rule's parts, and components beside them
+        Slots slots;                         ///< ascending: the rule's parts, and components beside them
         std::vector<std::uint64_t> weights;  ///< of each one's state in keys
         std::vector<char> has;               ///< by slot, whether it is one of them
         const Asking* asking = nullptr;      ///< of the slots, once a proof is tried
@@ -71,6 +73,7 @@ private:
         std::vector<RuleNumber> by;
     };
     class Closure;
+    class Experience;
 
     void count_offers();
     void list_tau_rules();
@@ -81,16 +84,15 @@ private:
     std::uint32_t answer(std::uint32_t number, Locals state);
     std::uint32_t decide(std::uint32_t number, std::uint64_t here, Locals state);
     void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
-    std::uint32_t tracking(RuleNumber rule, std::vector<std::uint32_t> slots);
-    std::uint32_t made(RuleNumber rule, std::vector<std::uint32_t> slots);
+    std::uint32_t tracking(RuleNumber rule, Slots slots);
+    std::uint32_t made(RuleNumber rule, Slots slots);
     /// What is asked after a proof that failed, and how many of the rules were looked at to find it.
     struct Next {
         std::uint32_t number;
         std::size_t rules;
     };
     Next tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others);
-    [[nodiscard]] bool worth_it(const Tracked& tracked) const;
-    [[nodiscard]] bool leads_to_proofs(const Tracked& tracked) const;
+    [[nodiscard]] Slots parts_of(RuleNumber rule) const;
     const Asking& asking(const Tracked& tracked);
     [[nodiscard]] std::uint32_t listed_at(const WholeRule& rule, const std::vector<char>& has) const;
     [[nodiscard]] static std::uint64_t key(const Tracked& tracked, Locals state);
@@ -114,9 +116,9 @@ private:
     std::vector<std::vector<std::uint32_t>> known_;              // by slot and state, one more than a place in lists_
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;
-    std::map<std::vector<std::uint32_t>, Asking> asking_;  // by slots
-    std::vector<std::uint32_t> first_;                     // by rule, what its proofs begin with
-    std::map<std::pair<RuleNumber, std::vector<std::uint32_t>>, std::uint32_t> numbers_;  // of what tracks these
+    std::map<Slots, Asking> asking_;                                 // by slots
+    std::vector<std::uint32_t> first_;                               // by rule, what its proofs begin with
+    std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // of what tracks these
     std::size_t answers_ = 0;
     std::unique_ptr<Closure> closure_;  // its memory is used again
 };
