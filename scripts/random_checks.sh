@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The refinement checker against the naive one of the tests, on random processes (docs/testing.md):
-#   scripts/random_checks.sh [CHECKS [SEED]]           default: 100000 checks by the engines, as many by whole scripts
+#   scripts/random_checks.sh [CHECKS [SEED]]           default: 10000 checks in random ways, as many by whole scripts
 #   scripts/random_checks.sh --command [SCRIPTS [SEED]]  default: 10000 scripts through the whole command
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,7 +12,7 @@ if [[ "${1:-}" == --command ]]; then
   echo "seed $ROBOCHART_RANDOM_SEED"
   exec build/release/tests/app/tests_random_scripts
 fi
-export ROBOCHART_RANDOM_CHECKS="${1:-100000}"
+export ROBOCHART_RANDOM_CHECKS="${1:-10000}"
 export ROBOCHART_RANDOM_SEED="${2:-$(date +%s)}"
 cmake --build --preset release --target tests_refine tests_cspm
 echo "seed $ROBOCHART_RANDOM_SEED"

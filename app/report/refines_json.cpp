@@ -200,6 +200,7 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["place"] = a.place;
     json["answer"] = words[static_cast<std::size_t>(a.answer)];
     json["compile_seconds"] = a.result.compile_seconds;
+    json["compile_cpu_seconds"] = a.result.compile_cpu_seconds;
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
     json["chased_states"] = verdict.statistics.chased;

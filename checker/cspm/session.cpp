@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <ctime>
 #include <functional>
 #include <new>
 
@@ -232,8 +233,10 @@ struct Session::Impl {
         const Assertion& asked = assertion.assertion;
         const refine::Model in = model(assertion);
         const auto start = std::chrono::steady_clock::now();
+        const std::clock_t work = std::clock();
         const Sides both = sides(assertion, limits);
         result.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        result.compile_cpu_seconds = static_cast<double>(std::clock() - work) / CLOCKS_PER_SEC;
         refine::Limits quiet = limits;
         quiet.progress = {};
         refine::Budget evaluation(quiet);

@@ -23,8 +23,9 @@ struct AssertionResult {
     std::string text;  ///< the assertion as printed
     Span span;
     bool negated = false;
-    refine::Verdict verdict;     ///< already turned round for `not`: holds means the assertion as worded holds
-    double compile_seconds = 0;  ///< evaluating and compiling, before the search
+    refine::Verdict verdict;         ///< already turned round for `not`: holds means the assertion as worded holds
+    double compile_seconds = 0;      ///< evaluating and compiling, before the search
+    double compile_cpu_seconds = 0;  ///< processor time of that, of all threads
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.

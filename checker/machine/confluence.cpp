@@ -14,6 +14,8 @@ constexpr std::size_t most_answers = 4'000'000;  // kept
 constexpr std::size_t most_together = 500;
 /// Components beside the rule's parts that a proof may track.
 constexpr std::size_t most_beside = 4;
+/// Where no proof has succeeded after so many states were looked at, none is tried.
+constexpr std::uint64_t most_in_vain = 1'000;
 
 /// Answers that are no number of what to ask.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
@@ -27,8 +29,12 @@ bool shared(const std::vector<std::uint32_t>& some, const std::vector<Passage>& 
 
 }  // namespace
 
-Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules)
-    : combined_(std::move(combined)), rules_(std::move(rules)), first_(rules_->rules.size(), no) {
+Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
+                       ProofPlan plan)
+    : combined_(std::move(combined)),
+      rules_(std::move(rules)),
+      plan_(std::move(plan)),
+      first_(rules_->rules.size(), no) {
     leading_.resize(combined_->components.size());
     known_.resize(combined_->components.size());
     for (std::uint32_t slot = 0; slot < known_.size(); ++slot) {
@@ -55,13 +61,10 @@ void Confluence::list_tau_rules() {
         const WholeRule& rule = rules_->rules[number];
         if (rule.event != tau || !rule.prevented.empty()) continue;
         const Part* lead = nullptr;
-        std::vector<std::uint32_t> slots;
-        for (const Part& part : rule.parts) {
+        for (const Part& part : rule.parts)
             if (part.event && (lead == nullptr || share(part) < share(*lead))) lead = &part;
-            slots.push_back(part.slot);
-        }
         if (lead == nullptr) continue;
-        first_[number] = tracking(number, std::move(slots));
+        first_[number] = tracking(number, parts_of(number));
         if (first_[number] != no) leading_[lead->slot][*lead->event].push_back(number);
     }
 }
@@ -115,31 +118,91 @@ bool Confluence::hopeless(RuleNumber number, std::uint32_t slot, Local local) co
     return false;
 }
 
-std::uint64_t Confluence::key(const Tracked& tracked, std::span<const Local> state) {
+std::uint64_t Confluence::key(const Tracked& tracked, Locals state) {
     std::uint64_t result = 0;
     for (std::size_t i = 0; i < tracked.slots.size(); ++i) result += tracked.weights[i] * state[tracked.slots[i]];
     return result;
 }
 
-/// The number of what tracks these components for the rule; `no` where their states are too many for keys.
-std::uint32_t Confluence::tracking(RuleNumber rule, std::vector<std::uint32_t> slots) {
-    const auto known = numbers_.find({rule, slots});
-    if (known != numbers_.end()) return known->second;
+/// The number of what tracks these components for the rule, or of what the plan has in place of it; `no` if it has
+/// none, and where their states are too many for keys.
+std::uint32_t Confluence::tracking(RuleNumber rule, Slots slots) {
+    const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
+    if (!fresh) return known->second;
+    const auto planned = plan_.find({parts_of(rule), known->first.second});
+    if (planned == plan_.end())
+        known->second = made(rule, known->first.second);
+    else if (!planned->second.empty())
+        known->second = tracking(rule, planned->second);
+    return known->second;
+}
+
+std::uint32_t Confluence::made(RuleNumber rule, Slots slots) {
     std::vector<std::uint64_t> weights;
     std::uint64_t states = 1;
-    auto number = static_cast<std::uint32_t>(tracked_.size());
     for (const std::uint32_t slot : slots) {
         weights.push_back(states);
         const std::uint64_t more = component(slot).size() + 1;
-        if (states > std::numeric_limits<std::uint64_t>::max() / more) number = no;
+        if (states > std::numeric_limits<std::uint64_t>::max() / more) return no;
         states *= more;
     }
-    numbers_.emplace(std::pair(rule, slots), number);
-    if (number == no) return no;
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
-    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, {}});
-    return number;
+    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, {}, 0, 0, {}});
+    return static_cast<std::uint32_t>(tracked_.size() - 1);
+}
+
+/// What proofs have taken and given, those for rules of the same components together: of a channel each value has a
+/// rule.
+class Confluence::Experience {
+public:
+    void add(const Slots& parts, const Tracked& tracked, const std::deque<Tracked>& all) {
+        Sum& sum = sums_[{parts, tracked.slots}];
+        sum.proofs += tracked.proofs;
+        sum.looked += tracked.looked;
+        for (const auto& [next, often] : tracked.next) sum.next[all[next].slots] += often;
+    }
+    [[nodiscard]] ProofPlan plan() const {
+        ProofPlan result;
+        for (const auto& [key, sum] : sums_) {
+            if (sum.proofs > 0 || sum.looked < most_in_vain) continue;
+            Slots& instead = result[key];
+            std::uint64_t most = 0;
+            for (const auto& [next, often] : sum.next) {
+                if (often <= most || !leads_to_proofs({key.first, next})) continue;
+                most = often;
+                instead = next;
+            }
+        }
+        return result;
+    }
+
+private:
+    struct Sum {
+        std::uint64_t proofs = 0, looked = 0;
+        std::map<Slots, std::uint64_t> next;
+    };
+    /// Whether proofs that begin with it have succeeded. (What is asked next tracks more.)
+    [[nodiscard]] bool leads_to_proofs(const std::pair<Slots, Slots>& key) const {
+        const Sum& sum = sums_.at(key);
+        return sum.proofs > 0 || std::any_of(sum.next.begin(), sum.next.end(), [&](const auto& next) {
+                   return leads_to_proofs({key.first, next.first});
+               });
+    }
+
+    std::map<std::pair<Slots, Slots>, Sum> sums_;
+};
+
+ProofPlan Confluence::plan() const {
+    Experience experience;
+    for (const Tracked& each : tracked_) experience.add(parts_of(each.rule), each, tracked_);
+    return experience.plan();
+}
+
+Slots Confluence::parts_of(RuleNumber rule) const {
+    Slots slots;
+    for (const Part& part : rules_->rules[rule].parts) slots.push_back(part.slot);
+    return slots;
 }
 
 /// Of the components in question that the rule asks for an event, the one that can do it in the fewest of its states.
@@ -170,19 +233,19 @@ const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
 }
 
 /// What tracks the parts of the first of the other rules that has some which are not tracked, and not too many.
-std::uint32_t Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
+Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
-    const std::vector<std::uint32_t> before = tracked_[number].slots;
+    const Slots& before = tracked_[number].slots;
     const std::size_t most = rules_->rules[rule].parts.size() + most_beside;
-    for (const RuleNumber other : others) {
-        std::vector<std::uint32_t> slots = before;
-        for (const Part& part : rules_->rules[other].parts)
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        Slots slots = before;
+        for (const Part& part : rules_->rules[others[i]].parts)
             if (part.event && !std::binary_search(before.begin(), before.end(), part.slot)) slots.push_back(part.slot);
         if (slots.size() == before.size() || slots.size() > most) continue;
         std::sort(slots.begin(), slots.end());
-        if (const std::uint32_t more = tracking(rule, std::move(slots)); more != no) return more;
+        if (const std::uint32_t more = tracking(rule, std::move(slots)); more != no) return {more, i + 1};
     }
-    return no;
+    return {no, 0};
 }
 
 void Confluence::keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer) {
@@ -197,86 +260,129 @@ void Confluence::keep(std::uint32_t number, std::uint64_t key, std::uint32_t ans
 /// the answer is that it is confluent (the greatest set that condition 3 allows).
 class Confluence::Closure {
 public:
-    Closure(const Confluence& all, const Tracked& tracked) : all_(all), tracked_(tracked) {}
+    explicit Closure(const Confluence& all) : all_(all) {}
 
-    [[nodiscard]] bool prove(const Locals& from) {
+    [[nodiscard]] bool prove(const Tracked& tracked, Locals from) {
+        begin(tracked, from.size());
         add(from, 0, 0);
-        Outcomes next;
         std::optional<RuleNumber> disturbing;
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            next.states.clear();
-            next.by.clear();
-            if (!all_.holds_now(tracked_, Locals(found_[i]), next, disturbing)) return blame(disturbing, i), false;
-            for (std::size_t j = 0; j < next.states.size(); ++j) add(next.states[j], i, next.by[j]);
-            if (found_.size() > most_together) return false;
+        for (std::size_t i = 0; i < keys_.size(); ++i) {
+            next_.states.clear();
+            next_.by.clear();
+            const Locals found = Locals(found_).subspan(i * width_, width_);
+            state_.assign(found.begin(), found.end());
+            if (!all_.holds_now(tracked, state_, next_, disturbing)) return blame(disturbing, i), false;
+            for (std::size_t j = 0; j < next_.by.size(); ++j)
+                add(Locals(next_.states).subspan(j * width_, width_), i, next_.by[j]);
+            if (keys_.size() > most_together) return false;
         }
         return true;
     }
     [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
     /// Where there is no proof: the rule in whose way the rule is, and those that led to where that is so, last first.
     [[nodiscard]] const std::vector<RuleNumber>& blamed() const { return blamed_; }
+    /// Keys of the states from that one back to the first: the rules that led on from the n-th are n - 1 of those.
+    [[nodiscard]] const std::vector<std::uint64_t>& led_on() const { return led_on_; }
 
 private:
-    void add(const Locals& state, std::size_t from, RuleNumber by) {
-        const std::uint64_t here = key(tracked_, state);
-        if (!known_.insert(here).second) return;
-        found_.push_back(state);
+    /// Keys that are looked for one by one; more are put into a set.
+    static constexpr std::size_t few = 16;
+
+    void begin(const Tracked& tracked, std::size_t width) {
+        tracked_ = &tracked;
+        width_ = width;
+        found_.clear();
+        keys_.clear();
+        led_.clear();
+        known_.clear();
+        blamed_.clear();
+        led_on_.clear();
+    }
+    void add(Locals state, std::size_t from, RuleNumber by) {
+        const std::uint64_t here = key(*tracked_, state);
+        if (!is_new(here)) return;
+        found_.insert(found_.end(), state.begin(), state.end());
         keys_.push_back(here);
         led_.emplace_back(from, by);
     }
+    [[nodiscard]] bool is_new(std::uint64_t key) {
+        if (keys_.size() < few) return std::find(keys_.begin(), keys_.end(), key) == keys_.end();
+        if (known_.empty()) known_.insert(keys_.begin(), keys_.end());
+        return known_.insert(key).second;
+    }
     void blame(const std::optional<RuleNumber>& disturbing, std::size_t at) {
-        if (!disturbing) return;
-        blamed_.push_back(*disturbing);
-        for (; at != 0; at = led_[at].first) blamed_.push_back(led_[at].second);
+        led_on_.push_back(keys_[at]);
+        if (disturbing) blamed_.push_back(*disturbing);
+        for (; at != 0; at = led_[at].first) {
+            led_on_.push_back(keys_[led_[at].first]);
+            if (disturbing) blamed_.push_back(led_[at].second);
+        }
     }
 
     const Confluence& all_;
-    const Tracked& tracked_;
-    std::vector<Locals> found_;
+    const Tracked* tracked_ = nullptr;
+    std::size_t width_ = 0;
+    std::vector<Local> found_;  // states of all components, one after the other
+    std::vector<Local> state_;  // the one that is looked at
+    Outcomes next_;
     std::vector<std::uint64_t> keys_;
     std::vector<std::pair<std::size_t, RuleNumber>> led_;  // to each: from where, and by which rule
     std::unordered_set<std::uint64_t> known_;
     std::vector<RuleNumber> blamed_;
+    std::vector<std::uint64_t> led_on_;
 };
 
-bool Confluence::confluent(RuleNumber rule, std::span<const Local> state) {
-    std::uint32_t answer = first_[rule];
-    while (answer < yes) {
-        const std::uint32_t number = answer;
-        const std::uint64_t here = key(tracked_[number], state);
-        const auto known = tracked_[number].answers.find(here);
-        answer = known != tracked_[number].answers.end() ? known->second : decide(number, here, state);
-    }
-    return answer == yes;
+Confluence::~Confluence() = default;
+
+bool Confluence::confluent(RuleNumber rule, Locals state) {
+    std::uint32_t found = first_[rule];
+    while (found < yes) found = answer(found, state);
+    return found == yes;
 }
 
-/// The answer depends on the states of the tracked components alone: so does what is asked next.
-std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, std::span<const Local> state) {
+std::uint32_t Confluence::answer(std::uint32_t number, Locals state) {
+    const std::uint64_t here = key(tracked_[number], state);
+    const auto known = tracked_[number].answers.find(here);
+    return known != tracked_[number].answers.end() ? known->second : decide(number, here, state);
+}
+
+/// The answer depends on the states of the tracked components alone: so does what is asked next. Where a proof fails it
+/// would fail at the same state if it began with one on the way there: the first state where a condition fails is
+/// looked for breadth first, and no shorter way leads to one from there. So that one has the same answer, or none to
+/// ask next if this one is due to a rule that came before it.
+std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Locals state) {
     if (tracked_[number].asking == nullptr) tracked_[number].asking = &asking(tracked_[number]);
-    Closure closure(*this, tracked_[number]);
-    if (closure.prove(Locals(state.begin(), state.end()))) {
+    if (!closure_) closure_ = std::make_unique<Closure>(*this);
+    Closure& closure = *closure_;
+    const bool proved = closure.prove(tracked_[number], state);
+    tracked_[number].looked += closure.keys().size();
+    if (proved) {
+        ++tracked_[number].proofs;
         for (const std::uint64_t each : closure.keys()) keep(number, each, yes);
         return yes;
     }
-    const std::uint32_t answer = tracking_more(number, closure.blamed());
-    keep(number, here, answer);
-    return answer;
+    const Next next = tracking_more(number, closure.blamed());
+    if (next.number != no) ++tracked_[number].next[next.number];
+    for (std::size_t i = 0; i < closure.led_on().size(); ++i)
+        keep(number, closure.led_on()[i], i + 1 < next.rules ? no : next.number);
+    keep(number, here, next.number);
+    return next.number;
 }
 
 /// Conditions 2 to 4 in these states of the tracked components; nothing else of the state is looked at. `next`: the
-/// states of these components in which they have to hold too. `disturbing`: the rule for which they do not hold. A rule
-/// that asks several of the components is looked at where one of them can do what is asked: elsewhere it cannot fire.
-bool Confluence::holds_now(const Tracked& tracked, const Locals& state, Outcomes& next,
+/// states of these components in which they have to hold too (`state` is changed meanwhile). `disturbing`: the rule for
+/// which they do not hold. A rule that asks several of the components is looked at where one of them can do what is
+/// asked: elsewhere it cannot fire.
+bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
     if (!determined(rule, state)) return false;
-    Locals outcome = state;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
         return std::all_of(others.begin(), others.end(), [&](RuleNumber by) {
             const WholeRule& other = rules_->rules[by];
             if (by == tracked.rule || cannot_fire(other, tracked, state)) return true;
             if (!commutes(rule, other, state)) return disturbing = by, false;
-            add_outcomes(tracked, by, 0, outcome, next);
+            add_outcomes(tracked, by, 0, state, next);
             return true;
         });
     };
@@ -300,7 +406,7 @@ bool Confluence::holds_now(const Tracked& tracked, const Locals& state, Outcomes
 }
 
 /// Condition 2: every part can be done, with one result.
-bool Confluence::determined(const WholeRule& rule, const Locals& state) const {
+bool Confluence::determined(const WholeRule& rule, Locals state) const {
     return std::all_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
         if (!part.event) return true;
         const Component::Edges edges = component(part.slot).edges(state[part.slot], *part.event);
@@ -310,7 +416,7 @@ bool Confluence::determined(const WholeRule& rule, const Locals& state) const {
 }
 
 /// Whether some tracked component cannot do what the rule asks of it, or the tracked rule prevents it.
-bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, const Locals& state) const {
+bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const {
     return shared(rules_->rules[tracked.rule].preventing, other.prevented) ||
            std::any_of(other.parts.begin(), other.parts.end(), [&](const Part& part) {
                return part.event && tracked.has[part.slot] != 0 &&
@@ -319,7 +425,7 @@ bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, con
 }
 
 /// Whether the components that have a part in both rules get to the same states in either order.
-bool Confluence::commutes(const WholeRule& rule, const WholeRule& other, const Locals& state) const {
+bool Confluence::commutes(const WholeRule& rule, const WholeRule& other, Locals state) const {
     return std::all_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
         const Part* const theirs = other.part(part.slot);
         return theirs == nullptr || commutes(part, *theirs, state[part.slot]);
@@ -344,7 +450,7 @@ bool Confluence::commutes(const Part& part, const Part& other, Local local) cons
 }
 
 /// The states of the tracked components, from that place on, that the other rule can lead to.
-void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, Locals& state,
+void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;
     for (; place < parts.size(); ++place) {
@@ -363,7 +469,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
         state[part.slot] = before;
         return;
     }
-    next.states.push_back(state);
+    next.states.insert(next.states.end(), state.begin(), state.end());
     next.by.push_back(other);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "checker/lts/sink_in_use.hpp"
+#include "checker/lts/state_store.hpp"
 
 namespace robochart::machine {
 
@@ -10,6 +11,41 @@ namespace {
 
 /// Whichever state a row of followed taus is left at, it stands for those before it: so a row may be of any length.
 constexpr std::size_t most_steps = 1000;
+/// States by which it is found out what proofs need not look at.
+constexpr std::size_t pilot_states = 3000;
+
+/// Searches some of a system's states, the last found first, so that they are from all over it; of one state's
+/// successors some turn comes first, in an order that depends on the system alone.
+class Pilot final : private lts::SuccessorSink {
+public:
+    explicit Pilot(lts::TransitionSystem& system) : system_(system), found_(system.width()) {}
+
+    void run(const std::function<void()>& poll) {
+        std::vector<lts::Word> initial(system_.width());
+        system_.initial(initial);
+        open_.push_back(found_.insert(initial).index);
+        for (std::size_t expanded = 0; !open_.empty() && expanded < pilot_states; ++expanded) {
+            if (poll) poll();
+            const lts::StateIndex state = open_.back();
+            open_.pop_back();
+            const std::size_t before = open_.size();
+            system_.successors(found_[state], *this);
+            const std::size_t fresh = open_.size() - before;
+            if (fresh == 0) continue;
+            const auto first = open_.begin() + static_cast<std::ptrdiff_t>(before);
+            std::rotate(first, first + static_cast<std::ptrdiff_t>(expanded * 7 % fresh), open_.end());
+        }
+    }
+
+private:
+    void add(Event /*event*/, lts::StateView target, Event /*revealed*/) override {
+        if (const auto [index, fresh] = found_.insert(target); fresh) open_.push_back(index);
+    }
+
+    lts::TransitionSystem& system_;
+    lts::StateStore found_;
+    std::vector<lts::StateIndex> open_;
+};
 
 }  // namespace
 
@@ -20,15 +56,21 @@ std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::fu
         return rule.event == process::tau && rule.prevented.empty();
     };
     if (!rules || std::none_of(rules->rules.begin(), rules->rules.end(), may_be_followed)) return nullptr;
-    return std::make_unique<ReducedSystem>(another(), combined_, std::make_shared<const WholeRules>(std::move(*rules)));
+    const auto shared = std::make_shared<const WholeRules>(std::move(*rules));
+    ReducedSystem looking(another(), combined_, shared, {});
+    looking.watch(poll);
+    Pilot(looking).run(poll);
+    return std::make_unique<ReducedSystem>(another(), combined_, shared, looking.plan());
 }
 
 ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,
-                             std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules)
+                             std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
+                             ProofPlan plan)
     : whole_(std::move(whole)),
       combined_(std::move(combined)),
       rules_(std::move(rules)),
-      confluence_(combined_, rules_),
+      plan_(std::move(plan)),
+      confluence_(combined_, rules_, plan_),
       locals_(combined_->components.size()),
       target_(combined_->words) {}
 

@@ -13,20 +13,23 @@ namespace robochart::machine {
 /// States are the process's own. The states that transitions lead to are replaced by those that stand for them.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
+    /// `plan`: of its proofs (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
-                  std::shared_ptr<const WholeRules> rules);
+                  std::shared_ptr<const WholeRules> rules, ProofPlan plan);
 
     [[nodiscard]] std::size_t width() const override { return whole_->width(); }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
-        return std::make_unique<ReducedSystem>(whole_->another(), combined_, rules_);
+        return std::make_unique<ReducedSystem>(whole_->another(), combined_, rules_, plan_);
     }
     [[nodiscard]] const process::EventTable& events() const override { return whole_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return whole_->describe(state); }
     void watch(const std::function<void()>& poll) override;
     [[nodiscard]] std::uint64_t chased() const override { return chased_; }
     [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
+    /// What the proofs in the states found so far show (Confluence).
+    [[nodiscard]] ProofPlan plan() const { return confluence_.plan(); }
     /// The compiled process that it is the reduced form of.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
@@ -41,6 +44,7 @@ private:
     std::unique_ptr<lts::TransitionSystem> whole_;
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
+    ProofPlan plan_;
     Confluence confluence_;
     std::vector<Local> locals_, seen_, least_, begin_;
     std::vector<lts::Word> target_;

@@ -23,7 +23,7 @@ def decided(command: list[str], scripts: list[str]) -> list[dict]:
     results = []
     for line in child.stdout.splitlines():
         for result in json.loads(line)["results"]:
-            for time in ("seconds", "compile_seconds"):
+            for time in ("seconds", "compile_seconds", "compile_cpu_seconds"):
                 del result[time]
             results.append(result)
     return results

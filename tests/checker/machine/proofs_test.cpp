@@ -1,0 +1,114 @@
+// Proofs of confluence: they do not depend on what was asked before, and are right whatever is planned for them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "checker/lts/graph.hpp"
+#include "checker/machine/reduced_system.hpp"
+#include "tests/checker/lts/bisimilar.hpp"
+#include "tests/checker/machine/random_rules.hpp"
+#include "tests/checker/process/scripted.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using lts::Equivalence;
+using process::Scripted;
+
+/// Random compiled processes with their rules as rules of the whole.
+class Proofs : public testing::Test {
+protected:
+    Proofs() {
+        for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    }
+    void next() {
+        combined = random.next(s.stop());
+        rules = std::make_shared<const WholeRules>(*whole_rules(*combined, {}));
+        whole = std::make_unique<SupercombinatorSystem>(combined, s.store);
+    }
+    [[nodiscard]] std::vector<std::vector<Local>> states() const {
+        const lts::Exploration explored = lts::explore(*whole, [](std::size_t) {});
+        std::vector<std::vector<Local>> result;
+        for (lts::StateIndex i = 0; i < explored.states.size(); ++i) {
+            std::vector<Local>& state = result.emplace_back();
+            for (const Field& field : combined->fields) state.push_back(field.get(explored.states[i]));
+        }
+        return result;
+    }
+    /// Nothing is to be looked at, or some other components beside those of the rule.
+    ProofPlan some_plan() {
+        ProofPlan plan;
+        for (std::uint32_t rule = 0; rule < rules->rules.size(); ++rule) {
+            Slots slots;
+            for (const Part& part : rules->rules[rule].parts) slots.push_back(part.slot);
+            const auto chance = static_cast<std::uint32_t>(numbers() % 3);
+            if (chance == 0) plan[{slots, slots}] = {};
+            Slots more = slots;
+            for (std::uint32_t slot = 0; slot < combined->components.size(); ++slot)
+                if (!std::binary_search(slots.begin(), slots.end(), slot) && numbers() % 2 == 0) more.push_back(slot);
+            std::sort(more.begin(), more.end());
+            if (chance == 1 && more != slots) plan[{slots, slots}] = more;
+        }
+        return plan;
+    }
+
+    Scripted s;
+    RandomRules random{2024};
+    std::mt19937_64 numbers{2024};
+    std::shared_ptr<const Supercombinator> combined;
+    std::shared_ptr<const WholeRules> rules;
+    std::unique_ptr<SupercombinatorSystem> whole;
+};
+
+TEST_F(Proofs, DoNotDependOnWhatWasAskedBefore) {
+    int followed = 0;
+    const int wanted = refine::wanted_checks(1'000) / 5;
+    for (int round = 0; round < wanted; ++round) {
+        next();
+        const std::vector<std::vector<Local>> all = states();
+        Confluence forwards(combined, rules, {}), backwards(combined, rules, {});
+        std::vector<std::vector<Local>> ahead = all, back = all;
+        for (auto& state : ahead) forwards.follow(state);
+        for (auto state = back.rbegin(); state != back.rend(); ++state) backwards.follow(*state);
+        ASSERT_EQ(ahead, back) << "round " << round;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            std::vector<Local> alone = all[i];
+            if (Confluence(combined, rules, {}).follow(alone)) ++followed;
+            ASSERT_EQ(ahead[i], alone) << "round " << round << ", state " << i;
+        }
+    }
+    EXPECT_GT(followed, wanted / 10);
+}
+
+TEST_F(Proofs, AreRightWhateverThePlan) {
+    int smaller = 0;
+    const int wanted = refine::wanted_checks(1'000) / 5;
+    for (int round = 0; round < wanted; ++round) {
+        next();
+        ReducedSystem reduced(whole->another(), combined, rules, some_plan());
+        const lts::Graph all = lts::graph_of(*whole, 100'000);
+        const lts::Graph kept = lts::graph_of(reduced, 100'000);
+        ASSERT_TRUE(lts::bisimilar(all, kept, Equivalence::branching_with_divergence)) << "round " << round;
+        if (kept.size() < all.size()) ++smaller;
+    }
+    EXPECT_GT(smaller * 20, wanted);
+}
+
+TEST_F(Proofs, AreNotTriedWhereThePlanHasNothingInPlaceOfThem) {
+    for (int round = 0; round < 20; ++round) {
+        next();
+        ProofPlan nothing;
+        for (std::uint32_t rule = 0; rule < rules->rules.size(); ++rule) {
+            Slots slots;
+            for (const Part& part : rules->rules[rule].parts) slots.push_back(part.slot);
+            nothing[{slots, slots}] = {};
+        }
+        Confluence proofs(combined, rules, nothing);
+        for (std::vector<Local> state : states()) ASSERT_FALSE(proofs.follow(state)) << "round " << round;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::machine
