@@ -46,7 +46,7 @@ void ScenarioReader::obstacle() {
     constexpr std::size_t most_corners = 1000;
     const diagnostics::Span begin = in_.token().span;
     Obstacle named;
-    if (!in_.at("(")) named.name = new_name("a corner, or a name for the obstacle");
+    if (!in_.at("(") && !in_.at("at")) named.name = new_name("a corner, or a name for the obstacle");
     std::vector<Vector> corners;
     do corners.push_back(in_.point("a corner"));
     while (in_.take(",") && corners.size() < most_corners);
