@@ -54,18 +54,28 @@ def tuned(program, scenario, budget, seed, out):
     return {name: value for name, value in result["elites"][0]["constants"].items()}
 
 
+# irace asks for one instance after the other; a candidate runs on BLOCK of them at once, so that its controller is built
+# and its model read once for all. irace counts and sees each trial by itself.
+BLOCK = 5
 RACE = """
 library(irace)
 arguments <- commandArgs(TRUE)
 parameters <- readParameters(text = '%s')
+known <- new.env()
 cost <- function(experiment, scenario) {
   values <- experiment$configuration
-  words <- c("%s", "--one", "--program", "%s", "--bands", "%s", "--instance", experiment$id.instance)
+  words <- character()
   for (name in names(values)) words <- c(words, paste0(name, "=", format(values[[name]], scientific = FALSE)))
-  list(cost = as.numeric(system2("python3", words, stdout = TRUE)))
+  block <- (experiment$instance - 1) %%/%% %d
+  key <- paste(c(words, block), collapse = " ")
+  if (is.null(known[[key]]))
+    known[[key]] <- as.numeric(system2("python3", c("%s", "--block", block, "--program", "%s", "--bands", "%s", words),
+                                       stdout = TRUE))
+  list(cost = known[[key]][(experiment$instance - 1) %%%% %d + 1])
 }
-found <- irace(list(targetRunner = cost, instances = 1:10000, maxExperiments = as.integer(arguments[1]),
-                    seed = as.integer(arguments[2]), digits = 3, logFile = ""), parameters)
+found <- irace(list(targetRunner = cost, instances = 1:10000, sampleInstances = 0,
+                    maxExperiments = as.integer(arguments[1]), seed = as.integer(arguments[2]), digits = 3,
+                    logFile = ""), parameters)
 write.csv(removeConfigurationsMetaData(found[1, ]), arguments[3], row.names = FALSE)
 """
 
@@ -75,9 +85,9 @@ def has_irace():
 
 
 def by_irace(program, bands, budget, seed, folder):
-    """The best of irace; its target runner is this script with --one."""
+    """The best of irace; its target runner is this script with --block."""
     space = "\n".join(f'{name} "" {kind} ({low}, {high})' for name, (kind, low, high) in PARAMETERS.items())
-    text = RACE % (space, pathlib.Path(__file__).resolve(), program, bands)
+    text = RACE % (space, BLOCK, pathlib.Path(__file__).resolve(), program, bands, BLOCK)
     script = folder / "race.R"
     script.write_text(text)
     table = folder / f"irace-{seed}.csv"
@@ -101,11 +111,12 @@ def signed_rank(differences):
     return sum(abs(total - middle) >= abs(seen - middle) for total in sums) / len(sums)
 
 
-def one_trial(arguments):
-    """For irace: a trial of one instance, its cost on standard output."""
+def one_block(arguments):
+    """For irace: the costs of a block of instances, one a line."""
     constants = dict(word.split("=", 1) for word in arguments.constants)
     # Seeds that neither the claims nor `tune` use.
-    print(costs(arguments.program, pathlib.Path(arguments.bands), constants, 900_000_000 + arguments.instance, 1)[0])
+    first = 900_000_000 + arguments.block * BLOCK
+    print(*costs(arguments.program, pathlib.Path(arguments.bands), constants, first, BLOCK), sep="\n")
 
 
 def show(name, constants, found):
@@ -122,13 +133,12 @@ def main():
     parser.add_argument("--budget", type=int, default=2000)
     parser.add_argument("--repetitions", type=int, default=1)
     parser.add_argument("--fresh", type=int, default=200, help="trials in which what was found is judged")
-    parser.add_argument("--one", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--bands", help=argparse.SUPPRESS)
-    parser.add_argument("--instance", type=int, help=argparse.SUPPRESS)
+    parser.add_argument("--block", type=int, help=argparse.SUPPRESS)
     parser.add_argument("constants", nargs="*", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
-    if arguments.one:
-        return one_trial(arguments)
+    if arguments.block is not None:
+        return one_block(arguments)
     program = str(pathlib.Path(arguments.program).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -145,9 +155,8 @@ def main():
             ours = judge("tune", tuned(program, scenario, arguments.budget, seed, folder / f"out-{seed}"))
             if irace:
                 differences.append(ours - judge("irace", by_irace(program, bands, arguments.budget, seed, folder)))
-        if differences:
-            print(f"tune less irace, mean cost: {sum(differences) / len(differences):.1f}; "
-                  f"signed-rank test: {signed_rank(differences):.3f}")
+                print(f"tune less irace, mean cost: {sum(differences) / len(differences):.1f}; "
+                      f"signed-rank test of {len(differences)}: {signed_rank(differences):.3f}", flush=True)
 
 
 if __name__ == "__main__":

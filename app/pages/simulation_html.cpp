@@ -47,7 +47,7 @@ public:
         : run_(run),
           scenario_(run.scenario),
           result_(run.result),
-          machines_(machines_of(run)),
+          machines_(run.machines),
           shown_(shown_trials(run.scenario, run.result, machines_.size())),
           charts_(simulation::charts_of(run.scenario, run.result.trials, machines_, most_times)),
           diagrams_(run.project, options.run->budget()) {}
@@ -67,15 +67,6 @@ public:
     }
 
 private:
-    static simulation::Machines machines_of(const SimulationRun& run) {
-        simulation::Machines machines;
-        for (const cpp_emit::DriveMachine& each : run.emission.machines) {
-            machines.push_back({each.name, {}});
-            for (const ir::NodeId state : each.states)
-                machines.back().states.push_back(machine(run, each).nodes[state.index].path);
-        }
-        return machines;
-    }
     static const ir::Machine& machine(const SimulationRun& run, const cpp_emit::DriveMachine& each) {
         return run.project.system.machines[each.machine.index];
     }
@@ -92,6 +83,7 @@ private:
     void robots_at_the_end(const simulation::TrialResult& trial);
     [[nodiscard]] Json data() const;
     [[nodiscard]] Json elements(std::size_t machine) const;
+    [[nodiscard]] Json elements(const cpp_emit::DriveMachine&) const;
     [[nodiscard]] simulation::View view() const;
     void plots();
     void trials();
@@ -112,7 +104,7 @@ private:
 
 void SimulationPage::head() {
     out_ += fmt::format("<h1>{}</h1>\n", xml_text(scenario_.name.text));
-    out_ += fmt::format("<p>{}, {} of {:g} s, seed {}; controller {}{}</p>\n", counted(scenario_.robots, "robot"),
+    out_ += fmt::format("<p>{}, {} of {:g} s, seed {}; controller {}{}</p>\n", counted(scenario_.all_robots(), "robot"),
                         counted(scenario_.trials, "trial"), scenario_.duration, scenario_.seed,
                         xml_text(scenario_.component.text),
                         run_.simulator.empty() ? "" : "; in " + xml_text(run_.simulator));
@@ -269,7 +261,7 @@ void SimulationPage::controls() {
     for (const int speed : {1, 2, 5, 10, 20, 50, 100})
         out_ += fmt::format("<option value=\"{0}\">{0} ×</option>", speed);
     out_ += "</select></label>";
-    if (scenario_.robots <= most_linked && scenario_.robots > 1)
+    if (scenario_.all_robots() <= most_linked && scenario_.all_robots() > 1)
         out_ += fmt::format("<label><input type=\"checkbox\" id=\"links\"> links of at most {:g} cm</label>",
                             simulation::link_of(scenario_));
     out_ +=
@@ -345,7 +337,13 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
 
 /// The elements of the diagram that are active in each state of a machine: the state and those around it.
 Json SimulationPage::elements(std::size_t number) const {
-    const cpp_emit::DriveMachine& drive = run_.emission.machines[number];
+    Json states = Json::array();
+    if (number < run_.emission.machines.size()) states = elements(run_.emission.machines[number]);
+    while (states.size() < machines_[number].states.size()) states.push_back(Json::array());
+    return states;
+}
+
+Json SimulationPage::elements(const cpp_emit::DriveMachine& drive) const {
     const ir::Machine& definition = machine(run_, drive);
     Json states = Json::array();
     for (const ir::NodeId state : drive.states) {
@@ -361,13 +359,13 @@ Json SimulationPage::elements(std::size_t number) const {
 
 Json SimulationPage::data() const {
     Json json = trials_json(view(), result_, shown_, machines_.size());
-    json["link"] = scenario_.robots <= most_linked ? simulation::link_of(scenario_) : 0;
+    json["link"] = scenario_.all_robots() <= most_linked ? simulation::link_of(scenario_) : 0;
     json["states"] = Json::array();
     for (std::size_t m = 0; m < machines_.size(); ++m)
         json["states"].push_back({{"names", machines_[m].states}, {"elements", elements(m)}});
     for (std::size_t i = 0; i < shown_.trials.size(); ++i)
         if (const auto& stop = result_.trials[shown_.trials[i]].stop)
-            json["trials"][i]["stop"] = {{"robot", stop->robot},
+            json["trials"][i]["stop"] = {{"robot", stop->environment ? Json() : Json(stop->robot)},
                                          {"time", diagnostics::rounded(stop->time, 3)},
                                          {"why", fmt::format("{} ({})", stop->cause, stop->place)}};
     return json;
@@ -412,8 +410,8 @@ void SimulationPage::trial(std::size_t number) {
                         found == shown_.trials.end() ? name : fmt::format("<a href=\"#trial/{0}\">{0}</a>", name),
                         scenario_.seed + number);
     if (trial.stop)
-        out_ += fmt::format("<td class=\"fails\">stopped at {:g} s: robot {}: {} ({})</td>", trial.stop->time,
-                            trial.stop->robot, xml_text(trial.stop->cause), xml_text(trial.stop->place));
+        out_ += fmt::format("<td class=\"fails\">stopped at {:g} s: {}: {} ({})</td>", trial.stop->time,
+                            trial.stop->whose(), xml_text(trial.stop->cause), xml_text(trial.stop->place));
     else
         out_ += fmt::format("<td>{}</td>", trial.complete ? "complete" : "not complete");
     for (std::size_t b = 0; b < scenario_.bands.size(); ++b) {
@@ -449,9 +447,11 @@ std::vector<std::string> SimulationPage::left_out() const {
         list.push_back(
             fmt::format("of the recorded positions one in {} is here, every {:g} s, and the last of each trial",
                         shown_.every, static_cast<double>(shown_.every) * scenario_.record));
-    if (shown_.robots < scenario_.robots)
-        list.push_back(
-            fmt::format("the first {} of {} robots are drawn; the plots are of all", shown_.robots, scenario_.robots));
+    if (shown_.robots < scenario_.all_robots())
+        list.push_back(fmt::format("the first {} of {} robots are drawn; the plots are of all", shown_.robots,
+                                   scenario_.all_robots()));
+    if (scenario_.has_others())
+        list.push_back("the diagrams are those of the first kind of robots; lights and obstacles are as at the end");
     if (simulation::page_world(scenario_, view(), "w").radius() > scenario_.world.body.radius)
         list.push_back("robots are drawn larger than they are, so that they can be seen");
     if (charts_.every > 1) list.push_back(fmt::format("the plots have one in {} of the recorded times", charts_.every));

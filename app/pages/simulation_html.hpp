@@ -17,6 +17,7 @@ struct SimulationRun {
     Project& project;
     const simulation::Scenario& scenario;
     const cpp_emit::DriveEmission& emission;
+    const simulation::Machines& machines;  ///< of all kinds of robots; the diagrams are those of the first
     const simulation::RunResult& result;
     std::string simulator;           ///< "" for the embedded world
     std::string monitors;            ///< what they watched, in a line; "" without

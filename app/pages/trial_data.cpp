@@ -43,7 +43,7 @@ ShownTrials shown_trials(const simulation::Scenario& scenario, const simulation:
         shown.trials.push_back(t);
         recorded = std::max(recorded, result.trials[t].frames.size());
     }
-    shown.robots = std::min<std::size_t>(scenario.robots, most_robots);
+    shown.robots = std::min<std::size_t>(scenario.all_robots(), most_robots);
     const std::size_t letters = std::max<std::size_t>(1, shown.robots * (6 + 2 * machines));
     const std::size_t frames = std::max<std::size_t>(2, most_letters / letters);
     const std::size_t wanted = std::min(enough_frames, std::max<std::size_t>(recorded, 1));

@@ -92,7 +92,8 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     wanted.threads = options.threads;
     wanted.record = false;
     wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
-    const simulation::RunResult found = simulation::run(plan, controller->drive(), wanted, project.diagnostics);
+    const simulation::RunResult found =
+        simulation::run(plan, drives_of(*simulation, *controller), wanted, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
     if (found.interrupted) options.run->budget().check();  // throws what was reached
     evidence.scenario = scenario.name.text;

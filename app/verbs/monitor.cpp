@@ -18,6 +18,7 @@
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/process/term.hpp"
 #include "diagnostics/escape.hpp"
+#include "simulation/trial/kind_traces.hpp"
 #include "sleec/emit/monitor_file.hpp"
 #include "sleec/obligations/samples.hpp"
 
@@ -140,17 +141,75 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
     return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
 }
 
-std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Options& options) {
-    if (!options.monitor) return nullptr;
-    if (options.guarding_rules.empty()) return make_monitors(simulation, options);
+namespace {
+
+/// Each kind of robots has a guard of its own; nothing guards the environment.
+class KindGuards final : public simulation::Guard {
+public:
+    KindGuards(const simulation::Scenario& scenario, std::vector<std::unique_ptr<Guard>> guards)
+        : scenario_(scenario), guards_(std::move(guards)) {}
+
+    [[nodiscard]] Maker beside(Maker other) override {
+        std::vector<Maker> makers;
+        for (const auto& guard : guards_) makers.push_back(guard->beside({}));
+        return [this, makers, other = std::move(other)](std::uint32_t trial) {
+            std::vector<std::unique_ptr<simulation::Trace>> parts;
+            for (const Maker& make : makers) parts.push_back(make(trial));
+            return std::make_unique<simulation::KindTraces>(scenario_, std::move(parts),
+                                                            other ? other(trial) : nullptr);
+        };
+    }
+    [[nodiscard]] std::string note() const override {
+        std::string text;
+        for (const auto& guard : guards_) text += guard->note();
+        if (scenario_.environment) text += "  the environment is not watched\n";
+        return text;
+    }
+
+private:
+    const simulation::Scenario& scenario_;
+    std::vector<std::unique_ptr<Guard>> guards_;
+};
+
+/// Of one component. What is wrong is said in the simulation's project.
+std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, Project& project,
+                                            const cpp_emit::DriveEmission& emission, const std::string& component,
+                                            const Options& options) {
+    const std::uint32_t cycle = simulation.scenario.units_per_step;
+    if (options.guarding_rules.empty()) {
+        auto made = build(project, options, code_components(project.system, component).front(), cycle);
+        if (made == nullptr && project.diagnostics.ok())
+            simulation.project->diagnostics.report(rules::bad_option, {},
+                                                   {fmt::format("--monitor: there is no monitor of {}", component)});
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+            if (&project != simulation.project.get() && each.rule->severity == diagnostics::Severity::error)
+                simulation.project->diagnostics.report(rules::bad_option, {},
+                                                       {fmt::format("--monitor: {}: {}", component, each.message())});
+        return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), emission);
+    }
     std::string error;
-    auto guard = make_rule_guard(options.guarding_rules, simulation.emission, simulation.scenario.units_per_step,
-                                 options, error);
+    auto guard = make_rule_guard(options.guarding_rules, emission, cycle, options, error);
     if (guard == nullptr)
         simulation.project->diagnostics.report(
             rules::bad_option, {},
             {fmt::format("--monitor {}: {}", diagnostics::shown(options.guarding_rules), error)});
     return guard;
+}
+
+}  // namespace
+
+std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Options& options) {
+    if (!options.monitor) return nullptr;
+    const simulation::Scenario& scenario = simulation.scenario;
+    std::vector<std::unique_ptr<simulation::Guard>> guards;
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+        Project& project = kind == 0 ? *simulation.project : *simulation.others[kind - 1].project;
+        const auto& emission = kind == 0 ? simulation.emission : simulation.others[kind - 1].emission;
+        guards.push_back(guard_of(simulation, project, emission, scenario.kind_at(kind).component.text, options));
+        if (guards.back() == nullptr) return nullptr;
+    }
+    if (!scenario.has_others()) return std::move(guards.front());
+    return std::make_unique<KindGuards>(scenario, std::move(guards));
 }
 
 namespace {

@@ -38,7 +38,7 @@ private:
     std::atomic<std::uint64_t> lost_ = 0;  ///< left the finite instantiation where that matters
 };
 
-/// Null, with a diagnostic, where the model has none.
+/// Of the robots of the first kind. Null, with a diagnostic, where the model has none.
 [[nodiscard]] std::unique_ptr<Monitors> make_monitors(Simulation&, const Options&);
 /// What `--monitor` asks for: the model's monitors, or those of a file of rules. Null without it, and, with a
 /// diagnostic, where there are none.

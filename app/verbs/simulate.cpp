@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <mutex>
@@ -22,6 +23,7 @@
 #include "simulation/report/report.hpp"
 #include "simulation/scenario/read_scenario.hpp"
 #include "simulation/scenario/rules.hpp"
+#include "simulation/trial/kind_traces.hpp"
 #include "simulation/trial/trace_log.hpp"
 
 namespace robochart::app {
@@ -48,21 +50,74 @@ std::string model_of(const simulation::Scenario& scenario, const std::string& pa
 
 namespace {
 
-void emit(Simulation& simulation, const std::string& model) {
-    Project& project = *simulation.project;
-    const auto components = code_components(project.system, simulation.scenario.component.text);
+using simulation::Name;
+
+/// Those that are not among the given ones.
+std::vector<std::string> unless_given(const std::vector<std::string>& constants,
+                                      const std::vector<std::string>& given) {
+    std::vector<std::string> result;
+    const auto name = [](const std::string& constant) { return constant.substr(0, constant.find('=')); };
+    for (const std::string& each : constants)
+        if (std::none_of(given.begin(), given.end(), [&](const std::string& one) { return name(one) == name(each); }))
+            result.push_back(each);
+    return result;
+}
+
+/// "swarm::Sheep", "swarm::Sheep; 2 dog by swarm::Dog; environment sky::Sun".
+std::string controllers_text(const simulation::Scenario& scenario) {
+    std::string text = scenario.component.text;
+    for (const simulation::RobotKind& kind : scenario.others)
+        text += fmt::format("; {} {} by {}", kind.robots, kind.kind.text, kind.component.text);
+    if (scenario.environment) text += "; environment " + scenario.environment->component.text;
+    return text;
+}
+
+/// Of one component. What is wrong is said in the project of the scenario.
+cpp_emit::DriveEmission emitted(Simulation& simulation, Project& project, const Name& component,
+                                const std::string& model) {
+    const auto components = code_components(project.system, component.text);
     if (components.empty()) {
-        project.diagnostics.report(simulation::rules::no_controller, simulation.scenario.component.span,
-                                   {simulation.scenario.component.text, model});
-        return;
+        simulation.project->diagnostics.report(simulation::rules::no_controller, component.span,
+                                               {component.text, model});
+        return {};
     }
     cpp_emit::Options generator;
     generator.cycle_length = simulation.scenario.units_per_step;
     generator.sources = &project.sources;
-    simulation.emission =
-        cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator, project.diagnostics);
-    if (!project.diagnostics.ok()) return;
-    simulation.plan = simulation::bind(simulation.scenario, simulation.emission, project.diagnostics);
+    return cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator,
+                                project.diagnostics);
+}
+
+/// The project of another controller takes the place of the simulation's where it has errors, so that they are shown.
+bool load_other(Simulation& simulation, const simulation::Controlled& controlled, const Options& options) {
+    const std::string& scenario = options.inputs.front();
+    OtherController other;
+    other.model = controlled.model.empty() ? model_of(simulation.scenario, scenario)
+                                           : (fs::path(scenario).parent_path() / controlled.model).string();
+    Options wanted = options;
+    wanted.inputs = {other.model};
+    wanted.constants = controlled.constants;
+    other.project = load(wanted);
+    if (acceptable(*other.project, wanted))
+        other.emission = emitted(simulation, *other.project, controlled.component, other.model);
+    if (!acceptable(*other.project, wanted)) simulation.project = std::move(other.project);
+    simulation.others.push_back(std::move(other));
+    return simulation.project->diagnostics.ok();
+}
+
+void emit(Simulation& simulation, const std::string& model, const Options& options) {
+    simulation.emission = emitted(simulation, *simulation.project, simulation.scenario.component, model);
+    if (!simulation.project->diagnostics.ok()) return;
+    const simulation::Scenario& scenario = simulation.scenario;
+    for (const simulation::RobotKind& kind : scenario.others)
+        if (!load_other(simulation, kind, options)) return;
+    if (scenario.environment && !load_other(simulation, *scenario.environment, options)) return;
+    simulation::Emissions emissions{{&simulation.emission}, nullptr};
+    for (std::size_t kind = 1; kind < scenario.kinds(); ++kind)
+        emissions.kinds.push_back(&simulation.others[kind - 1].emission);
+    if (scenario.environment) emissions.environment = &simulation.others.back().emission;
+    Project& project = *simulation.project;
+    simulation.plan = simulation::bind(simulation.scenario, emissions, project.diagnostics);
     // A look at the first start finds robots that do not fit before anything is compiled.
     if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
 }
@@ -125,8 +180,8 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
     const simulation::Scenario& scenario = simulation.scenario;
     if (!options.quiet) {
         print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text,
-              scenario.robots, scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
-              stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
+              scenario.all_robots(), scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
+              stage.name.empty() ? "" : ", in " + stage.name, controllers_text(scenario));
         print("{}\n", simulation::run_text(scenario, result));
         if (!result.bands.empty()) print("bands\n{}\n", simulation::bands_text(scenario, result));
         if (!result.claims.empty()) print("claims\n{}\n", simulation::claims_text(scenario, result.claims));
@@ -150,21 +205,35 @@ struct LogFailure {
     std::string text;
 };
 
-std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const Simulation& simulation,
-                                                                           const Options& options,
-                                                                           LogFailure& failure) {
+simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t kind, const Options& options,
+                                      LogFailure& failure) {
     simulation::TraceLogOptions wanted;
     wanted.folder = options.log;
-    wanted.component = simulation.scenario.component.text;
-    wanted.model = model_of(simulation.scenario, options.inputs.front());
+    wanted.component = simulation.scenario.kind_at(kind).component.text;
+    wanted.model =
+        kind == 0 ? model_of(simulation.scenario, options.inputs.front()) : simulation.others[kind - 1].model;
+    wanted.first = simulation.scenario.first_robot(kind);
     wanted.scenario = simulation.scenario.name.text;
     wanted.budget = &options.run->budget();
     wanted.failed = [&failure](const std::string& error) {
         const std::lock_guard lock(failure.mutex);
         if (failure.text.empty()) failure.text = error;
     };
-    return [&simulation, wanted](std::uint32_t trial) {
-        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, simulation.emission, trial);
+    const cpp_emit::DriveEmission& emission = kind == 0 ? simulation.emission : simulation.others[kind - 1].emission;
+    return [&simulation, &emission, wanted](std::uint32_t trial) {
+        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, emission, trial);
+    };
+}
+
+simulation::Guard::Maker log_maker(const Simulation& simulation, const Options& options, LogFailure& failure) {
+    if (simulation.scenario.others.empty()) return log_maker_of(simulation, 0, options, failure);
+    std::vector<simulation::Guard::Maker> makers;
+    for (std::size_t kind = 0; kind < simulation.scenario.kinds(); ++kind)
+        makers.push_back(log_maker_of(simulation, kind, options, failure));
+    return [&simulation, makers](std::uint32_t trial) {
+        std::vector<std::unique_ptr<simulation::Trace>> parts;
+        for (const simulation::Guard::Maker& make : makers) parts.push_back(make(trial));
+        return std::make_unique<simulation::KindTraces>(simulation.scenario, std::move(parts));
     };
 }
 
@@ -173,22 +242,47 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
 void add_trials(const Simulation& simulation, diagnostics::Hasher& hasher) {
     hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
     for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
-    for (const auto& file : simulation.emission.files) {
-        hasher.add(file.path);
-        hasher.add(file.text);
+    const auto add = [&](const cpp_emit::DriveEmission& emission) {
+        for (const auto& file : emission.files) {
+            hasher.add(file.path);
+            hasher.add(file.text);
+        }
+    };
+    add(simulation.emission);
+    for (const OtherController& other : simulation.others) add(other.emission);
+}
+
+simulation::Drives drives_of(const Simulation& simulation, const simulation::Controller& first) {
+    std::vector<const rc_drive*> drives{&first.drive()};
+    for (const OtherController& other : simulation.others) drives.push_back(&other.controller->drive());
+    const rc_drive* environment = nullptr;
+    if (simulation.scenario.environment) {
+        environment = drives.back();
+        drives.pop_back();
     }
+    return {std::move(drives), environment};
 }
 
 std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation, const Options& options) {
-    std::string error;
-    auto controller = simulation::Controller::build(simulation.emission, "", error,
-                                                    simulation.project->diagnostics.budget(), options.run->cache());
-    if (controller == nullptr)
-        simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span,
-                                               {error});
-    else
-        simulation::find_states(simulation.scenario, simulation::machines_of(controller->drive()),
-                                simulation.project->diagnostics);
+    diagnostics::Diagnostics& found = simulation.project->diagnostics;
+    const auto build = [&](const cpp_emit::DriveEmission& emission, const Name& component) {
+        std::string error;
+        auto made = simulation::Controller::build(emission, "", error, found.budget(), options.run->cache());
+        if (made == nullptr) found.report(simulation::rules::not_compiled, component.span, {error});
+        return made;
+    };
+    const simulation::Scenario& scenario = simulation.scenario;
+    auto controller = build(simulation.emission, scenario.component);
+    for (std::size_t i = 0; controller != nullptr && i < simulation.others.size(); ++i) {
+        OtherController& other = simulation.others[i];
+        const Name& component =
+            i < scenario.others.size() ? scenario.others[i].component : scenario.environment->component;
+        other.controller = build(other.emission, component);
+        if (other.controller == nullptr) return nullptr;
+    }
+    if (controller != nullptr)
+        simulation::find_states(simulation.scenario,
+                                simulation::machines_of(scenario, drives_of(simulation, *controller)), found);
     return controller;
 }
 
@@ -201,22 +295,24 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     if (!simulation->project->diagnostics.ok()) return simulation;
     Options model = options;
     model.inputs = {model_of(simulation->scenario, options.inputs.front())};
+    const std::vector<std::string> said = unless_given(simulation->scenario.constants, options.constants);
+    model.constants.insert(model.constants.end(), said.begin(), said.end());
     simulation->project = load(model);
     if (!acceptable(*simulation->project, options)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);
-    emit(*simulation, model.inputs.front());
+    emit(*simulation, model.inputs.front(), options);
     return simulation;
 }
 
 namespace {
 
 /// `--html`; where it cannot be written, that is among the project's diagnostics.
-void write_page(Simulation& simulation, const simulation::RunResult& result, const std::string& simulator,
-                const std::string& monitors, const std::string& notes, const std::vector<std::string>& files,
-                const Options& options) {
-    const std::string page = render_simulation_html(
-        {*simulation.project, simulation.scenario, simulation.emission, result, simulator, monitors, notes, files},
-        options);
+void write_page(Simulation& simulation, const simulation::RunResult& result, const simulation::Machines& machines,
+                const std::string& simulator, const std::string& monitors, const std::string& notes,
+                const std::vector<std::string>& files, const Options& options) {
+    const std::string page = render_simulation_html({*simulation.project, simulation.scenario, simulation.emission,
+                                                     machines, result, simulator, monitors, notes, files},
+                                                    options);
     const std::string error = diagnostics::replace_file(options.html, page, &options.run->budget());
     if (!error.empty()) simulation.project->diagnostics.report(rules::unwritable, {}, {error});
 }
@@ -241,16 +337,18 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
     wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
     wanted.progress = progress_reports(options, simulation->scenario.name.text);
-    const simulation::RunResult result =
-        simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
+    const simulation::Drives drives = drives_of(*simulation, *controller);
+    const simulation::Machines machines = simulation::machines_of(simulation->scenario, drives);
+    const simulation::RunResult result = simulation::run(simulation->plan, drives, wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
     if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
     std::string notes = monitors == nullptr ? "" : monitors->note();
     std::vector<std::string> files;
     if (options.pictures && !result.interrupted)
-        files = write_simulation_files(*simulation, result, controller->drive(), options, notes);
+        files = write_simulation_files(*simulation, result, machines, options, notes);
     if (!options.html.empty() && !result.interrupted)
-        write_page(*simulation, result, stage.name, monitors == nullptr ? "" : monitors->note(), notes, files, options);
+        write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->note(), notes, files,
+                   options);
     options.run->finish();
     // Errors by now are trials that stopped and files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.stopped();

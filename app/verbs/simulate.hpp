@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/command/pipeline.hpp"
 #include "app/tune/certificate.hpp"
@@ -13,11 +15,20 @@
 
 namespace robochart::app {
 
+/// The model and the controller of another kind of robots, or of the environment.
+struct OtherController {
+    std::unique_ptr<Project> project;
+    std::string model;  ///< its path
+    cpp_emit::DriveEmission emission;
+    std::unique_ptr<simulation::Controller> controller;
+};
+
 struct Simulation {
     std::unique_ptr<Project> project;  ///< the model; its sources hold the scenario too
     simulation::Scenario scenario;
     cpp_emit::DriveEmission emission;
-    simulation::Plan plan;  ///< refers to the scenario
+    std::vector<OtherController> others;  ///< of the scenario's other kinds, and of its environment
+    simulation::Plan plan;                ///< refers to the scenario
 };
 
 /// Reads the scenario and its model and binds them. Never null; the project's diagnostics tell whether it can run.
@@ -25,8 +36,12 @@ struct Simulation {
 
 /// The scenario's text into the project's sources; its scenario.
 [[nodiscard]] simulation::Scenario read_scenario_of(Project&, const Options&);
-/// Builds the controller; on failure null, and what is wrong is among the project's diagnostics.
+/// Builds the controllers: returns that of the first kind of robots, and keeps the others. On failure null, and what is
+/// wrong is among the project's diagnostics.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
+
+/// All of them, once built.
+[[nodiscard]] simulation::Drives drives_of(const Simulation&, const simulation::Controller&);
 
 /// Adds what a trial depends on but for its seed: the texts of scenario and drawings, and the generated code. The
 /// program itself is in the cache's own keys.
@@ -58,6 +73,7 @@ int simulate_program(const char* program, int argc, char** argv, const OtherStag
 
 /// Tables and pictures of a run below the output folder. Returns the paths; problems are reported.
 [[nodiscard]] std::vector<std::string> write_simulation_files(Simulation&, const simulation::RunResult&,
-                                                              const rc_drive&, const Options&, std::string& notes);
+                                                              const simulation::Machines&, const Options&,
+                                                              std::string& notes);
 
 }  // namespace robochart::app

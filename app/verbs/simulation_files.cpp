@@ -41,13 +41,14 @@ bool on_path(const std::string& program) {
 
 class Files {
 public:
-    Files(Simulation& simulation, const simulation::RunResult& result, const rc_drive& drive, const Options& options)
+    Files(Simulation& simulation, const simulation::RunResult& result, const simulation::Machines& machines,
+          const Options& options)
         : scenario_(simulation.scenario),
           project_(*simulation.project),
           result_(result),
           out_(options.out),
           below_("simulation/" + simulation.scenario.name.text + "/"),
-          machines_(simulation::machines_of(drive)) {}
+          machines_(machines) {}
 
     std::vector<std::string> write(std::string& notes) {
         if (!tables()) return std::move(written_);
@@ -181,8 +182,9 @@ private:
 }  // namespace
 
 std::vector<std::string> write_simulation_files(Simulation& simulation, const simulation::RunResult& result,
-                                                const rc_drive& drive, const Options& options, std::string& notes) {
-    return Files(simulation, result, drive, options).write(notes);
+                                                const simulation::Machines& machines, const Options& options,
+                                                std::string& notes) {
+    return Files(simulation, result, machines, options).write(notes);
 }
 
 }  // namespace robochart::app

@@ -126,7 +126,8 @@ private:
         plan.scenario = &scenario;
         Project& project = *prepared_.simulation->project;
         const simulation::RunResult found =
-            simulation::run(plan, prepared_.controller->drive(), run_options(point.point), project.diagnostics);
+            simulation::run(plan, drives_of(*prepared_.simulation, *prepared_.controller), run_options(point.point),
+                            project.diagnostics);
         result_.cpu_seconds += found.cpu_seconds;
         if (!project.diagnostics.ok()) return refused(project);
         point.claims = found.claims;

@@ -272,6 +272,14 @@ private:
 
     Exit refused() const { return show_diagnostics(*project_, options_), refusal(*project_); }
 
+    /// A certificate is about one controller.
+    void refuse_others() {
+        if (scenario_.has_others())
+            report(
+                "tune takes a scenario with one kind of robots and without an environment: a certificate is about "
+                "one controller");
+    }
+
     void report(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
 
     /// Reads everything but the candidates; false with diagnostics where something is wrong.
@@ -292,6 +300,7 @@ private:
             if (!names.insert(split(each).first).second)
                 report(fmt::format("--const {} is given twice", diagnostics::shown(split(each).first)));
         if (!scenario_.variations.empty()) report("tune takes a scenario in which nothing varies");
+        refuse_others();
         if (scenario_.claims.empty())
             project_->diagnostics.report(simulation::rules::missing, scenario_.name.span,
                                          {"what is claimed (accept probability) or estimated (estimate probability)"});
@@ -491,6 +500,7 @@ private:
         if (!asked_.constants.empty()) report("the constants are those of the certificate: no --const beside it");
         if (!asked_.ranges.empty()) report("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
+        refuse_others();
         if (!project_->diagnostics.ok()) return refused();
         for (const auto& [name, value] : certified->constants)
             options_.constants.push_back(fmt::format("{}={}", name, value));

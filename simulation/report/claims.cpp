@@ -95,6 +95,13 @@ std::string evidence_text(const Claim& claim, const ClaimResult& found) {
 
 namespace {
 
+std::string errors_text(const Sensor& sensor) {
+    return sensor.false_negative > 0 || sensor.false_positive > 0
+               ? fmt::format("missed in {}, seen where there is none in {} of looks", percent(sensor.false_negative),
+                             percent(sensor.false_positive))
+               : "without errors";
+}
+
 std::string sensor_line(const Sensor& sensor) {
     std::string text = fmt::format("sensor {}: ", sensor.name.text);
     const auto range = [](double cm) { return cm > 0 ? fmt::format("to {:g} cm", cm) : std::string("without limit"); };
@@ -118,10 +125,10 @@ std::string sensor_line(const Sensor& sensor) {
             return text + fmt::format("{} light sensors with shadows, {} leak", sensor.light_ring.sensors,
                                       percent(sensor.light_ring.leak));
         case SensorKind::ground:
-            return text + fmt::format("the distance to {}, without errors", sensor.source.text);
+            return text + fmt::format("the distance to {}, {}", sensor.source.text, errors_text(sensor));
         case SensorKind::proximity:
-            return text +
-                   fmt::format("{} rays {}, without errors", sensor.proximity.sensors, range(sensor.proximity.range));
+            return text + fmt::format("{} rays {}, {}", sensor.proximity.sensors, range(sensor.proximity.range),
+                                      errors_text(sensor));
     }
     return text;
 }
@@ -142,24 +149,71 @@ std::string placement_text(const Placement& place) {
     }
 }
 
-std::string placements_line(const Scenario& scenario) {
+/// " of leaders", where a scenario has several kinds.
+std::string of_whom(const Scenario& scenario, const RobotKind& kind) {
+    return scenario.others.empty() ? "" : kind.kind.text.empty() ? " of the first kind" : " of " + kind.kind.text;
+}
+
+std::string placements_line(const Scenario& scenario, const RobotKind& kind) {
     std::vector<std::string> places;
-    for (const Placement& place : scenario.placements) places.push_back(placement_text(place));
+    for (const Placement& place : kind.placements) places.push_back(placement_text(place));
     constexpr std::size_t most = 4;
     const std::size_t left_out = places.size() > most ? places.size() - most : 0;
     if (left_out > 0) places.resize(most);
-    return fmt::format("start: {}{}", fmt::join(places, "; "),
+    return fmt::format("start{}: {}{}", of_whom(scenario, kind), fmt::join(places, "; "),
                        left_out > 0 ? fmt::format("; and {} more places", left_out) : "");
 }
 
-std::string failure_line(const Failure& failure) {
-    const char* const what = failure.kind == FailureKind::motors    ? "motors"
-                             : failure.kind == FailureKind::radio   ? "radio"
-                             : failure.kind == FailureKind::sensors ? "sensors"
-                                                                    : "everything";
-    return failure.mean_time > 0 ? fmt::format("failures: {} of each robot, after {:g} s in the mean, exponentially",
-                                               what, failure.mean_time)
-                                 : fmt::format("failures: {} of {} robots at {:g} s", what, failure.robots, failure.at);
+const char* what_fails(const Failure& failure) {
+    return failure.kind == FailureKind::motors    ? "motors"
+           : failure.kind == FailureKind::radio   ? "radio"
+           : failure.kind == FailureKind::sensors ? "sensors"
+                                                  : "everything";
+}
+
+std::string failure_line(const Scenario& scenario, const RobotKind& kind, const Failure& failure) {
+    const std::string whose = of_whom(scenario, kind);
+    const char* const what = what_fails(failure);
+    return failure.mean_time > 0
+               ? fmt::format("failures{}: {} of each robot, after {:g} s in the mean, exponentially", whose, what,
+                             failure.mean_time)
+               : fmt::format("failures{}: {} of {} robots at {:g} s", whose, what, failure.robots, failure.at);
+}
+
+std::string act_text(const Scenario& scenario, const WorldAct& act) {
+    using Kind = WorldAct::Kind;
+    const auto light = [&] { return scenario.lights.at(act.what).name.text; };
+    const auto obstacle = [&] { return scenario.obstacles.at(act.what).name.text; };
+    switch (act.kind) {
+        case Kind::light_on:
+        case Kind::light_off:
+            return fmt::format("{} switches {} {}", act.on.text, light(), act.kind == Kind::light_on ? "on" : "off");
+        case Kind::light_move:
+            return fmt::format("{} moves {}{} at {:g} cm/s", act.on.text, light(),
+                               act.to ? fmt::format(" to ({:g} cm, {:g} cm)", act.to->x, act.to->y) : "", act.speed);
+        case Kind::obstacle_appear:
+        case Kind::obstacle_vanish:
+            return fmt::format("{} lets {} {}", act.on.text, obstacle(),
+                               act.kind == Kind::obstacle_appear ? "appear" : "vanish");
+        case Kind::failure:
+            return fmt::format("{} lets {} fail of {} robots, drawn at random", act.on.text, what_fails(act.failure),
+                               act.failure.robots);
+        case Kind::stimulus:
+            return fmt::format("{} raises {}", act.on.text, act.stimulus.event.text);
+    }
+    return "";
+}
+
+/// What is assumed of the machine that acts on the world.
+std::string environment_line(const Scenario& scenario) {
+    const Environment& environment = *scenario.environment;
+    std::vector<std::string> parts;
+    for (const WorldFeed& feed : environment.feeds) parts.push_back(fmt::format("{} {}", feed.target.text, feed.text));
+    for (const WorldAct& act : environment.acts) parts.push_back(act_text(scenario, act));
+    return fmt::format(
+        "environment {}, a machine whose draws follow from the trial's seed; measures reach it without "
+        "error in each cycle, and what it does holds from the next one on: {}",
+        environment.component.text, fmt::join(parts, "; "));
 }
 
 }  // namespace
@@ -180,15 +234,24 @@ std::vector<std::string> world_lines(const Scenario& scenario) {
     const Arena& arena = scenario.world.arena;
     std::vector<std::string> lines;
     lines.push_back(
-        fmt::format("{} robot{} of radius {:g} cm, wheels to {:g} cm/s, {}", scenario.robots,
-                    scenario.robots == 1 ? "" : "s", body.radius, body.max_wheel,
+        fmt::format("{} robot{} of radius {:g} cm, wheels to {:g} cm/s, {}", scenario.all_robots(),
+                    scenario.all_robots() == 1 ? "" : "s", body.radius, body.max_wheel,
                     body.noise > 0 ? fmt::format("{} noise of each", percent(body.noise)) : "without noise"));
     lines.push_back(fmt::format("{:g} cm by {:g} cm {}{}", arena.width, arena.height,
                                 arena.walled ? "with walls" : "without walls",
                                 arena.walls.empty() ? "" : fmt::format(", {} inside", arena.walls.size())));
-    lines.push_back(placements_line(scenario));
+    for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind) {
+        const RobotKind& robots = scenario.kind_at(kind);
+        lines.push_back(fmt::format("{}: {} robots by {}", robots.kind.text.empty() ? "first kind" : robots.kind.text,
+                                    robots.robots, robots.component.text));
+    }
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+        lines.push_back(placements_line(scenario, scenario.kind_at(kind)));
     for (const Sensor& sensor : scenario.sensors) lines.push_back(sensor_line(sensor));
-    for (const Failure& failure : scenario.failures) lines.push_back(failure_line(failure));
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+        for (const Failure& failure : scenario.kind_at(kind).failures)
+            lines.push_back(failure_line(scenario, scenario.kind_at(kind), failure));
+    if (scenario.environment) lines.push_back(environment_line(scenario));
     lines.push_back(fmt::format("{:g} s in control steps of {:g} s, {} physics steps each", scenario.duration,
                                 scenario.world.control_step, scenario.world.physics_steps));
     lines.push_back(

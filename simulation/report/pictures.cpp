@@ -25,10 +25,10 @@ const MachineStates& first(const Machines& machines) {
 
 /// A picture of one world: legend above, axes, scale bar; `inside` is between the floor and the end.
 std::string framed(const WorldDrawing& world, const Legend& legend, const std::string& head,
-                   const std::string& inside) {
+                   const std::string& surroundings, const std::string& inside) {
     const View& view = world.view();
     return head + legend.svg(view.left, view.top - world.dots(margin) - legend.height()) + world.floor() +
-           world.lower_axis() + world.left_axis() +
+           surroundings + world.lower_axis() + world.left_axis() +
            world.scale_bar(view.left + view.width, view.top + view.height + world.dots(30)) + inside + "</svg>\n";
 }
 
@@ -93,6 +93,30 @@ public:
         return fmt::format(
             "<g>{}<g>{}<use href=\"{}\">{}</use></g></g>\n", transforms("translate", places, times_, seconds_),
             transforms("rotate", turns, times_, seconds_), symbols.front(), changes("href", symbols, times_, seconds_));
+    }
+
+    /// Some light is elsewhere, or off, at another time.
+    [[nodiscard]] bool moves_lights() const {
+        const auto differs = [&](const Frame* key) {
+            for (std::size_t l = 0; l < key->lights.size(); ++l)
+                if (key->lights[l].on != keys_.front()->lights[l].on ||
+                    key->lights[l].at != keys_.front()->lights[l].at)
+                    return true;
+            return false;
+        };
+        return std::any_of(keys_.begin(), keys_.end(), differs);
+    }
+
+    [[nodiscard]] std::string light(std::size_t light) const {
+        std::vector<std::string> places, opacities;
+        for (const Frame* key : keys_) {
+            const LightNow& now = key->lights[light];
+            places.push_back(fmt::format("{:.1f} {:.1f}", now.at.x, -now.at.y));
+            opacities.push_back(now.on ? "1" : ".3");
+        }
+        return fmt::format("<g>{}<circle r=\"6\" fill=\"#f5c400\" stroke=\"#8a6d00\" opacity=\"{}\">{}</circle></g>\n",
+                           transforms("translate", places, times_, seconds_), opacities.front(),
+                           changes("opacity", opacities, times_, seconds_));
     }
 
 private:
@@ -162,7 +186,8 @@ std::string snapshots_svg(const Scenario& scenario, const std::vector<Frame>& fr
             "<g transform=\"translate({:g} 0)\">\n<text class=\"sim-text\" x=\"{:g}\" y=\"{:g}\" "
             "font-size=\"{:g}\" text-anchor=\"middle\">{:g} s</text>\n{}{}{}</g>\n",
             static_cast<double>(i) * step, view.left + view.width / 2, view.top - world.dots(7), world.dots(14),
-            shown[i].time, world.floor(), world.lower_axis(), robots(world, shown[i]));
+            shown[i].time, world.floor() + world.obstacles(shown[i]) + world.lights(shown[i]), world.lower_axis(),
+            robots(world, shown[i]));
     return out + world.scale_bar(view.left + width, view.top + view.height + world.dots(48)) + "</svg>\n";
 }
 
@@ -203,7 +228,7 @@ std::string trajectories_svg(const Scenario& scenario, const std::vector<Frame>&
             "stroke-width=\"{3:g}\"/><path class=\"sim-one\" stroke-width=\"{3:g}\" d=\"M0 0H{1:g}\"/></g>\n",
             WorldDrawing::place(frames.back().poses[r]), radius, colour(r), world.outline() * radius);
     return framed(world, legend, world.head(around(world, legend.height()), "paths of the robots in the first trial"),
-                  inside);
+                  world.obstacles(frames.back()) + world.lights(frames.back()), inside);
 }
 
 std::string animation_svg(const Scenario& scenario, const std::vector<Frame>& frames, const Machines& machines,
@@ -218,10 +243,15 @@ std::string animation_svg(const Scenario& scenario, const std::vector<Frame>& fr
     inside +=
         "<style>.still{display:none}@media (prefers-reduced-motion:reduce){.moving{display:none}"
         ".still{display:inline}}</style>\n<g class=\"still\">\n" +
-        robots(world, frames.back()) + "</g>\n<g class=\"moving\">\n";
+        (animation.moves_lights() ? world.lights(frames.back()) : "") + robots(world, frames.back()) +
+        "</g>\n<g class=\"moving\">\n";
     for (std::size_t r = 0; r < frames.front().poses.size(); ++r) inside += animation.robot(r);
+    if (animation.moves_lights())
+        for (std::size_t light = 0; light < scenario.lights.size(); ++light) inside += animation.light(light);
     inside += time_axis(world, animation, view.top + view.height + world.dots(lower_margin + 4)) + "</g>\n";
-    return framed(world, legend, world.head(shown, fmt::format("the first trial, {:g} times as fast", speed)), inside);
+    return framed(world, legend, world.head(shown, fmt::format("the first trial, {:g} times as fast", speed)),
+                  world.obstacles(frames.back()) + (animation.moves_lights() ? "" : world.lights(frames.back())),
+                  inside);
 }
 
 WorldDrawing page_world(const Scenario& scenario, const View& view, const std::string& prefix) {
@@ -236,7 +266,8 @@ std::string world_svg(const Scenario& scenario, const View& view, const Frame& l
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:g} {:g} {:g} {:g}\" role=\"img\" "
         "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n<title>the robots at the time shown</title>\n",
         shown.left, shown.top, shown.width, shown.height);
-    out += world.symbols(first(machines)) + world.floor() + world.lower_axis() + world.left_axis() +
+    out += world.symbols(first(machines)) + world.floor() + world.obstacles(last) + world.lights(last) +
+           world.lower_axis() + world.left_axis() +
            world.scale_bar(view.left + view.width, view.top + view.height + world.dots(30));
     out += fmt::format(
         "<path class=\"sim-links\" stroke-width=\"{0:g}\"/><path class=\"sim-trail\" stroke-width=\"{0:g}\"/>\n",

@@ -31,7 +31,10 @@ Raster rasterise(const Scenario& scenario, const Frame& frame, std::size_t state
                     raster.dots[3 * (j * width + i) + k] = static_cast<unsigned char>(rgb >> (16 - 8 * k) & 255U);
             }
     };
-    for (const Light& light : scenario.lights) disk(light.at, 6, "#f5c400");
+    for (std::size_t light = 0; light < scenario.lights.size(); ++light) {
+        const LightNow now = light_at(scenario, frame, light);
+        if (now.on) disk(now.at, 6, "#f5c400");
+    }
     for (std::size_t r = 0; r < frame.poses.size(); ++r)
         disk(frame.poses[r].at, scenario.world.body.radius, state_colour(frame.state(r), states));
     return raster;

@@ -21,13 +21,15 @@ namespace {
 Dimension dimension_of(const Scenario& scenario, const Band& band) {
     if (band.statistic.kind == StatisticKind::first_time) return Dimension::time;
     switch (scenario.measures[band.statistic.measure].kind) {
-        case MeasureKind::cluster:
-        case MeasureKind::reached:
-            return Dimension::share;
+        case MeasureKind::spread:
+        case MeasureKind::distance:
+            return Dimension::length;
         case MeasureKind::second_moment:
             return Dimension::number;
+        case MeasureKind::time:
+            return Dimension::time;
         default:
-            return Dimension::length;
+            return Dimension::share;
     }
 }
 
@@ -97,7 +99,7 @@ Json trials_json(const RunResult& result) {
     for (const TrialResult& trial : result.trials) {
         Json& json = list.emplace_back(Json{{"steps", trial.steps}, {"complete", trial.complete}});
         if (!trial.stop) continue;
-        json["stop"] = Json{{"robot", trial.stop->robot},
+        json["stop"] = Json{{"robot", trial.stop->environment ? Json() : Json(trial.stop->robot)},
                             {"time", number(trial.stop->time)},
                             {"cause", trial.stop->cause},
                             {"place", trial.stop->place}};
@@ -166,7 +168,7 @@ std::string summary(const RunResult& result) {
 
 std::string run_text(const Scenario& scenario, const RunResult& result) {
     const double seconds = simulated(scenario, result);
-    const double steps = seconds / scenario.world.control_step * scenario.robots;
+    const double steps = seconds / scenario.world.control_step * scenario.all_robots();
     return fmt::format(
         "{:.0f} s simulated in {:.2f} s: {:.0f} times real time; {:.2f} million robot-steps a CPU second\n", seconds,
         result.seconds, seconds / std::max(result.seconds, 1e-9), steps / std::max(result.cpu_seconds, 1e-9) / 1e6);
@@ -185,7 +187,7 @@ std::string result_json(const Scenario& scenario, const RunResult& result, Json 
     const Json json{{"schema", "robochart-verify/simulation/1"},
                     {"scenario", scenario.name.text},
                     {"component", scenario.component.text},
-                    {"robots", scenario.robots},
+                    {"robots", scenario.all_robots()},
                     {"trials", trials_json(result)},
                     {"duration", number(scenario.duration)},
                     {"seed", scenario.seed},

@@ -31,10 +31,10 @@ double cpu_now() {
 
 class Runner {
 public:
-    Runner(const Plan& plan, const rc_drive& drive, const RunOptions& options)
+    Runner(const Plan& plan, const Drives& drives, const RunOptions& options)
         : plan_(plan),
           scenario_(*plan.scenario),
-          drive_(drive),
+          drives_(drives),
           options_(options),
           whole_(whole_trials(scenario_, options.record)),
           most_(whole_) {
@@ -118,7 +118,7 @@ private:
         options.trace = trace.get();
         options.steps_done = &steps_;
         options.interrupted = trial < whole_ ? &stop_ : &enough_;
-        done.trial = run_trial(plan_, drive_, *stage, options);
+        done.trial = run_trial(plan_, drives_, *stage, options);
         done.trial.watched = trace == nullptr || trace->decided();
     }
 
@@ -183,14 +183,14 @@ private:
             const auto& stop = result_.trials[trial].stop;
             if (!stop) continue;
             diagnostics.report(rules::stopped, scenario_.component.span,
-                               {std::to_string(stop->robot), std::to_string(trial + 1),
-                                fmt::format("{:.1f}", stop->time), stop->cause, stop->place});
+                               {stop->whose(), std::to_string(trial + 1), fmt::format("{:.1f}", stop->time),
+                                stop->cause, stop->place});
         }
     }
 
     const Plan& plan_;
     const Scenario& scenario_;
-    const rc_drive& drive_;
+    const Drives& drives_;
     const RunOptions& options_;
     const Clock::time_point start_ = Clock::now();
     const std::uint32_t whole_;  ///< trials that go on to their end
@@ -282,13 +282,13 @@ std::uint32_t recorded_trials(const Scenario& scenario) {
     constexpr double most_poses = 4e7;  // about a gigabyte
     const double frames = scenario.duration / std::max(scenario.record, scenario.world.control_step) + 2 +
                           static_cast<double>(scenario.pictures.size());
-    const double trials = std::floor(most_poses / (frames * scenario.robots));
+    const double trials = std::floor(most_poses / (frames * scenario.all_robots()));
     return static_cast<std::uint32_t>(std::clamp(trials, 0.0, std::min(100.0, static_cast<double>(scenario.trials))));
 }
 
-RunResult run(const Plan& plan, const rc_drive& drive, const RunOptions& options,
+RunResult run(const Plan& plan, const Drives& drives, const RunOptions& options,
               diagnostics::Diagnostics& diagnostics) {
-    return Runner(plan, drive, options).run(diagnostics);
+    return Runner(plan, drives, options).run(diagnostics);
 }
 
 }  // namespace robochart::simulation

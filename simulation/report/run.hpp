@@ -68,7 +68,7 @@ struct RunResult {
 [[nodiscard]] std::uint32_t recorded_trials(const Scenario&);
 
 /// Runs them. Diagnostics: robots that do not fit, controllers that stopped.
-[[nodiscard]] RunResult run(const Plan&, const rc_drive&, const RunOptions&, diagnostics::Diagnostics&);
+[[nodiscard]] RunResult run(const Plan&, const Drives&, const RunOptions&, diagnostics::Diagnostics&);
 
 /// The bands of a scenario on finished trials.
 [[nodiscard]] std::vector<BandResult> judge(const Scenario&, const std::vector<TrialResult>&);

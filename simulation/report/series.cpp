@@ -37,15 +37,15 @@ public:
     }
 
     Charts make() {
-        if (trials_.empty() || scenario_.robots == 0) return std::move(result_);
-        if (scenario_.robots > 1) {
+        if (trials_.empty() || scenario_.all_robots() == 0) return std::move(result_);
+        if (scenario_.all_robots() > 1) {
             if (result_.distances) distances();
             for (const double link : links()) cluster_series(link);
             result_.charts.push_back(std::move(largest_));
             result_.charts.push_back(std::move(count_));
         }
         for (std::size_t m = 0; m < scenario_.measures.size(); ++m)
-            if (scenario_.measures[m].kind != MeasureKind::cluster) measure(m);
+            if (scenario_.measures[m].kind != MeasureKind::cluster || scenario_.measures[m].of) measure(m);
         states();
         return std::move(result_);
     }
@@ -55,7 +55,7 @@ private:
     void choose_times(std::size_t most_times) {
         constexpr double most_pairs = 2e8;
         constexpr std::size_t least_times = 20;
-        const double robots = scenario_.robots;
+        const double robots = scenario_.all_robots();
         const double pairs = std::max(1.0, robots * (robots - 1) / 2 * static_cast<double>(trials_.size()));
         const auto affordable = static_cast<std::size_t>(std::min(1e6, most_pairs / pairs));
         result_.distances = affordable >= least_times;
@@ -96,21 +96,22 @@ private:
     [[nodiscard]] std::set<double> links() const {
         std::set<double> lengths;
         for (const Measure& measure : scenario_.measures)
-            if (measure.kind == MeasureKind::cluster) lengths.insert(measure.link);
+            if (measure.kind == MeasureKind::cluster && !measure.of) lengths.insert(measure.link);
         if (lengths.empty()) lengths.insert(link_of(scenario_));
         return lengths;
     }
 
     void cluster_series(double link) {
         const std::string name = fmt::format("links of at most {:g} cm", link);
-        const auto robots = static_cast<double>(scenario_.robots);
+        const auto robots = static_cast<double>(scenario_.all_robots());
         largest_.series.push_back(series(name, [&](const Frame& frame) {
             return 100 * static_cast<double>(clusters(frame.poses, link).largest) / robots;
         }));
         count_.series.push_back(
             series(name, [&](const Frame& frame) { return static_cast<double>(clusters(frame.poses, link).count); }));
         for (std::size_t m = 0; m < scenario_.measures.size(); ++m)
-            if (scenario_.measures[m].kind == MeasureKind::cluster && scenario_.measures[m].link == link)
+            if (scenario_.measures[m].kind == MeasureKind::cluster && !scenario_.measures[m].of &&
+                scenario_.measures[m].link == link)
                 add_targets(m, 100, largest_.targets);
     }
 
@@ -136,7 +137,9 @@ private:
     void measure(std::size_t number) {
         const Measure& measure = scenario_.measures[number];
         Chart chart;
-        const bool share = measure.kind == MeasureKind::reached || measure.kind == MeasureKind::in_state ||
+        if (measure.kind == MeasureKind::time) return;
+        const bool share = measure.kind == MeasureKind::cluster || measure.kind == MeasureKind::reached ||
+                           measure.kind == MeasureKind::inside || measure.kind == MeasureKind::in_state ||
                            measure.kind == MeasureKind::working;
         const double factor = share ? 100 : 1;
         if (measure.kind == MeasureKind::reached)
@@ -146,10 +149,23 @@ private:
         switch (measure.kind) {
             case MeasureKind::reached:
                 break;
+            case MeasureKind::cluster:
+                chart.title = "Largest cluster";
+                chart.unit = "%";
+                chart.definition = fmt::format(
+                    "The share of these robots in the largest group of links of at most {} cm.", measure.link);
+                chart.most = 100.0;
+                break;
             case MeasureKind::in_state:
                 chart.title = "Robots in " + measure.state.text;
                 chart.unit = "%";
                 chart.definition = "The share of robots whose first machine is in this state.";
+                chart.most = 100.0;
+                break;
+            case MeasureKind::inside:
+                chart.title = "Robots inside";
+                chart.unit = "%";
+                chart.definition = "The share of robots whose centres are in the rectangle.";
                 chart.most = 100.0;
                 break;
             case MeasureKind::working:
@@ -176,6 +192,7 @@ private:
                     gauci);
                 break;
         }
+        if (measure.of) chart.title += " of " + scenario_.kind_at(*measure.of).kind.text;
         chart.title += fmt::format(" ({})", measure.name.text);
         chart.series.push_back(
             series("", [&](const Frame& frame) { return factor * measured(scenario_, measure, frame); }));

@@ -51,10 +51,33 @@ std::string WorldDrawing::floor() const {
         out += fmt::format(
             "<line class=\"sim-axis\" x1=\"{:g}\" y1=\"{:g}\" x2=\"{:g}\" y2=\"{:g}\" stroke-width=\"{:g}\"/>\n",
             wall.from.x, -wall.from.y, wall.to.x, -wall.to.y, dots(3));
-    for (const Light& light : scenario_.lights)
+    return out;
+}
+
+std::string WorldDrawing::obstacles(const Frame& frame) const {
+    std::string out;
+    for (std::size_t o = 0; o < scenario_.obstacles.size(); ++o) {
+        const Obstacle& obstacle = scenario_.obstacles[o];
+        if (!(frame.obstacles.empty() ? obstacle.there : frame.obstacles[o])) continue;
+        std::string corners;
+        for (const Vector corner : obstacle.corners) corners += fmt::format("{:g},{:g} ", corner.x, -corner.y);
         out += fmt::format(
-            "<circle cx=\"{:g}\" cy=\"{:g}\" r=\"6\" fill=\"#f5c400\" stroke=\"#8a6d00\"><title>{}</title></circle>\n",
-            light.at.x, -light.at.y, xml_text(light.name.text));
+            "<polygon class=\"sim-axis\" points=\"{}\" fill=\"none\" "
+            "stroke-width=\"{:g}\"><title>{}</title></polygon>\n",
+            corners, dots(3), xml_text(obstacle.name.text));
+    }
+    return out;
+}
+
+std::string WorldDrawing::lights(const Frame& frame) const {
+    std::string out;
+    for (std::size_t l = 0; l < scenario_.lights.size(); ++l) {
+        const LightNow light = light_at(scenario_, frame, l);
+        out += fmt::format(
+            "<circle cx=\"{:g}\" cy=\"{:g}\" r=\"6\" fill=\"#f5c400\" "
+            "stroke=\"#8a6d00\"{}><title>{}</title></circle>\n",
+            light.at.x, -light.at.y, light.on ? "" : " opacity=\".3\"", xml_text(scenario_.lights[l].name.text));
+    }
     return out;
 }
 
@@ -115,7 +138,7 @@ std::vector<LegendEntry> WorldDrawing::things() const {
     std::vector<LegendEntry> entries;
     if (!scenario_.lights.empty())
         entries.push_back({"<circle r=\"6\" fill=\"#f5c400\" stroke=\"#8a6d00\"/>", "light"});
-    if (!scenario_.world.arena.walls.empty())
+    if (!scenario_.world.arena.walls.empty() || !scenario_.obstacles.empty())
         entries.push_back({"<path class=\"sim-axis\" stroke-width=\"3\" d=\"M-6 0H6\"/>", "wall"});
     return entries;
 }

@@ -30,7 +30,12 @@ public:
 
     /// The head of a picture that shows this rectangle, with title, style and background.
     [[nodiscard]] std::string head(const View& shown, const std::string& what) const;
+    /// The arena with its walls.
     [[nodiscard]] std::string floor() const;
+    /// Obstacles that come and go, as far as they are there then.
+    [[nodiscard]] std::string obstacles(const Frame&) const;
+    /// Lights where they are, faint if they are off.
+    [[nodiscard]] std::string lights(const Frame&) const;
     [[nodiscard]] std::string lower_axis() const;
     [[nodiscard]] std::string left_axis() const;
     /// A bar of a round length, with its right end here.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "diagnostics/spelling.hpp"
 #include "simulation/scenario/rules.hpp"
@@ -61,8 +62,9 @@ bool fits(Carries carries, const std::vector<Carried>& arguments) {
 
 class Binder {
 public:
-    Binder(const Scenario& scenario, const cpp_emit::DriveEmission& emission, diagnostics::Diagnostics& diagnostics)
-        : scenario_(scenario), emission_(emission), diagnostics_(diagnostics) {
+    Binder(const Scenario& scenario, const Name& component, const cpp_emit::DriveEmission& emission,
+           diagnostics::Diagnostics& diagnostics)
+        : scenario_(scenario), component_(component), emission_(emission), diagnostics_(diagnostics) {
         plan_.scenario = &scenario;
         plan_.inputs = static_cast<std::uint32_t>(emission.inputs.size());
         plan_.effects.resize(emission.outputs.size());
@@ -71,24 +73,129 @@ public:
         bits_.assign(emission.outputs.size(), no_slot);
     }
 
-    Plan bind() {
+    /// Events that the environment raises count as fed.
+    Plan bind(const RobotKind& kind, const Emissions& all) {
         for (const Sensor& sensor : scenario_.sensors)
             plan_.messages.push_back(
-                sensor.message.text.empty() ? no_slot : variable(sensor.message, Carries::whole).value_or(no_slot));
-        for (const Feed& feed : scenario_.feeds) bind_feed(feed);
-        for (const Stimulus& stimulus : scenario_.stimuli) bind_stimulus(stimulus);
-        for (std::uint32_t d = 0; d < scenario_.drives.size(); ++d) bind_drive(scenario_.drives[d], d);
-        for (std::size_t i = 0; i < emission_.inputs.size(); ++i)
-            if (!fed_[i] && emission_.inputs[i].kind == Port::Kind::event)
-                diagnostics_.report(rules::not_fed, scenario_.component.span,
-                                    {emission_.inputs[i].name, scenario_.component.text});
+                is_silent(sensor, all) ? no_slot : variable(sensor.message, Carries::whole).value_or(no_slot));
+        for (const Feed& feed : kind.feeds) bind_feed(feed);
+        for (const Stimulus& stimulus : kind.stimuli)
+            plan_.stimuli.push_back(raise(stimulus).value_or(BoundStimulus{}));
+        std::erase_if(plan_.stimuli, [](const BoundStimulus& bound) { return bound.stimulus == nullptr; });
+        for (std::uint32_t d = 0; d < kind.drives.size(); ++d) bind_drive(kind.drives[d], d);
+        if (scenario_.environment)
+            for (const WorldAct& act : scenario_.environment->acts)
+                if (const auto fed = input_named(act.stimulus.event.text)) fed_[*fed] = true;
+        report_unfed();
         return std::move(plan_);
     }
 
-private:
-    std::optional<std::uint32_t> input(const Name& name) {
+    WorldPlan bind(const Environment& environment, const Emissions& all) {
+        WorldPlan plan;
+        plan.inputs = plan_.inputs;
+        for (std::uint32_t f = 0; f < environment.feeds.size(); ++f) bind_world_feed(environment.feeds[f], f, plan);
+        plan.acts.resize(emission_.outputs.size());
+        for (const WorldAct& act : environment.acts) bind_act(act, all, plan);
+        report_unfed();
+        return plan;
+    }
+
+    /// None, with a finding, where the component has no such event.
+    std::optional<BoundStimulus> raise(const Stimulus& stimulus) {
+        const auto found = input(stimulus.event);
+        if (!found) return std::nullopt;
+        fed_[*found] = true;
+        const Port& port = emission_.inputs[*found];
+        BoundStimulus bound{&stimulus, *found, port.arguments == std::vector{Carried::real}, 0};
+        if (stimulus.named ? !take_named(*stimulus.named, port, bound.value) : !take_value(stimulus, port, bound.value))
+            diagnostics_.report(rules::wrong_type, stimulus.event.span,
+                                {stimulus.event.text, described(port), "this stimulus", "give"});
+        return bound;
+    }
+
+    [[nodiscard]] std::optional<std::uint32_t> input_named(const std::string& name) const {
         for (std::uint32_t i = 0; i < emission_.inputs.size(); ++i)
-            if (emission_.inputs[i].name == name.text) return i;
+            if (emission_.inputs[i].name == name) return i;
+        return std::nullopt;
+    }
+
+private:
+    /// Robots of this kind send nothing by the sensor. That none of any kind could is reported with the first.
+    [[nodiscard]] bool is_silent(const Sensor& sensor, const Emissions& all) const {
+        if (sensor.message.text.empty()) return true;
+        const auto sends = [&](const cpp_emit::DriveEmission* emission) {
+            return std::any_of(emission->outputs.begin(), emission->outputs.end(), [&](const Port& port) {
+                return port.kind == Port::Kind::variable && port.name == sensor.message.text;
+            });
+        };
+        return !sends(&emission_) &&
+               (&emission_ != all.kinds.front() || std::any_of(all.kinds.begin(), all.kinds.end(), sends));
+    }
+
+    void report_unfed() {
+        for (std::size_t i = 0; i < emission_.inputs.size(); ++i)
+            if (!fed_[i] && emission_.inputs[i].kind == Port::Kind::event)
+                diagnostics_.report(rules::not_fed, component_.span, {emission_.inputs[i].name, component_.text});
+    }
+
+    void bind_world_feed(const WorldFeed& feed, std::uint32_t number, WorldPlan& plan) {
+        const auto found = input(feed.target);
+        if (!found) return;
+        fed_[*found] = true;
+        const Port& port = emission_.inputs[*found];
+        const bool boolean = port.arguments == std::vector{Carried::boolean};
+        if (feed.condition ? !boolean && !port.arguments.empty() : port.arguments != std::vector{Carried::real})
+            diagnostics_.report(
+                rules::wrong_type, feed.target.span,
+                {feed.target.text, described(port), feed.condition ? "a condition" : "a measure", "feed"});
+        plan.feeds.push_back({&feed, number, *found, boolean});
+    }
+
+    void bind_act(const WorldAct& act, const Emissions& all, WorldPlan& plan) {
+        const auto found = command(act.on);
+        if (!found) return;
+        const Port& port = emission_.outputs[*found];
+        BoundAct bound{&act, false, {}};
+        if (act.kind == WorldAct::Kind::light_move && !act.to &&
+            port.arguments != std::vector{Carried::real, Carried::real})
+            diagnostics_.report(rules::wrong_type, act.on.span,
+                                {act.on.text, described(port), "'move'", "take for two coordinates"});
+        if (act.kind == WorldAct::Kind::stimulus) bind_raised(act, port, all, bound);
+        plan.acts[*found].push_back(std::move(bound));
+    }
+
+    /// An operation of the environment's platform, or an event that it sends.
+    std::optional<std::uint32_t> command(const Name& name) {
+        const auto commands = [](const Port& port) { return port.kind != Port::Kind::variable; };
+        for (std::uint32_t i = 0; i < emission_.outputs.size(); ++i)
+            if (commands(emission_.outputs[i]) && emission_.outputs[i].name == name.text) return i;
+        unknown(name, "operation or output named", names(emission_.outputs, commands));
+        return std::nullopt;
+    }
+
+    /// For every kind of robots that has the event. What carries a value and is given none takes the command's.
+    void bind_raised(const WorldAct& act, const Port& from, const Emissions& all, BoundAct& bound) {
+        const Stimulus& stimulus = act.stimulus;
+        const bool valued = stimulus.value || stimulus.truth || stimulus.named;
+        bool some = false;
+        for (std::size_t kind = 0; kind < all.kinds.size(); ++kind) {
+            Binder robots(scenario_, scenario_.kind_at(kind).component, *all.kinds[kind], diagnostics_);
+            bound.raised.emplace_back();
+            const auto found = robots.input_named(stimulus.event.text);
+            if (!found) continue;
+            some = true;
+            const Port& to = all.kinds[kind]->inputs[*found];
+            bound.argument = !valued && to.arguments.size() == 1 && to.arguments == from.arguments &&
+                             to.arguments.front() != Carried::enumeration;
+            bound.raised.back() = bound.argument
+                                      ? BoundStimulus{&stimulus, *found, to.arguments.front() == Carried::real, 0}
+                                      : robots.raise(stimulus);
+        }
+        if (!some) (void)Binder(scenario_, scenario_.component, *all.kinds.front(), diagnostics_).input(stimulus.event);
+    }
+
+    std::optional<std::uint32_t> input(const Name& name) {
+        if (const auto found = input_named(name.text)) return found;
         unknown(name, "event or variable to feed named", names(emission_.inputs, [](const Port&) { return true; }));
         return std::nullopt;
     }
@@ -109,8 +216,7 @@ private:
     }
 
     void unknown(const Name& name, const std::string& what, const std::vector<std::string>& known) {
-        auto& finding =
-            diagnostics_.report(rules::unknown_name, name.span, {scenario_.component.text, what, name.text});
+        auto& finding = diagnostics_.report(rules::unknown_name, name.span, {component_.text, what, name.text});
         const std::string meant = diagnostics::nearest(name.text, known);
         if (!meant.empty()) finding.fixes.push_back({name.span, meant, diagnostics::suggested(false)});
         if (!known.empty()) finding.notes.push_back({{}, fmt::format("there is {}", fmt::join(known, ", "))});
@@ -162,18 +268,6 @@ private:
             plan_.effects[*found].push_back({Effect::Kind::request, false, bits_[*found]});
         }
         return bits_[*found];
-    }
-
-    void bind_stimulus(const Stimulus& stimulus) {
-        const auto found = input(stimulus.event);
-        if (!found) return;
-        fed_[*found] = true;
-        const Port& port = emission_.inputs[*found];
-        BoundStimulus bound{&stimulus, *found, port.arguments == std::vector{Carried::real}, 0};
-        if (stimulus.named ? !take_named(*stimulus.named, port, bound.value) : !take_value(stimulus, port, bound.value))
-            diagnostics_.report(rules::wrong_type, stimulus.event.span,
-                                {stimulus.event.text, described(port), "this stimulus", "give"});
-        plan_.stimuli.push_back(bound);
     }
 
     /// False if the event carries something else.
@@ -245,6 +339,7 @@ private:
     }
 
     const Scenario& scenario_;
+    const Name& component_;
     const cpp_emit::DriveEmission& emission_;
     diagnostics::Diagnostics& diagnostics_;
     Plan plan_;
@@ -255,8 +350,23 @@ private:
 
 }  // namespace
 
+Plan bind(const Scenario& scenario, const Emissions& emissions, diagnostics::Diagnostics& diagnostics) {
+    std::vector<Plan> plans;
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+        const RobotKind& robots = scenario.kind_at(kind);
+        plans.push_back(
+            Binder(scenario, robots.component, *emissions.kinds.at(kind), diagnostics).bind(robots, emissions));
+    }
+    Plan plan = std::move(plans.front());
+    plan.others.assign(std::make_move_iterator(plans.begin() + 1), std::make_move_iterator(plans.end()));
+    if (scenario.environment)
+        plan.environment = Binder(scenario, scenario.environment->component, *emissions.environment, diagnostics)
+                               .bind(*scenario.environment, emissions);
+    return plan;
+}
+
 Plan bind(const Scenario& scenario, const cpp_emit::DriveEmission& emission, diagnostics::Diagnostics& diagnostics) {
-    return Binder(scenario, emission, diagnostics).bind();
+    return bind(scenario, Emissions{{&emission}, nullptr}, diagnostics);
 }
 
 }  // namespace robochart::simulation

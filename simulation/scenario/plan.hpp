@@ -43,6 +43,28 @@ struct BoundSpeeds {
     std::uint32_t angular = 0;
 };
 
+struct BoundWorldFeed {
+    const WorldFeed* feed = nullptr;
+    std::uint32_t number = 0;  ///< in Environment::feeds
+    std::uint32_t input = 0;
+    bool boolean = false;  ///< of a condition: its truth value; else it is there while it holds
+};
+
+/// What a command of the environment does.
+struct BoundAct {
+    const WorldAct* act = nullptr;
+    bool argument = false;                             ///< stimulus: its value is the argument of the command
+    std::vector<std::optional<BoundStimulus>> raised;  ///< stimulus: of each kind of robots that has the event
+};
+
+/// The environment's controller.
+struct WorldPlan {
+    std::uint32_t inputs = 0;
+    std::vector<BoundWorldFeed> feeds;
+    std::vector<std::vector<BoundAct>> acts;  ///< of each output
+};
+
+/// Of the first kind of robots; the others beside it.
 struct Plan {
     const Scenario* scenario = nullptr;
     std::uint32_t inputs = 0;
@@ -53,9 +75,21 @@ struct Plan {
     std::vector<std::uint32_t> messages;       ///< of each sensor: the slot that robots send, or `no_slot`
     std::optional<BoundSpeeds> speeds;         ///< the drive follows two variables
     std::uint32_t requests = 0;
+    std::vector<Plan> others;  ///< of each kind in Scenario::others; they have none themselves
+    std::optional<WorldPlan> environment;
+
+    [[nodiscard]] const Plan& of_kind(std::size_t kind) const { return kind == 0 ? *this : others[kind - 1]; }
+};
+
+/// What a scenario is bound to: the controllers of its kinds of robots in their order, and that of its environment.
+struct Emissions {
+    std::vector<const cpp_emit::DriveEmission*> kinds;
+    const cpp_emit::DriveEmission* environment = nullptr;  ///< null: there is none
 };
 
 /// Binds; what does not fit is reported. The plan refers to the scenario.
+[[nodiscard]] Plan bind(const Scenario&, const Emissions&, diagnostics::Diagnostics&);
+/// Of a scenario with one kind of robots and nothing else.
 [[nodiscard]] Plan bind(const Scenario&, const cpp_emit::DriveEmission&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::simulation

@@ -55,7 +55,7 @@ const Rule not_compiled{
     "Generated C++ is compiled by the system's compiler (`c++` on PATH) and loaded. Either the compiler "
     "fails, or the temporary folder cannot be written or run from."};
 const Rule stopped{
-    "RC-M12", Severity::error, "the controller of robot {} stopped trial {} at {} s: {}, at {}",
+    "RC-M12", Severity::error, "the controller of {} stopped trial {} at {} s: {}, at {}",
     "A controller that does not end its cycle within its bound of steps repeats without time passing; one that "
     "calls an operation outside its precondition, or misses a deadline, is wrong too. The trial ends there, at the "
     "element of the model that is named."};

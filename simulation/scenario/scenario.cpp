@@ -25,11 +25,16 @@ std::uint64_t Scenario::steps() const {
     return static_cast<std::uint64_t>(std::llround(duration / world.control_step));
 }
 
+bool can_err(SensorKind kind) {
+    return kind == SensorKind::line_of_sight || kind == SensorKind::proximity || kind == SensorKind::ground;
+}
+
 std::vector<double*> shares_of(Sensor& sensor, std::string_view option) {
     const auto is = [&](SensorKind kind, std::string_view name) { return sensor.kind == kind && option == name; };
-    if (is(SensorKind::line_of_sight, "error")) return {&sensor.false_negative, &sensor.false_positive};
-    if (is(SensorKind::line_of_sight, "false_negative")) return {&sensor.false_negative};
-    if (is(SensorKind::line_of_sight, "false_positive")) return {&sensor.false_positive};
+    const bool detects = can_err(sensor.kind);
+    if (detects && option == "error") return {&sensor.false_negative, &sensor.false_positive};
+    if (detects && option == "false_negative") return {&sensor.false_negative};
+    if (detects && option == "false_positive") return {&sensor.false_positive};
     if (is(SensorKind::range_and_bearing, "loss")) return {&sensor.range_and_bearing.loss};
     if (is(SensorKind::light, "leak")) return {&sensor.light_ring.leak};
     return {};
@@ -50,7 +55,23 @@ void Scenario::set_trials(std::uint32_t count) {
 
 void Scenario::set_robots(std::uint32_t count) {
     robots = count;
-    if (arena_area > 0) world.arena.width = world.arena.height = std::sqrt(arena_area * count);
+    if (arena_area > 0) world.arena.width = world.arena.height = std::sqrt(arena_area * all_robots());
+}
+
+std::uint32_t Scenario::all_robots() const {
+    return first_robot(kinds());
+}
+
+std::uint32_t Scenario::first_robot(std::size_t kind) const {
+    std::uint32_t before = 0;
+    for (std::size_t k = 0; k < kind; ++k) before += kind_at(k).robots;
+    return before;
+}
+
+std::optional<std::size_t> kind_named(const Scenario& scenario, std::string_view name) {
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+        if (!name.empty() && scenario.kind_at(kind).kind.text == name) return kind;
+    return std::nullopt;
 }
 
 }  // namespace robochart::simulation

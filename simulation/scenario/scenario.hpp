@@ -32,14 +32,17 @@ struct Sensor {
     Name name;
     SensorKind kind = SensorKind::line_of_sight;
     double sight_range = 0;     ///< 0: unlimited
-    double false_negative = 0;  ///< line of sight: how often a robot that is there is not seen
-    double false_positive = 0;  ///< and how often one is seen where there is none
+    double false_negative = 0;  ///< can_err: how often what is there is not seen
+    double false_positive = 0;  ///< and how often it is seen where there is none
     RangeAndBearing range_and_bearing;
     LightRing light_ring;
     Name source;   ///< light, ground: which light
     Name message;  ///< range and bearing: the shared variable that every robot sends; 0: it sends nothing
     ProximityRing proximity;
 };
+
+/// What it detects may be missed, or seen where there is none.
+[[nodiscard]] bool can_err(SensorKind);
 
 /// The shares of a sensor that an option of this name sets; none where it has no such option.
 [[nodiscard]] std::vector<double*> shares_of(Sensor&, std::string_view option);
@@ -82,7 +85,7 @@ struct Drive {
     diagnostics::Span span;
 };
 
-/// `stimulus EVENT at TIME` or `stimulus EVENT every TIME`: raised by the environment, for every robot.
+/// `stimulus EVENT at TIME` or `stimulus EVENT every TIME`: raised for every robot of a kind.
 struct Stimulus {
     Name event;
     double at = 0;
@@ -99,8 +102,22 @@ struct Light {
     Vector to;
     double speed = 0;  ///< cm/s; 0: it does not move
 
+    /// `time`: since it was at `at`.
     [[nodiscard]] Vector position(double time) const;
     diagnostics::Span span;
+};
+
+/// A light at one time.
+struct LightNow {
+    Vector at;
+    bool on = true;
+};
+
+/// `obstacle NAME CORNER, ... absent`: a polygon that can come and go. Those without a name are part of the arena.
+struct Obstacle {
+    Name name;
+    std::vector<Vector> corners;  ///< at least three, in order
+    bool there = true;            ///< at the start
 };
 
 struct Placement {
@@ -113,16 +130,18 @@ struct Placement {
     diagnostics::Span span;
 };
 
-enum class MeasureKind { cluster, spread, second_moment, distance, reached, in_state, working };
+enum class MeasureKind { cluster, spread, second_moment, distance, reached, inside, in_state, working, time };
 
-/// `measure NAME is KIND(ARGUMENT)`.
+/// `measure NAME is KIND(ARGUMENT) of ROBOTS`.
 struct Measure {
     Name name;
     MeasureKind kind = MeasureKind::spread;
     double link = 0;        ///< cluster: centres at most this far apart belong together; reached: from the light
     std::size_t light = 0;  ///< distance: from the swarm's centroid to this light; reached: the light
     Name state;             ///< in_state: of the first machine
-    std::vector<std::uint16_t> states;  ///< its number, and those of the states in it; known with the controller
+    std::vector<std::uint16_t> states;   ///< its number, and those of the states in it; known with the controller
+    Region region = {};                  ///< inside
+    std::optional<std::size_t> of = {};  ///< the robots of this kind alone (Scenario::kind_at)
 };
 
 /// What a robot loses: `whole` its controller and all of the others.
@@ -205,10 +224,61 @@ struct Variation {
     diagnostics::Span span;
 };
 
-struct Scenario {
-    Name name;
+/// `feed EVENT with MEASURE in UNIT` or `feed EVENT with CONDITION`, of an environment.
+struct WorldFeed {
+    Name target;
+    std::size_t measure = 0;
+    double factor = 1;                 ///< the measure is divided by it
+    std::optional<Formula> condition;  ///< of an instant; in place of the measure
+    std::string text;                  ///< "when close >= 51 %", "with close in %"
+    diagnostics::Span span;
+};
+
+/// What a command of an environment does to the world.
+struct WorldAct {
+    enum class Kind { light_on, light_off, light_move, obstacle_appear, obstacle_vanish, failure, stimulus };
+    Kind kind = Kind::light_on;
+    std::size_t what = 0;      ///< light, obstacle: which
+    std::optional<Vector> to;  ///< light_move: there; none: to the two arguments of the command
+    double factor = 1;         ///< the arguments are multiplied by it
+    double speed = 0;          ///< light_move, cm/s
+    Failure failure;           ///< of so many robots that still work, drawn at random
+    Stimulus stimulus;
+    Name on;  ///< an operation or an output event of the environment's component
+    diagnostics::Span span;
+};
+
+/// What a generated controller is made of, and its constants.
+struct Controlled {
     Name component;
-    std::string model;  ///< path of the model, relative to the scenario's folder; "" for that folder
+    std::string
+        model;  ///< path of the model, relative to the scenario's folder; "": that of the scenario, or its folder
+    std::vector<std::string> constants;  ///< NAME=VALUE
+};
+
+/// Robots with one controller: how many, where they begin, and what their platform consists of.
+struct RobotKind : Controlled {
+    Name kind;  ///< "" where there is no other
+    std::uint32_t robots = 0;
+    std::vector<Placement> placements;
+    std::vector<Feed> feeds;
+    std::vector<Drive> drives;
+    std::vector<Stimulus> stimuli;
+    std::vector<Failure> failures;
+};
+
+/// `environment COMPONENT { ... }`: a controller without a body, whose inputs are what measures say of the world and
+/// whose commands act on it.
+struct Environment : Controlled {
+    std::vector<WorldFeed> feeds;
+    std::vector<WorldAct> acts;
+};
+
+/// The scenario is its first kind of robots too; most scenarios have no other.
+struct Scenario : RobotKind {
+    Name name;
+    std::vector<RobotKind> others;  ///< their robots come behind those of the first kind, in this order
+    std::optional<Environment> environment;
     WorldOptions world;
     double arena_area = 0;  ///< of each robot, in a square arena; 0: its sides are given
     double time_unit = 0;   ///< seconds of one time unit of the model
@@ -216,15 +286,10 @@ struct Scenario {
     double duration = 0;
     std::uint32_t trials = 1;
     std::uint64_t seed = 1;
-    std::uint32_t robots = 0;
-    std::vector<Placement> placements;
     std::vector<Light> lights;
+    std::vector<Obstacle> obstacles;  ///< those with a name
     std::vector<Sensor> sensors;
     std::vector<Actuator> actuators;
-    std::vector<Feed> feeds;
-    std::vector<Drive> drives;
-    std::vector<Stimulus> stimuli;
-    std::vector<Failure> failures;
     std::vector<Measure> measures;
     std::vector<Band> bands;
     std::vector<Claim> claims;
@@ -236,8 +301,23 @@ struct Scenario {
     [[nodiscard]] std::uint64_t steps() const;
     /// Another number of trials, for bands and estimates.
     void set_trials(std::uint32_t count);
-    /// Another number of robots, with an arena for them.
+    /// Another number of robots of the first kind, with an arena for all.
     void set_robots(std::uint32_t count);
+
+    /// How many kinds of robots there are, and each of them: the first is the scenario itself.
+    [[nodiscard]] std::size_t kinds() const { return 1 + others.size(); }
+    [[nodiscard]] const RobotKind& kind_at(std::size_t kind) const {
+        return kind == 0 ? static_cast<const RobotKind&>(*this) : others[kind - 1];
+    }
+    /// Robots of all kinds.
+    [[nodiscard]] std::uint32_t all_robots() const;
+    /// The number of the first robot of a kind.
+    [[nodiscard]] std::uint32_t first_robot(std::size_t kind) const;
+    /// Has it several kinds of robots, or an environment?
+    [[nodiscard]] bool has_others() const { return !others.empty() || environment.has_value(); }
 };
+
+/// The number of a kind by its name.
+[[nodiscard]] std::optional<std::size_t> kind_named(const Scenario&, std::string_view name);
 
 }  // namespace robochart::simulation

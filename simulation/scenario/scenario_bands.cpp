@@ -32,6 +32,11 @@ void ScenarioReader::measure() {
         in_.expect(",");
         measure.link = in_.positive(Dimension::length, "the distance from the light");
         in_.expect(")");
+    } else if (kind.text == "inside") {
+        measure.kind = MeasureKind::inside;
+        measure.region = region();
+    } else if (kind.text == "time") {
+        measure.kind = MeasureKind::time;
     } else if (kind.text == "in_state") {
         measure.kind = MeasureKind::in_state;
         in_.expect("(");
@@ -45,7 +50,12 @@ void ScenarioReader::measure() {
         measure.kind = MeasureKind::second_moment;
     } else {
         in_.report(rules::unknown_part, kind.span, {"kind of measure", kind.text});
-        return in_.fail("'cluster', 'distance', 'in_state', 'reached', 'second_moment', 'spread' or 'working'");
+        return in_.fail(
+            "'cluster', 'distance', 'in_state', 'inside', 'reached', 'second_moment', 'spread', 'time' or 'working'");
+    }
+    if (in_.at("of") && measure.kind != MeasureKind::time) {
+        in_.take("of");
+        measure.of = kind_of_measure(in_.name("the name of robots"));
     }
     scenario_.measures.push_back(measure);
 }
@@ -68,6 +78,8 @@ Dimension ScenarioReader::dimension_of(std::size_t measure) const {
             return Dimension::length;
         case MeasureKind::second_moment:
             return Dimension::number;
+        case MeasureKind::time:
+            return Dimension::time;
         default:
             return Dimension::share;
     }

@@ -120,7 +120,8 @@ void refuse_beyond(const Scenario& scenario, const char* simulator, diagnostics:
     };
     for (const Sensor& sensor : scenario.sensors) {
         if (sensor.false_negative > 0 || sensor.false_positive > 0)
-            refuse(sensor.name.span, "errors of a line of sight");
+            refuse(sensor.name.span,
+                   sensor.kind == SensorKind::line_of_sight ? "errors of a line of sight" : "errors of sensors");
         if (!sensor.message.text.empty()) refuse(sensor.name.span, "messages with values");
         if (sensor.kind == SensorKind::ground) refuse(sensor.name.span, "sensors for the ground");
     }
@@ -129,50 +130,63 @@ void refuse_beyond(const Scenario& scenario, const char* simulator, diagnostics:
     for (const Failure& failure : scenario.failures) refuse(failure.span, "failures of robots");
     for (const Light& light : scenario.lights)
         if (light.speed > 0) refuse(light.span, "lights that move");
+    for (const Obstacle& obstacle : scenario.obstacles) refuse(obstacle.name.span, "obstacles that come and go");
+    for (const RobotKind& kind : scenario.others) refuse(kind.component.span, "several kinds of robots");
+    if (scenario.environment) refuse(scenario.environment->component.span, "a machine of the environment");
 }
 
-std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
-    World world(scenario.world, scenario.seed + trial);
+namespace {
+
+/// Places the robots of a kind: of several regions each takes an equal part, the first ones one more. False, with a
+/// finding, if they do not fit.
+bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagnostics::Diagnostics& diagnostics) {
     const auto fixed = static_cast<std::size_t>(
-        std::count_if(scenario.placements.begin(), scenario.placements.end(),
+        std::count_if(kind.placements.begin(), kind.placements.end(),
                       [](const Placement& placement) { return placement.kind == Placement::Kind::pose; }));
-    std::size_t regions = scenario.placements.size() - fixed;
+    std::size_t regions = kind.placements.size() - fixed;
     const auto refuse = [&](std::size_t robots, diagnostics::Span span) {
         diagnostics.report(rules::no_space, span,
                            {std::to_string(robots), fmt::format("{}", scenario.world.body.radius)});
-        return std::nullopt;
+        return false;
     };
-    if (fixed > scenario.robots || (regions == 0 && fixed < scenario.robots)) {
-        const std::string cause = fmt::format("{} robots, but places for {}", scenario.robots, fixed);
-        diagnostics.report(rules::out_of_range, scenario.placements.back().span, {cause});
-        return std::nullopt;
+    if (fixed > kind.robots || (regions == 0 && fixed < kind.robots)) {
+        const std::string cause = fmt::format("{} robots, but places for {}", kind.robots, fixed);
+        diagnostics.report(rules::out_of_range, kind.placements.back().span, {cause});
+        return false;
     }
-    for (const Placement& placement : scenario.placements)
+    for (const Placement& placement : kind.placements)
         if (placement.kind == Placement::Kind::pose) world.place(placement.pose);
-    // Several regions take the robots in equal parts, the first ones one more.
-    std::size_t left = scenario.robots - fixed;
-    for (const Placement& placement : scenario.placements) {
+    std::size_t left = kind.robots - fixed;
+    for (const Placement& placement : kind.placements) {
         if (placement.kind == Placement::Kind::pose) continue;
         const std::size_t here = (left + regions - 1) / regions;
+        left -= here;
+        --regions;
         if (placement.kind == Placement::Kind::linked) {
             if (!world.place_linked(here, placement.pose.at, placement.link)) return refuse(here, placement.span);
-            left -= here;
-            --regions;
             continue;
         }
         const Region region = region_of(placement, here, scenario.world.arena);
         if (is_beyond(region, scenario.world.arena)) {
             diagnostics.report(rules::out_of_range, placement.span, {"the place of robots lies outside the arena"});
-            return std::nullopt;
+            return false;
         }
         const Vector extent = region.high - region.low;
         const double radius = scenario.world.body.radius;
         const double cover = static_cast<double>(here) * std::numbers::pi * radius * radius;
         if (cover > 0.4 * extent.x * extent.y || !world.place_at_random(here, region))
             return refuse(here, placement.span);
-        left -= here;
-        --regions;
     }
+    return true;
+}
+
+}  // namespace
+
+std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
+    World world(scenario.world, scenario.seed + trial);
+    for (const Obstacle& obstacle : scenario.obstacles) world.add_obstacle(obstacle.corners, obstacle.there);
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+        if (!place(world, scenario, scenario.kind_at(kind), diagnostics)) return std::nullopt;
     return world;
 }
 

@@ -31,33 +31,21 @@ Scenario ScenarioReader::read() {
     return scenario_;
 }
 
-const std::array<ScenarioReader::ItemRow, 25>& ScenarioReader::items() {
-    static constexpr std::array<ItemRow, 25> table{{
-        {"model", true, &ScenarioReader::model},
-        {"step", true, &ScenarioReader::step},
-        {"physics", true, &ScenarioReader::physics},
-        {"unit", true, &ScenarioReader::time_unit},
-        {"duration", true, &ScenarioReader::duration},
-        {"trials", true, &ScenarioReader::trials},
-        {"seed", true, &ScenarioReader::seed},
-        {"arena", true, &ScenarioReader::arena},
-        {"wall", false, &ScenarioReader::wall},
-        {"light", false, &ScenarioReader::light},
-        {"robots", true, &ScenarioReader::robots},
-        {"sensor", false, &ScenarioReader::sensor},
-        {"actuator", false, &ScenarioReader::actuator},
-        {"feed", false, &ScenarioReader::feed},
-        {"drive", false, &ScenarioReader::drive},
-        {"stimulus", false, &ScenarioReader::stimulus},
-        {"measure", false, &ScenarioReader::measure},
-        {"accept", false, &ScenarioReader::accept},
-        {"pictures", true, &ScenarioReader::pictures},
-        {"record", true, &ScenarioReader::record},
-        {"vary", false, &ScenarioReader::vary},
-        {"estimate", false, &ScenarioReader::estimate},
-        {"failure", false, &ScenarioReader::failure},
-        {"obstacle", false, &ScenarioReader::obstacle},
-        {"obstacles", false, &ScenarioReader::obstacles},
+const std::array<ScenarioReader::ItemRow, 26>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 26> table{{
+        {"model", true, &ScenarioReader::model},        {"step", true, &ScenarioReader::step},
+        {"physics", true, &ScenarioReader::physics},    {"unit", true, &ScenarioReader::time_unit},
+        {"duration", true, &ScenarioReader::duration},  {"trials", true, &ScenarioReader::trials},
+        {"seed", true, &ScenarioReader::seed},          {"arena", true, &ScenarioReader::arena},
+        {"wall", false, &ScenarioReader::wall},         {"light", false, &ScenarioReader::light},
+        {"robots", false, &ScenarioReader::robots},     {"environment", true, &ScenarioReader::environment},
+        {"sensor", false, &ScenarioReader::sensor},     {"actuator", false, &ScenarioReader::actuator},
+        {"feed", false, &ScenarioReader::feed},         {"drive", false, &ScenarioReader::drive},
+        {"stimulus", false, &ScenarioReader::stimulus}, {"measure", false, &ScenarioReader::measure},
+        {"accept", false, &ScenarioReader::accept},     {"pictures", true, &ScenarioReader::pictures},
+        {"record", true, &ScenarioReader::record},      {"vary", false, &ScenarioReader::vary},
+        {"estimate", false, &ScenarioReader::estimate}, {"failure", false, &ScenarioReader::failure},
+        {"obstacle", false, &ScenarioReader::obstacle}, {"obstacles", false, &ScenarioReader::obstacles},
     }};
     return table;
 }
@@ -162,28 +150,6 @@ Name ScenarioReader::new_name(std::string_view what) {
     return name;
 }
 
-void ScenarioReader::robots() {
-    robots_span_ = in_.token().span;
-    scenario_.robots = static_cast<std::uint32_t>(in_.count(1, most_robots_, "the number of robots"));
-    in_.expect("{");
-    Body& body = scenario_.world.body;
-    while (!in_.failed() && !in_.at("}")) {
-        if (in_.take("radius"))
-            body.radius = in_.positive(Dimension::length, "the radius");
-        else if (in_.take("axle"))
-            body.axle = in_.positive(Dimension::length, "the axle");
-        else if (in_.take("wheel"))
-            body.max_wheel = in_.positive(Dimension::speed, "the speed of the wheels");
-        else if (in_.take("noise"))
-            body.noise = in_.not_negative(Dimension::share, "the noise of the wheels");
-        else if (in_.take("place"))
-            place();
-        else
-            in_.fail("'radius', 'axle', 'wheel', 'noise', 'place' or '}'");
-    }
-    in_.expect("}");
-}
-
 Region ScenarioReader::region() {
     const Vector a = in_.point("a point");
     in_.expect("to");
@@ -223,7 +189,7 @@ void ScenarioReader::place() {
     } else {
         keep_inside(placement.pose.at);
     }
-    scenario_.placements.push_back(placement);
+    kind_->placements.push_back(placement);
 }
 
 void ScenarioReader::pictures() {

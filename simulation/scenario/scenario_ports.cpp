@@ -47,16 +47,17 @@ void ScenarioReader::option(Sensor& sensor, bool known) {
     const auto is = [&](SensorKind kind, std::string_view word) {
         return (!known || sensor.kind == kind) && in_.take(word);
     };
+    const bool detects = !known || can_err(sensor.kind);
     const auto sensors = [&] { return static_cast<std::uint32_t>(in_.count(1, 1024, "the number of sensors")); };
     if (in_.at("range") && sensor.kind != SensorKind::light && sensor.kind != SensorKind::ground) {
         in_.take("range");
         const double range = in_.positive(Dimension::length, "the range");
         sensor.sight_range = sensor.range_and_bearing.range = sensor.proximity.range = range;
-    } else if (is(SensorKind::line_of_sight, "false_negative"))
-        sensor.false_negative = in_.not_negative(Dimension::share, "how often a robot is missed");
-    else if (is(SensorKind::line_of_sight, "false_positive"))
-        sensor.false_positive = in_.not_negative(Dimension::share, "how often a robot is seen that is not there");
-    else if (is(SensorKind::line_of_sight, "error"))
+    } else if (detects && in_.take("false_negative"))
+        sensor.false_negative = in_.not_negative(Dimension::share, "how often something is missed");
+    else if (detects && in_.take("false_positive"))
+        sensor.false_positive = in_.not_negative(Dimension::share, "how often something is seen that is not there");
+    else if (detects && in_.take("error"))
         sensor.false_negative = sensor.false_positive = in_.not_negative(Dimension::share, "the error");
     else if (is(SensorKind::range_and_bearing, "message"))
         sensor.message = in_.name("a shared variable of the controller");
@@ -107,7 +108,7 @@ void ScenarioReader::feed() {
         feed.factor = in_.unit(row->result, fmt::format("'{}'", reading.text));
     }
     if (in_.take("on")) feed.on = in_.name("an operation");
-    scenario_.feeds.push_back(feed);
+    kind_->feeds.push_back(feed);
 }
 
 void ScenarioReader::skip_feed() {
@@ -205,7 +206,7 @@ void ScenarioReader::drive() {
         in_.expect("on");
         drive.on = in_.name("an operation");
     }
-    scenario_.drives.push_back(drive);
+    kind_->drives.push_back(drive);
 }
 
 void ScenarioReader::speeds(Drive& drive) {
@@ -246,7 +247,7 @@ void ScenarioReader::seek(Drive& drive) {
     in_.expect(")");
 }
 
-void ScenarioReader::stimulus() {
+Stimulus ScenarioReader::raised() {
     Stimulus stimulus;
     stimulus.event = in_.qualified_name("an event");
     if (in_.take("=")) {
@@ -260,6 +261,11 @@ void ScenarioReader::stimulus() {
         else
             stimulus.value = in_.quantity(Dimension::number, "the value of a stimulus");
     }
+    return stimulus;
+}
+
+void ScenarioReader::stimulus() {
+    Stimulus stimulus = raised();
     if (in_.take("every")) {
         stimulus.every = stimulus.at = in_.positive(Dimension::time, "the time between stimuli");
     } else {
@@ -267,7 +273,7 @@ void ScenarioReader::stimulus() {
         stimulus.at = in_.not_negative(Dimension::time, "the time of a stimulus");
         times_.push_back({stimulus.at, in_.last_span()});
     }
-    scenario_.stimuli.push_back(stimulus);
+    kind_->stimuli.push_back(stimulus);
 }
 
 }  // namespace robochart::simulation

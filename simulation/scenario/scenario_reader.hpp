@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +40,7 @@ private:
     };
 
     // scenario.cpp: times, the arena and who is in it
-    static const std::array<ItemRow, 25>& items();
+    static const std::array<ItemRow, 26>& items();
     void item();
     void model();
     void step();
@@ -56,9 +57,24 @@ private:
     void wall();
     void light();
     Name new_name(std::string_view what);
-    void robots();
     void place();
     void pictures();
+
+    // scenario_kinds.cpp: kinds of robots and the environment
+    void robots();
+    void robot_option();
+    /// `for COMPONENT { ... }`, behind the name of a further kind.
+    void other_kind(RobotKind kind, diagnostics::Span begin);
+    void constant(Controlled& controlled);
+    void environment();
+    void world_feed();
+    void world_drive();
+    void unknown_subject(const Name& name);
+    void world_stimulus();
+    void world_failure();
+    /// `on COMMAND`, at the end of what an environment does.
+    void add_act(WorldAct act, diagnostics::Span begin);
+    [[nodiscard]] std::size_t kind_of_measure(const Name& name);
 
     // scenario_ports.cpp: sensors, actuators, and what they have to do with the controller
     void sensor();
@@ -80,6 +96,8 @@ private:
     /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.
     void turn(Drive& drive);
     void stimulus();
+    /// The event, and its value if it has one.
+    Stimulus raised();
     /// `seek(NAME, SPEED)`, `wander(SPEED)`.
     void seek(Drive& drive);
 
@@ -89,6 +107,7 @@ private:
     /// `obstacles "FILE.svg" with LENGTH per unit`.
     void obstacles();
     void add_obstacle(std::vector<Vector> corners, diagnostics::Span span);
+    [[nodiscard]] std::optional<FailureKind> failure_kind();
 
     // scenario_bands.cpp: measures and bands
     void measure();
@@ -137,6 +156,7 @@ private:
     std::string path_;  ///< of the scenario
     Reader in_;
     Scenario scenario_;
+    RobotKind* kind_ = &scenario_;  ///< whose feeds, drives, places, stimuli and failures are read
     diagnostics::Span whole_;
     diagnostics::Span robots_span_;
     double physics_ = 0;

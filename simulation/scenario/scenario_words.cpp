@@ -31,7 +31,7 @@ constexpr std::string_view accept_item = "what is accepted stands behind `accept
 constexpr std::string_view place_form =
     "robots begin at `place at (0 cm, 0 cm) heading 0 deg` or `place random in (X, Y) to (X, Y)`";
 constexpr std::string_view any_item = "an item of a scenario or '}'";
-constexpr std::string_view robot_item = "'radius', 'axle', 'wheel', 'noise', 'place' or '}'";
+constexpr std::string_view robot_item = "'radius', 'axle', 'wheel', 'noise', 'place', 'const' or '}'";
 
 constexpr std::array advice{
     Advice{"'for'", "scenario NAME @", scenario_form},

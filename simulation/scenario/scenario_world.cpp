@@ -10,18 +10,22 @@
 
 namespace robochart::simulation {
 
+std::optional<FailureKind> ScenarioReader::failure_kind() {
+    in_.expect("of");
+    if (in_.take("motors")) return FailureKind::motors;
+    if (in_.take("radio")) return FailureKind::radio;
+    if (in_.take("sensors")) return FailureKind::sensors;
+    if (in_.take("all")) return FailureKind::whole;
+    in_.fail("'all', 'motors', 'radio' or 'sensors'");
+    return std::nullopt;
+}
+
 void ScenarioReader::failure() {
     Failure failure;
     const diagnostics::Span begin = in_.token().span;
-    in_.expect("of");
-    if (in_.take("motors"))
-        failure.kind = FailureKind::motors;
-    else if (in_.take("radio"))
-        failure.kind = FailureKind::radio;
-    else if (in_.take("sensors"))
-        failure.kind = FailureKind::sensors;
-    else if (!in_.take("all"))
-        return in_.fail("'all', 'motors', 'radio' or 'sensors'");
+    const auto kind = failure_kind();
+    if (!kind) return;
+    failure.kind = *kind;
     if (in_.take("with")) {
         in_.expect("mean");
         in_.expect("time");
@@ -35,19 +39,25 @@ void ScenarioReader::failure() {
         in_.expect("robots");
     }
     failure.span = diagnostics::join(begin, in_.last_span());
-    scenario_.failures.push_back(failure);
+    kind_->failures.push_back(failure);
 }
 
 void ScenarioReader::obstacle() {
     constexpr std::size_t most_corners = 1000;
     const diagnostics::Span begin = in_.token().span;
+    Obstacle named;
+    if (!in_.at("(") && !in_.at("at")) named.name = new_name("a corner, or a name for the obstacle");
     std::vector<Vector> corners;
     do corners.push_back(in_.point("a corner"));
     while (in_.take(",") && corners.size() < most_corners);
     const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
     if (in_.failed()) return;
     if (corners.size() < 3) in_.report(rules::out_of_range, span, {"an obstacle has at least three corners"});
-    add_obstacle(std::move(corners), span);
+    if (named.name.text.empty()) return add_obstacle(std::move(corners), span);
+    for (const Vector corner : corners) inside_.push_back({corner, "the obstacle", span});
+    named.corners = std::move(corners);
+    named.there = !in_.take("absent");
+    scenario_.obstacles.push_back(std::move(named));
 }
 
 void ScenarioReader::obstacles() {

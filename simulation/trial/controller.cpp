@@ -44,6 +44,40 @@ Machines machines_of(const rc_drive& drive) {
     return result;
 }
 
+Machines machines_of(const Scenario& scenario, const Drives& drives) {
+    if (drives.kinds.size() == 1) return machines_of(*drives.kinds.front());
+    Machines all;
+    for (std::size_t kind = 0; kind < drives.kinds.size(); ++kind) {
+        const std::string& name = scenario.kind_at(kind).kind.text;
+        const Machines own = machines_of(*drives.kinds[kind]);
+        if (all.size() < own.size()) all.resize(own.size());
+        for (std::size_t m = 0; m < own.size(); ++m) {
+            if (all[m].name.empty()) all[m].name = own[m].name;
+            for (const std::string& state : own[m].states)
+                all[m].states.push_back(name.empty() ? state : fmt::format("{}::{}", name, state));
+        }
+    }
+    return all;
+}
+
+StateNumbers::StateNumbers(const Drives& drives) : drives_(drives) {
+    for (const rc_drive* drive : drives.kinds) {
+        first_.emplace_back();
+        if (total_.size() < drive->machines) total_.resize(drive->machines);
+        for (std::uint32_t m = 0; m < drive->machines; ++m) {
+            first_.back().push_back(total_[m]);
+            total_[m] += drive->machine[m].states;
+        }
+    }
+}
+
+std::uint16_t StateNumbers::of(std::size_t kind, std::uint32_t machine, const void* controller) const {
+    const rc_drive& drive = *drives_.kinds[kind];
+    const std::uint32_t state = machine < drive.machines ? drive.state_of(controller, machine) : 0;
+    const bool known = machine < drive.machines && state < drive.machine[machine].states;
+    return static_cast<std::uint16_t>(known ? first_[kind][machine] + state : total_[machine]);
+}
+
 std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emission, const std::string& compiler,
                                               std::string& error, diagnostics::Budget* budget,
                                               diagnostics::Cache* cache) {

@@ -4,11 +4,13 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cpp_emit/load/shared_library.hpp"
 #include "cpp_emit/runtime/drive_abi.h"
 #include "cpp_emit/simulator_api.hpp"
+#include "simulation/scenario/scenario.hpp"
 
 namespace robochart::simulation {
 
@@ -23,6 +25,35 @@ struct MachineStates {
 /// The machines of the controllers; where one is shown it is the first.
 using Machines = std::vector<MachineStates>;
 [[nodiscard]] Machines machines_of(const rc_drive&);
+
+/// The controllers of a scenario, loaded: those of its kinds of robots, in their order, and that of its environment.
+struct Drives {
+    Drives(const rc_drive& only) : kinds{&only} {}
+    Drives(std::vector<const rc_drive*> of_kinds, const rc_drive* of_environment)
+        : kinds(std::move(of_kinds)), environment(of_environment) {}
+
+    std::vector<const rc_drive*> kinds;
+    const rc_drive* environment = nullptr;  ///< null: there is none
+};
+
+/// The machines of robots of all kinds: as many as the kind with most of them has, each with the states of that machine
+/// of all kinds one after the other. Where there are several kinds, "KIND::STATE" (of kinds with a name).
+[[nodiscard]] Machines machines_of(const Scenario&, const Drives&);
+
+/// Where the states of each kind's machines begin in what machines_of(Scenario, Drives) lists.
+class StateNumbers {
+public:
+    explicit StateNumbers(const Drives&);
+    [[nodiscard]] std::uint32_t machines() const { return static_cast<std::uint32_t>(total_.size()); }
+    /// Of a machine of a controller of this kind: a state's number, or how many there are where it is in between, or
+    /// has no such machine.
+    [[nodiscard]] std::uint16_t of(std::size_t kind, std::uint32_t machine, const void* controller) const;
+
+private:
+    const Drives& drives_;
+    std::vector<std::vector<std::uint32_t>> first_;  ///< kind by kind, machine by machine
+    std::vector<std::uint32_t> total_;
+};
 
 /// The numbers of a state and of those in it, by its name in the first machine; none: there is no such state.
 [[nodiscard]] std::vector<std::uint16_t> states_named(const Machines&, std::string_view name);

@@ -14,7 +14,9 @@ namespace {
 class EmbeddedStage final : public Stage {
 public:
     EmbeddedStage(const Scenario& scenario, World world)
-        : scenario_(scenario), world_(std::move(world)), sensing_(world_) {}
+        : scenario_(scenario), world_(std::move(world)), sensing_(world_) {
+        for (const Light& light : scenario.lights) lights_.push_back({light.at});
+    }
 
     [[nodiscard]] std::size_t size() const override { return world_.size(); }
     [[nodiscard]] Pose pose(std::size_t robot) const override {
@@ -35,6 +37,8 @@ public:
             numbers.push_back(other.robot);
         return numbers;
     }
+    void set_lights(const std::vector<LightNow>& lights) override { lights_ = lights; }
+    void set_obstacle(std::size_t obstacle, bool there) override { world_.set_obstacle(obstacle, there); }
     void silence(std::size_t robot) override { sensing_.silence(robot); }
     [[nodiscard]] bool somebody_within(std::size_t robot, const Sensor& sensor, double distance) override {
         return sensing_.somebody_within(robot, sensor.range_and_bearing, distance);
@@ -49,9 +53,9 @@ public:
         return std::atan2(sum.y, sum.x);
     }
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const Sensor& sensor) override {
-        for (const Light& light : scenario_.lights)
-            if (light.name.text == sensor.source.text)
-                return sensing_.lit_sensors(robot, sensor.light_ring, light.position(world_.time()));
+        for (std::size_t light = 0; light < lights_.size(); ++light)
+            if (scenario_.lights[light].name.text == sensor.source.text && lights_[light].on)
+                return sensing_.lit_sensors(robot, sensor.light_ring, lights_[light].at);
         return 0;
     }
     [[nodiscard]] bool close_within(std::size_t robot, const Sensor& sensor, double distance) override {
@@ -66,6 +70,7 @@ private:
     const Scenario& scenario_;
     World world_;
     Sensing sensing_;
+    std::vector<LightNow> lights_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "simulation/trial/measures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -97,6 +99,32 @@ double share_within(const std::vector<Pose>& poses, Vector point, double distanc
     return poses.empty() ? 0 : static_cast<double>(near) / static_cast<double>(poses.size());
 }
 
+double share_inside(const std::vector<Pose>& poses, const Region& region) {
+    const auto there = std::count_if(poses.begin(), poses.end(), [&](const Pose& pose) {
+        return region.low.x <= pose.at.x && pose.at.x <= region.high.x && region.low.y <= pose.at.y &&
+               pose.at.y <= region.high.y;
+    });
+    return poses.empty() ? 0 : static_cast<double>(there) / static_cast<double>(poses.size());
+}
+
+LightNow light_at(const Scenario& scenario, const Frame& frame, std::size_t light) {
+    return frame.lights.empty() ? LightNow{scenario.lights.at(light).position(frame.time)} : frame.lights.at(light);
+}
+
+Frame of_kind(const Scenario& scenario, std::size_t kind, const Frame& frame) {
+    const auto first = static_cast<std::ptrdiff_t>(scenario.first_robot(kind));
+    const auto last = static_cast<std::ptrdiff_t>(scenario.first_robot(kind + 1));
+    Frame part;
+    part.time = frame.time;
+    part.lights = frame.lights;
+    part.obstacles = frame.obstacles;
+    part.poses.assign(frame.poses.begin() + first, frame.poses.begin() + last);
+    if (!frame.working.empty()) part.working.assign(frame.working.begin() + first, frame.working.begin() + last);
+    const auto machines = static_cast<std::ptrdiff_t>(frame.states.size() / frame.poses.size());
+    part.states.assign(frame.states.begin() + first * machines, frame.states.begin() + last * machines);
+    return part;
+}
+
 double share_in(const Measure& measure, const Frame& frame) {
     if (frame.states.empty()) return 0;
     std::size_t there = 0;
@@ -106,7 +134,9 @@ double share_in(const Measure& measure, const Frame& frame) {
     return static_cast<double>(there) / static_cast<double>(frame.poses.size());
 }
 
-double measured(const Scenario& scenario, const Measure& measure, const Frame& frame) {
+double measured(const Scenario& scenario, const Measure& measure, const Frame& all) {
+    const Frame part = measure.of ? of_kind(scenario, *measure.of, all) : Frame{};
+    const Frame& frame = measure.of ? part : all;
     const std::vector<Pose>& poses = frame.poses;
     switch (measure.kind) {
         case MeasureKind::cluster:
@@ -116,9 +146,13 @@ double measured(const Scenario& scenario, const Measure& measure, const Frame& f
         case MeasureKind::second_moment:
             return second_moment(poses, scenario.world.body.radius);
         case MeasureKind::distance:
-            return length(centroid(poses) - scenario.lights.at(measure.light).position(frame.time));
+            return length(centroid(poses) - light_at(scenario, frame, measure.light).at);
         case MeasureKind::reached:
-            return share_within(poses, scenario.lights.at(measure.light).position(frame.time), measure.link);
+            return share_within(poses, light_at(scenario, frame, measure.light).at, measure.link);
+        case MeasureKind::inside:
+            return share_inside(poses, measure.region);
+        case MeasureKind::time:
+            return frame.time;
         case MeasureKind::in_state:
             return share_in(measure, frame);
         case MeasureKind::working:
@@ -130,10 +164,30 @@ double measured(const Scenario& scenario, const Measure& measure, const Frame& f
     return 0;
 }
 
+namespace {
+
+/// By the state's name as it is in its machine or, behind the name of a kind, as machines_of lists it. Of one kind: its
+/// alone.
+std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& measure, const Machines& machines) {
+    if (measure.of && !scenario.others.empty())
+        return states_named(machines,
+                            fmt::format("{}::{}", scenario.kind_at(*measure.of).kind.text, measure.state.text));
+    std::vector<std::uint16_t> states = states_named(machines, measure.state.text);
+    for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind) {
+        const std::string& name = scenario.kind_at(kind).kind.text;
+        if (name.empty()) continue;
+        const auto more = states_named(machines, fmt::format("{}::{}", name, measure.state.text));
+        states.insert(states.end(), more.begin(), more.end());
+    }
+    return states;
+}
+
+}  // namespace
+
 void find_states(Scenario& scenario, const Machines& machines, diagnostics::Diagnostics& diagnostics) {
     for (Measure& measure : scenario.measures) {
         if (measure.kind != MeasureKind::in_state) continue;
-        measure.states = states_named(machines, measure.state.text);
+        measure.states = states_of(scenario, measure, machines);
         if (measure.states.empty())
             diagnostics.report(rules::unknown_part, measure.state.span,
                                {"state of the first machine named", measure.state.text});

@@ -19,6 +19,8 @@ struct Frame {
     std::vector<std::uint16_t>
         states;                 ///< robot by robot, of each machine: index into its states; their number in between
     std::vector<bool> working;  ///< robot by robot: nothing has failed; empty: in none
+    std::vector<LightNow> lights = {};  ///< empty: where the scenario itself has them at that time
+    std::vector<bool> obstacles = {};   ///< of Scenario::obstacles: there or not; empty: as at the start
 
     /// Of a robot's machine.
     [[nodiscard]] std::uint16_t state(std::size_t robot, std::size_t machine = 0) const {
@@ -43,6 +45,12 @@ struct Clusters {
 [[nodiscard]] Vector centroid(const std::vector<Pose>&);
 /// The share of robots whose centre is at most `distance` from a point.
 [[nodiscard]] double share_within(const std::vector<Pose>&, Vector, double distance);
+/// The share of robots whose centre is in a rectangle.
+[[nodiscard]] double share_inside(const std::vector<Pose>&, const Region&);
+/// Where a light is.
+[[nodiscard]] LightNow light_at(const Scenario&, const Frame&, std::size_t light);
+/// The robots of one kind alone.
+[[nodiscard]] Frame of_kind(const Scenario&, std::size_t kind, const Frame&);
 /// The share of robots that are in the states of the measure.
 [[nodiscard]] double share_in(const Measure&, const Frame&);
 [[nodiscard]] double measured(const Scenario&, const Measure&, const Frame&);

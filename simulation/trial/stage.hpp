@@ -33,6 +33,10 @@ public:
     [[nodiscard]] virtual std::vector<std::uint32_t> robots_within(std::size_t, const Sensor&, double /*distance*/) {
         return {};
     }
+    /// The lights as they are from now on.
+    virtual void set_lights(const std::vector<LightNow>&) {}
+    /// An obstacle of Scenario::obstacles comes or goes.
+    virtual void set_obstacle(std::size_t /*obstacle*/, bool /*there*/) {}
     /// The radio of a robot fails.
     virtual void silence(std::size_t) {}
 

@@ -41,7 +41,7 @@ TraceLog::~TraceLog() {
 }
 
 std::string TraceLog::path(std::size_t robot) const {
-    return fmt::format("trial-{:02}/robot-{:02}.trace", trial_ + 1, robot);
+    return fmt::format("trial-{:02}/robot-{:02}.trace", trial_ + 1, options_.first + robot);
 }
 
 void TraceLog::begin(std::size_t robot) {
@@ -49,9 +49,9 @@ void TraceLog::begin(std::size_t robot) {
     text = fmt::format("robochart-trace {}\n", cpp_emit::trace_version);
     if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::shown(options_.model));
     text += fmt::format("component {}\ncycle {}\nunit {} s\nrobot {}\nscenario {} seed {} trial {}\n",
-                        options_.component, scenario_.units_per_step, scenario_.time_unit, robot,
+                        options_.component, scenario_.units_per_step, scenario_.time_unit, options_.first + robot,
                         diagnostics::shown(options_.scenario), scenario_.seed, trial_ + 1);
-    text += fmt::format("run trial {} robot {}\n", trial_ + 1, robot);
+    text += fmt::format("run trial {} robot {}\n", trial_ + 1, options_.first + robot);
 }
 
 void TraceLog::add_value(std::string& text, const cpp_emit::Port& port, std::size_t argument, rc_value value) const {

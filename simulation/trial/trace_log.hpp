@@ -18,6 +18,7 @@ struct TraceLogOptions {
     std::string component;  ///< as the log's header names it
     std::string model;
     std::string scenario;
+    std::size_t first = 0;  ///< the number of the first robot: others are of another kind
     diagnostics::Budget* budget = nullptr;
     std::function<void(const std::string&)>
         failed;  ///< called once with the reason if a log could not be written, by the trial's thread

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "diagnostics/splitmix64.hpp"
 #include "simulation/world/random.hpp"
 
 namespace robochart::simulation {
@@ -55,29 +56,64 @@ const char* cause_of(rc_drive_result result) {
     }
 }
 
+/// A light that a trial moves and switches: where it has been since when.
+struct MovingLight {
+    Light light;
+    double since = 0;  ///< s
+    bool on = true;
+
+    [[nodiscard]] Vector position(double time) const { return light.position(time - since); }
+};
+
+/// A number for the draws of each controller array: that of the first kind is the trial's own.
+std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
+    return number == 0 ? seed : diagnostics::splitmix64_mixed(seed ^ (std::uint64_t{number} << 48U));
+}
+
 }  // namespace
+
+std::string Stop::whose() const {
+    return environment ? "the environment" : "robot " + std::to_string(robot);
+}
 
 class Trial::Cycles {
 public:
-    Cycles(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options)
+    Cycles(const Plan& plan, const Drives& drives, Stage& stage, const TrialOptions& options)
         : plan_(plan),
           scenario_(*plan.scenario),
-          drive_(drive),
+          drives_(drives),
+          states_(drives_),
           stage_(stage),
           options_(options),
-          controllers_(drive, stage.size(), options.seed),
           signals_(plan.inputs + 1),
           requests_(stage.size()),
-          variables_(stage.size() * plan.variables.size()),
           turns_(stage.size()),
           courses_(stage.size()),
           failed_(stage.size()),
-          working_(scenario_.failures.empty() ? 0 : stage.size(), true),
           draws_(~options.seed),
           sights_(scenario_.sensors.size()),
+          raised_(scenario_.kinds()),
           statistics_(scenario_) {
-        for (std::size_t i = 0; i < variables_.size(); ++i) variables_[i] = plan.variables[i % plan.variables.size()];
-        for (const Failure& failure : scenario_.failures) plan_failure(failure);
+        bool can_fail = scenario_.environment.has_value();
+        for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind) {
+            const RobotKind& robots = scenario_.kind_at(kind);
+            const std::size_t first = kind_of_.size();
+            controllers_.emplace_back(*drives_.kinds.at(kind), robots.robots, seed_of(options.seed, kind));
+            first_robot_.push_back(first);
+            const Plan& bound = plan_.of_kind(kind);
+            for (std::size_t robot = 0; robot < robots.robots; ++robot) {
+                kind_of_.push_back(kind);
+                first_variable_.push_back(variables_.size());
+                variables_.insert(variables_.end(), bound.variables.begin(), bound.variables.end());
+            }
+            signals_.resize(std::max<std::size_t>(signals_.size(), bound.inputs + 1));
+            for (const Failure& failure : robots.failures) plan_failure(failure, first, robots.robots);
+            can_fail = can_fail || !robots.failures.empty();
+        }
+        if (can_fail) working_.assign(stage.size(), true);
+        for (const Light& light : scenario_.lights) lights_.push_back({light, 0, true});
+        for (const Obstacle& obstacle : scenario_.obstacles) obstacles_.push_back(obstacle.there);
+        if (plan_.environment) begin_environment();
         for (const Claim& claim : scenario_.claims)
             properties_.emplace_back(claim.property, scenario_.world.control_step, scenario_.steps());
     }
@@ -116,10 +152,13 @@ private:
     }
 
     void step() {
+        stage_.set_lights(lights_now());
         stage_.sense();
         sent_ = variables_;
         for (std::size_t robot = 0; robot < stage_.size() && !result_.stop; ++robot)
             if (!failed_[robot].whole) cycle(robot);
+        for (auto& raised : raised_) raised.clear();
+        if (!result_.stop && plan_.environment) environment_cycle();
         if (result_.stop) return;
         stage_.advance();
         ++result_.steps;
@@ -137,10 +176,12 @@ private:
     void cycle(std::size_t robot) {
         for (rc_signal& signal : signals_) signal.present = 0;
         for (auto& sight : sights_) sight.reset();
-        for (const BoundFeed& feed : plan_.feeds) fill(robot, feed);
-        for (const BoundStimulus& stimulus : plan_.stimuli) fill(stimulus);
+        const Plan& bound = plan(robot);
+        for (const BoundFeed& feed : bound.feeds) fill(robot, feed);
+        for (const BoundStimulus& stimulus : bound.stimuli) fill(stimulus);
+        for (const BoundStimulus& stimulus : raised_[kind_of_[robot]]) raise(stimulus);
         requests_[robot] = 0;
-        const rc_drive_result result = drive_.step(controllers_[robot], signals_.data(), &actions_);
+        const rc_drive_result result = drive(robot).step(controller(robot), signals_.data(), &actions_);
         if (options_.trace != nullptr) options_.trace->cycle(robot, result_.steps, signals_.data(), actions_, result);
         if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop(robot, result);
         const Objection* const objection = options_.trace == nullptr ? nullptr : options_.trace->objection();
@@ -153,17 +194,120 @@ private:
     }
 
     void stop(std::size_t robot, rc_drive_result result) {
-        result_.stop = Stop{robot, time(), cause_of(result), drive_.place_of(controllers_[robot])};
+        result_.stop = Stop{robot, time(), cause_of(result), drive(robot).place_of(controller(robot))};
+    }
+
+    // ------------------------------------------------------------ kinds of robots
+
+    [[nodiscard]] const Plan& plan(std::size_t robot) const { return plan_.of_kind(kind_of_[robot]); }
+    [[nodiscard]] const rc_drive& drive(std::size_t robot) const { return *drives_.kinds[kind_of_[robot]]; }
+    [[nodiscard]] void* controller(std::size_t robot) {
+        const std::size_t kind = kind_of_[robot];
+        return controllers_[kind][robot - first_robot_[kind]];
+    }
+
+    // ------------------------------------------------------------ the environment
+
+    void begin_environment() {
+        environment_.emplace(*drives_.environment, 1, seed_of(options_.seed, scenario_.kinds()));
+        signals_.resize(std::max<std::size_t>(signals_.size(), plan_.environment->inputs + 1));
+        for (const WorldFeed& feed : scenario_.environment->feeds)
+            conditions_.push_back(
+                feed.condition ? std::optional<Condition>(std::in_place, *feed.condition, scenario_.world.control_step)
+                               : std::nullopt);
+    }
+
+    /// After all robots: it reads the world as they sensed it, and what it does holds from the next cycle on.
+    void environment_cycle() {
+        for (rc_signal& signal : signals_) signal.present = 0;
+        const Frame frame = frame_now(states_are_measured());
+        const MeasureNow now = measures_now(scenario_, frame);
+        for (const BoundWorldFeed& feed : plan_.environment->feeds) fill(feed, now);
+        void* const controller = (*environment_)[0];
+        const rc_drive_result result = drives_.environment->step(controller, signals_.data(), &actions_);
+        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) {
+            result_.stop =
+                Stop{stage_.size(), time(), cause_of(result), drives_.environment->place_of(controller), true};
+            return;
+        }
+        for (std::uint32_t a = 0; a < actions_.count; ++a)
+            for (const BoundAct& act : plan_.environment->acts[actions_.action[a].output])
+                change_world(act, actions_.action[a]);
+    }
+
+    void fill(const BoundWorldFeed& bound, const MeasureNow& now) {
+        rc_signal& signal = signals_[bound.input];
+        if (!bound.feed->condition) {
+            signal.present = 1;
+            signal.value.real = now(bound.feed->measure) / bound.feed->factor;
+            return;
+        }
+        const bool holds = conditions_[bound.number]->holds(result_.steps, now);
+        signal.present = bound.boolean || holds ? 1 : 0;
+        signal.value.whole = holds ? 1 : 0;
+    }
+
+    void change_world(const BoundAct& bound, const rc_action& action) {
+        const WorldAct& act = *bound.act;
+        switch (act.kind) {
+            case WorldAct::Kind::light_on:
+            case WorldAct::Kind::light_off:
+                lights_[act.what].on = act.kind == WorldAct::Kind::light_on;
+                return;
+            case WorldAct::Kind::light_move:
+                return move_light(
+                    lights_[act.what], act,
+                    act.to.value_or(act.factor * Vector{action.argument[0].real, action.argument[1].real}));
+            case WorldAct::Kind::obstacle_appear:
+            case WorldAct::Kind::obstacle_vanish:
+                obstacles_[act.what] = act.kind == WorldAct::Kind::obstacle_appear;
+                return stage_.set_obstacle(act.what, obstacles_[act.what]);
+            case WorldAct::Kind::failure:
+                return fail_some(act.failure);
+            case WorldAct::Kind::stimulus:
+                for (std::size_t kind = 0; kind < bound.raised.size(); ++kind)
+                    if (bound.raised[kind]) raise_in(kind, *bound.raised[kind], bound.argument, action);
+        }
+    }
+
+    void move_light(MovingLight& moving, const WorldAct& act, Vector to) {
+        moving.light.at = moving.position(time());
+        moving.light.to = to;
+        moving.light.speed = act.speed;
+        moving.since = time();
+    }
+
+    void raise_in(std::size_t kind, BoundStimulus stimulus, bool argument, const rc_action& action) {
+        if (argument)
+            stimulus.value = stimulus.real ? action.argument[0].real : static_cast<double>(action.argument[0].whole);
+        raised_[kind].push_back(stimulus);
+    }
+
+    /// So many of those of which nothing has failed, or all of them, each as likely.
+    void fail_some(const Failure& failure) {
+        std::vector<std::size_t> working;
+        for (std::size_t robot = 0; robot < stage_.size(); ++robot)
+            if (working_[robot]) working.push_back(robot);
+        for (std::uint32_t n = 0; n < failure.robots && !working.empty(); ++n) {
+            const auto which = static_cast<std::ptrdiff_t>(draws_.uniform() * static_cast<double>(working.size()));
+            fail(working[static_cast<std::size_t>(which)], failure.kind);
+            working.erase(working.begin() + which);
+        }
+    }
+
+    [[nodiscard]] std::vector<LightNow> lights_now() const {
+        std::vector<LightNow> now;
+        for (const MovingLight& each : lights_) now.push_back({each.position(time()), each.on});
+        return now;
     }
 
     // ------------------------------------------------------------ failures
 
     /// Something fails at the first instant from its time on.
-    void plan_failure(const Failure& failure) {
+    void plan_failure(const Failure& failure, std::size_t first, std::size_t most) {
         const double step = scenario_.world.control_step;
-        const std::size_t most = stage_.size();
         const std::size_t count = failure.mean_time > 0 ? most : std::min<std::size_t>(most, failure.robots);
-        for (std::size_t robot = 0; robot < count; ++robot) {
+        for (std::size_t robot = first; robot < first + count; ++robot) {
             const double at = failure.mean_time > 0 ? -failure.mean_time * std::log1p(-draws_.uniform()) : failure.at;
             if (at <= scenario_.duration)
                 failing_.push_back({static_cast<std::uint64_t>(std::ceil(at / step - 1e-9)), robot, failure.kind});
@@ -238,7 +382,10 @@ private:
         const auto due = static_cast<std::uint64_t>(std::llround(stimulus.at / step));
         const auto gap = static_cast<std::uint64_t>(std::llround(stimulus.every / step));
         const bool now = gap == 0 ? result_.steps == due : result_.steps > 0 && result_.steps % gap == 0;
-        if (!now) return;
+        if (now) raise(bound);
+    }
+
+    void raise(const BoundStimulus& bound) {
         rc_signal& signal = signals_[bound.input];
         signal.present = 1;
         if (bound.real)
@@ -253,7 +400,7 @@ private:
     [[nodiscard]] double argument(std::size_t robot, const BoundFeed& bound) const {
         const Argument& argument = *bound.feed->argument;
         if (bound.variable == no_slot) return argument.literal.value;
-        return variables_[robot * plan_.variables.size() + bound.variable] * argument.factor;
+        return variables_[first_variable_[robot] + bound.variable] * argument.factor;
     }
 
     [[nodiscard]] const Sight& sight(std::size_t robot, const BoundFeed& bound) {
@@ -273,27 +420,36 @@ private:
             case Reading::turned:
                 return turns_[robot].left == 0;
             case Reading::on:
-                return length(stage_.pose(robot).at - light_of(sensor(bound))) <= argument(robot, bound);
+                return seen(sensor(bound), is_at_light(robot, bound));
             default:
                 break;
         }
         const double distance = argument(robot, bound);
-        return sensor(bound).kind == SensorKind::proximity ? stage_.close_within(robot, sensor(bound), distance)
-                                                           : stage_.somebody_within(robot, sensor(bound), distance);
+        return sensor(bound).kind == SensorKind::proximity
+                   ? seen(sensor(bound), stage_.close_within(robot, sensor(bound), distance))
+                   : stage_.somebody_within(robot, sensor(bound), distance);
     }
 
-    [[nodiscard]] Vector light_of(const Sensor& sensor) const {
-        for (const Light& light : scenario_.lights)
-            if (light.name.text == sensor.source.text) return light.position(time());
-        return {};
+    /// What a sensor that errs reports of what is there or not; a line of sight errs in the world.
+    bool seen(const Sensor& sensor, bool there) {
+        return there ? !draws_.chance(sensor.false_negative) : draws_.chance(sensor.false_positive);
+    }
+
+    [[nodiscard]] bool is_at_light(std::size_t robot, const BoundFeed& bound) const {
+        for (const MovingLight& each : lights_)
+            if (each.light.name.text == sensor(bound).source.text)
+                return each.on && length(stage_.pose(robot).at - each.position(time())) <= argument(robot, bound);
+        return false;
     }
 
     /// How many robots are heard, or what one of those heard sends; nothing where none sends anything.
     std::optional<std::int64_t> counted(std::size_t robot, const BoundFeed& bound) {
         std::vector<std::uint32_t> heard = stage_.robots_within(robot, sensor(bound), argument(robot, bound));
         if (bound.feed->reading == Reading::count) return static_cast<std::int64_t>(heard.size());
-        const std::uint32_t slot = plan_.messages[bound.sensor];
-        const auto sent = [&](std::uint32_t other) { return sent_[other * plan_.variables.size() + slot]; };
+        const auto sent = [&](std::uint32_t other) {
+            const std::uint32_t slot = plan(other).messages[bound.sensor];
+            return slot == no_slot ? 0 : sent_[first_variable_[other] + slot];
+        };
         std::erase_if(heard, [&](std::uint32_t other) { return sent(other) == 0; });
         if (heard.empty()) return std::nullopt;
         const auto which = static_cast<std::size_t>(draws_.uniform() * static_cast<double>(heard.size()));
@@ -315,7 +471,7 @@ private:
     // ------------------------------------------------------------ acting
 
     void act(std::size_t robot, const rc_action& action) {
-        for (const Effect& effect : plan_.effects[action.output]) {
+        for (const Effect& effect : plan(robot).effects[action.output]) {
             switch (effect.kind) {
                 case Effect::Kind::store:
                     store(robot, effect.slot,
@@ -325,20 +481,20 @@ private:
                     requests_[robot] |= std::uint64_t{1} << effect.slot;
                     break;
                 case Effect::Kind::drive:
-                    steer(robot, scenario_.drives[effect.slot], action);
+                    steer(robot, scenario_.kind_at(kind_of_[robot]).drives[effect.slot], action);
                     break;
             }
         }
     }
 
     void store(std::size_t robot, std::uint32_t slot, double value) {
-        double* const variables = variables_.data() + robot * plan_.variables.size();
+        double* const variables = variables_.data() + first_variable_[robot];
         variables[slot] = value;
-        if (!plan_.speeds || (slot != plan_.speeds->linear && slot != plan_.speeds->angular)) return;
-        const Drive& drive = *plan_.speeds->drive;
-        set_wheels(robot,
-                   wheels_for(variables[plan_.speeds->linear] * drive.linear_factor,
-                              variables[plan_.speeds->angular] * drive.angular_factor, scenario_.world.body.axle));
+        const auto& speeds = plan(robot).speeds;
+        if (!speeds || (slot != speeds->linear && slot != speeds->angular)) return;
+        const Drive& drive = *speeds->drive;
+        set_wheels(robot, wheels_for(variables[speeds->linear] * drive.linear_factor,
+                                     variables[speeds->angular] * drive.angular_factor, scenario_.world.body.axle));
     }
 
     void steer(std::size_t robot, const Drive& drive, const rc_action& action) {
@@ -391,7 +547,9 @@ private:
             return set_wheels(robot, wheels_for(speed, course.rate, axle));
         }
         const Pose pose = stage_.pose(robot);
-        const Vector way = scenario_.lights[course.drive->light].position(time()) - pose.at;
+        const MovingLight& light = lights_[course.drive->light];
+        if (!light.on) return set_wheels(robot, {});
+        const Vector way = light.position(time()) - pose.at;
         const double step = scenario_.world.control_step;
         const double off = normal_angle(std::atan2(way.y, way.x) - pose.heading);
         set_wheels(robot, wheels_for(speed * std::max(0.0, std::cos(off)), off * std::min(seeking, 1 / step), axle));
@@ -404,11 +562,7 @@ private:
         const bool asked = std::any_of(properties_.begin(), properties_.end(),
                                        [&](const Property& property) { return property.due(result_.steps); });
         if (!keep && !asked && !statistics_.due(result_.steps)) return;
-        Frame frame;
-        frame.time = time();
-        for (std::size_t robot = 0; robot < stage_.size(); ++robot) frame.poses.push_back(stage_.pose(robot));
-        frame.working = working_;
-        if (keep || states_are_measured()) add_states(frame);
+        Frame frame = frame_now(keep || states_are_measured());
         const MeasureNow now = measures_now(scenario_, frame);
         statistics_.look(result_.steps, now);
         for (Property& property : properties_) property.look(result_.steps, now);
@@ -420,10 +574,21 @@ private:
                            [](const Measure& measure) { return measure.kind == MeasureKind::in_state; });
     }
 
+    [[nodiscard]] Frame frame_now(bool with_states) {
+        Frame frame;
+        frame.time = time();
+        for (std::size_t robot = 0; robot < stage_.size(); ++robot) frame.poses.push_back(stage_.pose(robot));
+        frame.working = working_;
+        frame.lights = lights_now();
+        frame.obstacles = obstacles_;
+        if (with_states) add_states(frame);
+        return frame;
+    }
+
     void add_states(Frame& frame) {
         for (std::size_t robot = 0; robot < stage_.size(); ++robot)
-            for (std::uint32_t machine = 0; machine < drive_.machines; ++machine)
-                frame.states.push_back(static_cast<std::uint16_t>(drive_.state_of(controllers_[robot], machine)));
+            for (std::uint32_t machine = 0; machine < states_.machines(); ++machine)
+                frame.states.push_back(states_.of(kind_of_[robot], machine, controller(robot)));
     }
 
     [[nodiscard]] bool due() const {
@@ -437,10 +602,14 @@ private:
 
     const Plan& plan_;
     const Scenario& scenario_;
-    const rc_drive& drive_;
+    const Drives drives_;
+    StateNumbers states_;
     Stage& stage_;
     const TrialOptions& options_;
-    ControllerArray controllers_;
+    std::vector<ControllerArray> controllers_;  ///< of each kind
+    std::vector<std::size_t> first_robot_;      ///< of each kind
+    std::vector<std::size_t> kind_of_;          ///< of each robot
+    std::vector<std::size_t> first_variable_;   ///< of each robot, in `variables_`
     rc_actions actions_{};
     std::vector<rc_signal> signals_;
     std::vector<std::uint64_t> requests_;
@@ -453,13 +622,18 @@ private:
     std::vector<bool> working_;  ///< empty where nothing can fail
     Random draws_;               ///< of failures, messages and random walks; sensors and wheels draw from the world's
     std::vector<std::optional<Sight>> sights_;
+    std::vector<MovingLight> lights_;
+    std::vector<bool> obstacles_;  ///< of Scenario::obstacles: there or not
+    std::optional<ControllerArray> environment_;
+    std::vector<std::optional<Condition>> conditions_;  ///< of the environment's feeds
+    std::vector<std::vector<BoundStimulus>> raised_;    ///< by the environment in its last cycle, for each kind
     Statistics statistics_;
     std::vector<Property> properties_;
     TrialResult result_;
 };
 
-Trial::Trial(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options)
-    : cycles_(std::make_unique<Cycles>(plan, drive, stage, options)) {}
+Trial::Trial(const Plan& plan, const Drives& drives, Stage& stage, const TrialOptions& options)
+    : cycles_(std::make_unique<Cycles>(plan, drives, stage, options)) {}
 
 Trial::~Trial() = default;
 
@@ -471,8 +645,8 @@ TrialResult Trial::result() && {
     return cycles_->result();
 }
 
-TrialResult run_trial(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options) {
-    Trial trial(plan, drive, stage, options);
+TrialResult run_trial(const Plan& plan, const Drives& drives, Stage& stage, const TrialOptions& options) {
+    Trial trial(plan, drives, stage, options);
     trial.run(std::numeric_limits<std::uint64_t>::max());
     return std::move(trial).result();
 }

@@ -50,8 +50,12 @@ public:
 struct Stop {
     std::size_t robot = 0;
     double time = 0;
-    std::string cause;  ///< "it did not end its cycle within its bound of steps"
-    std::string place;  ///< element of the model
+    std::string cause;         ///< "it did not end its cycle within its bound of steps"
+    std::string place;         ///< element of the model
+    bool environment = false;  ///< it is that of the environment, and of no robot
+
+    /// "robot 3", "the environment".
+    [[nodiscard]] std::string whose() const;
 };
 
 struct TrialResult {
@@ -74,10 +78,10 @@ struct TrialOptions {
     const std::atomic<bool>* interrupted = nullptr;
 };
 
-/// A trial that runs some steps at a time. Refers to all it is given.
+/// A trial that runs some steps at a time. Refers to all it is given, but for the drives.
 class Trial {
 public:
-    Trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
+    Trial(const Plan&, const Drives&, Stage&, const TrialOptions&);
     ~Trial();
     Trial(const Trial&) = delete;
     Trial& operator=(const Trial&) = delete;
@@ -93,6 +97,6 @@ private:
 };
 
 /// The whole of it.
-[[nodiscard]] TrialResult run_trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
+[[nodiscard]] TrialResult run_trial(const Plan&, const Drives&, Stage&, const TrialOptions&);
 
 }  // namespace robochart::simulation

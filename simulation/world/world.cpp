@@ -52,7 +52,34 @@ Wheels wheels_for(double linear, double angular, double axle) {
     return {linear - angular * axle / 2, linear + angular * axle / 2};
 }
 
-World::World(WorldOptions options, std::uint64_t seed) : options_(std::move(options)), random_(seed) {}
+World::World(WorldOptions options, std::uint64_t seed)
+    : options_(std::move(options)),
+      fixed_walls_(options_.arena.walls.size()),
+      fixed_obstacles_(options_.arena.obstacles.size()),
+      random_(seed) {}
+
+void World::add_obstacle(std::vector<Vector> corners, bool there) {
+    changing_.push_back({std::move(corners), there});
+    build_obstacles();
+}
+
+void World::set_obstacle(std::size_t obstacle, bool there) {
+    if (changing_.at(obstacle).there == there) return;
+    changing_[obstacle].there = there;
+    build_obstacles();
+}
+
+void World::build_obstacles() {
+    Arena& arena = options_.arena;
+    arena.walls.resize(fixed_walls_);
+    arena.obstacles.resize(fixed_obstacles_);
+    for (const Changing& each : changing_) {
+        if (!each.there) continue;
+        for (std::size_t i = 0; i < each.corners.size(); ++i)
+            arena.walls.push_back({each.corners[i], each.corners[(i + 1) % each.corners.size()]});
+        arena.obstacles.push_back(each.corners);
+    }
+}
 
 void World::place(const Pose& pose) {
     x_.push_back(pose.at.x);

@@ -58,6 +58,11 @@ class World {
 public:
     World(WorldOptions options, std::uint64_t seed);
 
+    /// A polygon beside those of the arena, there or not; they are numbered in this order.
+    void add_obstacle(std::vector<Vector> corners, bool there);
+    /// It comes or goes. Robots that its sides touch are pushed off them; one deeper inside is shut in.
+    void set_obstacle(std::size_t obstacle, bool there);
+
     /// Puts a robot somewhere; overlaps are resolved as time passes.
     void place(const Pose&);
     /// Puts robots at random places of a region, without overlap, with random headings. False if no free place was
@@ -94,6 +99,7 @@ private:
     void push_apart();
     void push_out_of_walls();
     void end_step();
+    void build_obstacles();
     [[nodiscard]] bool pairs_are_stale() const;
     void find_pairs();
     void find_pairs_in_cells(double reach);
@@ -103,7 +109,15 @@ private:
         std::uint32_t second;
     };
 
+    /// A polygon that comes and goes.
+    struct Changing {
+        std::vector<Vector> corners;
+        bool there = true;
+    };
+
     WorldOptions options_;
+    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< of the arena; those that are there now stand behind
+    std::vector<Changing> changing_;
     Random random_;
     std::uint64_t steps_ = 0;
     std::vector<double> x_, y_, heading_, cosine_, sine_;

@@ -45,7 +45,7 @@ expect "emit explain" e
 expect "aggregation" check agg
 expect "aggregation" agg
 expect "cpp csp monitor prism tests" emit ""
-expect "aggregation alpha best_of_n false_claims foraging swarm_taxis" emit cpp ""
+expect "aggregation alpha best_of_n false_claims foraging moving_beacon swarm_taxis" emit cpp ""
 expect "check conform cspm draw emit explain format help init lsp prism rules simulate step tune validate verify version" help ""
 expect "always auto never" check --color ""
 expect "json" check --format js
@@ -53,8 +53,8 @@ expect "json" check --format = js
 expect "aut csp dot" cspm --export ""
 expect "timed-script" check aggregation --print t
 expect "" check --timeout ""
-expect "aggregation alpha best_of_n false_claims foraging swarm_taxis" check aggregation --out ""
-expect "aggregation alpha best_of_n false_claims foraging swarm_taxis" check aggregation -o ""
+expect "aggregation alpha best_of_n false_claims foraging moving_beacon swarm_taxis" check aggregation --out ""
+expect "aggregation alpha best_of_n false_claims foraging moving_beacon swarm_taxis" check aggregation -o ""
 [ "$failures" -eq 0 ] || { echo "$failures failures" >&2; exit 1; }
 complete -p robochart-verify | grep -q _robochart_verify
 echo "the completion offers what --help lists"

@@ -72,20 +72,54 @@ std::vector<std::string> broken_taxis(const std::string& model) {
             replaced(model, "if illuminated then", "if false then"), replaced(model, "25", "25000")};
 }
 
-Experiment::Experiment(const std::string& model, const std::string& text, const std::string& model_path) {
+void Experiment::lower_model(const std::string& path, const std::string& text, ir::System& of,
+                             ir::Instantiation& instantiated) {
     frontend::Model parsed;
-    parsed.files.push_back(frontend::parse(sources, sources.add(model_path, model), false, diagnostics));
+    parsed.files.push_back(frontend::parse(sources, sources.add(path, text), false, diagnostics));
     frontend::resolve(parsed, diagnostics);
-    system = ir::lower(parsed, sources, diagnostics);
-    instantiation = ir::instantiate(system, {}, diagnostics);
-    scenario = read_scenario(sources, sources.add("test.scenario", text), diagnostics);
-    if (!diagnostics.ok()) return;
+    of = ir::lower(parsed, sources, diagnostics);
+    instantiated = ir::instantiate(of, {}, diagnostics);
+}
+
+cpp_emit::DriveEmission Experiment::emitted(const ir::System& of, const ir::Instantiation& instantiated,
+                                            const Name& name) {
     cpp_emit::Options options;
     options.cycle_length = scenario.units_per_step;
     options.sources = &sources;
-    emission =
-        cpp_emit::emit_drive(system, instantiation, component(system, scenario.component.text), options, diagnostics);
-    if (diagnostics.ok()) plan = bind(scenario, emission, diagnostics);
+    return cpp_emit::emit_drive(of, instantiated, component(of, name.text), options, diagnostics);
+}
+
+Experiment::Experiment(const std::string& model, const std::string& text, const std::string& model_path,
+                       const std::vector<std::string>& other_models) {
+    lower_model(model_path, model, system, instantiation);
+    scenario = read_scenario(sources, sources.add("test.scenario", text), diagnostics);
+    if (!diagnostics.ok()) return;
+    emission = emitted(system, instantiation, scenario.component);
+    Emissions all{{&emission}, nullptr};
+    for (std::size_t i = 0; i < other_models.size(); ++i) {
+        Other& other = *others.emplace_back(std::make_unique<Other>());
+        lower_model("other" + std::to_string(i) + ".rct", other_models[i], other.system, other.instantiation);
+        const bool environment = i == scenario.others.size();
+        if (environment && !scenario.environment) ADD_FAILURE() << "more models than kinds";
+        other.emission = emitted(other.system, other.instantiation,
+                                 environment ? scenario.environment->component : scenario.others[i].component);
+        if (environment)
+            all.environment = &other.emission;
+        else
+            all.kinds.push_back(&other.emission);
+    }
+    if (diagnostics.ok()) plan = bind(scenario, all, diagnostics);
+}
+
+Drives Experiment::drives() const {
+    std::vector<const rc_drive*> kinds{&controller->drive()};
+    for (const auto& other : others) kinds.push_back(&other->controller->drive());
+    const rc_drive* environment = nullptr;
+    if (scenario.environment) {
+        environment = kinds.back();
+        kinds.pop_back();
+    }
+    return {kinds, environment};
 }
 
 RunResult Experiment::run(unsigned threads, const StageMaker& stage) {
@@ -94,11 +128,13 @@ RunResult Experiment::run(unsigned threads, const StageMaker& stage) {
     if (controller == nullptr) controller = Controller::build(emission, "", error);
     EXPECT_NE(controller, nullptr) << error;
     if (controller == nullptr) return {};
-    find_states(scenario, machines_of(controller->drive()), diagnostics);
+    for (const auto& other : others)
+        if (other->controller == nullptr) other->controller = Controller::build(other->emission, "", error);
+    find_states(scenario, machines_of(scenario, drives()), diagnostics);
     RunOptions options;
     options.threads = threads;
     options.stage = stage;
-    return simulation::run(plan, controller->drive(), options, diagnostics);
+    return simulation::run(plan, drives(), options, diagnostics);
 }
 
 std::string Experiment::codes() const {

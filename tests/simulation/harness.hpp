@@ -22,7 +22,9 @@ std::vector<std::string> broken_aggregation(const std::string& model);
 std::vector<std::string> broken_taxis(const std::string& model);
 
 struct Experiment {
-    Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct");
+    /// `others`: the models of the scenario's other kinds of robots, and of its environment.
+    Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct",
+               const std::vector<std::string>& others = {});
 
     /// Builds the controller once and runs all trials. The experiment must have no errors.
     RunResult run(unsigned threads = 2, const StageMaker& stage = embedded_stage);
@@ -31,14 +33,32 @@ struct Experiment {
     /// The messages.
     [[nodiscard]] std::string messages() const;
 
+    /// The loaded controllers.
+    [[nodiscard]] Drives drives() const;
+
+    /// Another kind of robots, or the environment.
+    struct Other {
+        ir::System system;
+        ir::Instantiation instantiation;
+        cpp_emit::DriveEmission emission;
+        std::unique_ptr<Controller> controller;
+    };
+
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
+    std::vector<std::unique_ptr<Other>> others;
     ir::System system;
     ir::Instantiation instantiation;
     Scenario scenario;
     cpp_emit::DriveEmission emission;
     Plan plan;
     std::unique_ptr<Controller> controller;
+
+private:
+    void lower_model(const std::string& path, const std::string& text, ir::System& system,
+                     ir::Instantiation& instantiation);
+    cpp_emit::DriveEmission emitted(const ir::System& system, const ir::Instantiation& instantiation,
+                                    const Name& component);
 };
 
 }  // namespace robochart::simulation::testing

@@ -114,6 +114,44 @@ TEST(SightErrors, AreAsFrequentAsTheySay) {
     EXPECT_TRUE(second.low <= 0.05 && 0.05 <= second.high) << imagined;
 }
 
+/// How many of 400 robots are Seeing at the end of one cycle, fed by this reading of this sensor; two of a pair are 20
+/// cm apart and 10 cm, 22 cm from the lamp.
+std::uint64_t noticing(const std::string& sensor, const std::string& reading) {
+    std::string text = replaced(looking_world, "line_of_sight", sensor);
+    text = replaced(text, "eye.robot", "eye." + reading);
+    text = replaced(text, "trials 2000", "trials 100");
+    text = replaced(text, "duration 0.2 s", "duration 0.1 s");
+    text.erase(text.find("\testimate"));
+    Experiment experiment(looking, replaced(text + "}", "arena", "light lamp at (0 cm, 10 cm) arena"));
+    EXPECT_TRUE(experiment.diagnostics.ok()) << experiment.messages();
+    std::uint64_t robots = 0;
+    for (const std::uint32_t seed : {1U, 1001U}) {
+        experiment.scenario.seed = seed;
+        for (const TrialResult& trial : experiment.run().trials)
+            for (std::size_t robot = 0; robot < 2; ++robot) {
+                const std::uint16_t state = trial.frames.back().state(robot);
+                robots += machines_of(experiment.controller->drive())[0].state(state) == "Seeing" ? 1U : 0U;
+            }
+    }
+    return robots;
+}
+
+TEST(SensorErrors, OfProximityAndGroundAreAsFrequentAsTheySay) {
+    const auto is_share = [](std::uint64_t seeing, double share) {
+        const auto interval = statistics::clopper_pearson(seeing, 400, 1e-4);
+        return interval.low <= share && share <= interval.high;
+    };
+    // Enough rays that none misses the other: 20 cm between the centres of robots of 3 cm: 14 cm from body to body.
+    EXPECT_EQ(noticing("proximity { sensors 64 range 20 cm }", "near(20 cm)"), 400U);
+    EXPECT_EQ(noticing("proximity { sensors 64 range 20 cm error 100 % }", "near(20 cm)"), 0U);
+    EXPECT_EQ(noticing("proximity { sensors 64 range 5 cm error 100 % }", "near(5 cm)"), 400U);
+    const std::uint64_t missed = noticing("proximity { sensors 64 range 20 cm false_negative 30 % }", "near(20 cm)");
+    EXPECT_TRUE(is_share(missed, 0.7)) << missed;
+    EXPECT_EQ(noticing("ground { source lamp }", "on(15 cm)"), 200U) << "the first of each pair";
+    const std::uint64_t imagined = noticing("ground { source lamp false_positive 20 % }", "on(5 cm)");
+    EXPECT_TRUE(is_share(imagined, 0.2)) << imagined;
+}
+
 TEST(Neighbours, AreCounted) {
     const std::string counting =
         replaced(looking_world, "feed robot with eye.robot", "feed count with radio.count(30 cm)");

@@ -1,0 +1,234 @@
+// Reading scenarios: kinds of robots, and the machine of the environment.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "simulation/scenario/rules.hpp"
+#include "simulation/scenario/scenario_reader.hpp"
+
+namespace robochart::simulation {
+
+void ScenarioReader::robots() {
+    const diagnostics::Span begin = in_.token().span;
+    RobotKind kind;
+    kind.robots = static_cast<std::uint32_t>(in_.count(1, most_robots_, "the number of robots"));
+    if (!in_.at("{") && !in_.at("for")) kind.kind = new_name("'{', or a name for these robots");
+    if (in_.take("for")) return other_kind(std::move(kind), begin);
+    if (!said_.emplace("robots", begin).second)
+        in_.report(rules::said_twice, begin, {"'robots' (others have a name, `for` and a component of their own)"});
+    robots_span_ = begin;
+    scenario_.robots = kind.robots;
+    scenario_.kind = kind.kind;
+    in_.expect("{");
+    while (!in_.failed() && !in_.at("}")) robot_option();
+    in_.expect("}");
+}
+
+void ScenarioReader::robot_option() {
+    Body& body = scenario_.world.body;
+    if (in_.take("radius"))
+        body.radius = in_.positive(Dimension::length, "the radius");
+    else if (in_.take("axle"))
+        body.axle = in_.positive(Dimension::length, "the axle");
+    else if (in_.take("wheel"))
+        body.max_wheel = in_.positive(Dimension::speed, "the speed of the wheels");
+    else if (in_.take("noise"))
+        body.noise = in_.not_negative(Dimension::share, "the noise of the wheels");
+    else if (in_.take("place"))
+        place();
+    else if (in_.take("const"))
+        constant(scenario_);
+    else
+        in_.fail("'radius', 'axle', 'wheel', 'noise', 'place', 'const' or '}'");
+}
+
+void ScenarioReader::other_kind(RobotKind kind, diagnostics::Span begin) {
+    kind.component = in_.qualified_name("the component that drives these robots");
+    if (kind.kind.text.empty() && !in_.failed())
+        in_.report(rules::missing, diagnostics::join(begin, in_.last_span()),
+                   {"the name of these robots (robots NUMBER NAME for COMPONENT)"});
+    in_.expect("{");
+    kind_ = &kind;
+    while (!in_.failed() && !in_.at("}")) {
+        if (in_.take("model"))
+            kind.model = in_.quoted("the path of the model in quotes");
+        else if (in_.take("const"))
+            constant(kind);
+        else if (in_.take("place"))
+            place();
+        else if (in_.take("feed"))
+            feed();
+        else if (in_.take("drive"))
+            drive();
+        else if (in_.take("stimulus"))
+            stimulus();
+        else if (in_.take("failure"))
+            failure();
+        else
+            in_.fail("'model', 'const', 'place', 'feed', 'drive', 'stimulus', 'failure' or '}'");
+    }
+    kind_ = &scenario_;
+    in_.expect("}");
+    if (kind.placements.empty() && !in_.failed())
+        in_.report(rules::missing, kind.component.span, {"where the robots are placed"});
+    scenario_.others.push_back(std::move(kind));
+}
+
+void ScenarioReader::constant(Controlled& controlled) {
+    std::string text = in_.qualified_name("a constant of the model").text;
+    in_.expect("=");
+    text += in_.take("-") ? "=-" : "=";
+    if (in_.at_number()) {
+        text += in_.token().text;
+        skip_word();
+    } else {
+        text += in_.qualified_name("the value of a constant").text;
+    }
+    controlled.constants.push_back(std::move(text));
+}
+
+std::size_t ScenarioReader::kind_of_measure(const Name& name) {
+    if (const auto found = kind_named(scenario_, name.text)) return *found;
+    std::vector<std::string> known;
+    for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind)
+        if (!scenario_.kind_at(kind).kind.text.empty()) known.push_back(scenario_.kind_at(kind).kind.text);
+    unknown_part("kind of robots", name, known);
+    return 0;
+}
+
+// ---------------------------------------------------------------- the environment
+
+void ScenarioReader::environment() {
+    Environment& environment = scenario_.environment.emplace();
+    environment.component = in_.qualified_name("the component that acts on the world");
+    in_.expect("{");
+    while (!in_.failed() && !in_.at("}")) {
+        if (in_.take("model"))
+            environment.model = in_.quoted("the path of the model in quotes");
+        else if (in_.take("const"))
+            constant(environment);
+        else if (in_.take("feed"))
+            world_feed();
+        else if (in_.take("drive"))
+            world_drive();
+        else if (in_.take("stimulus"))
+            world_stimulus();
+        else if (in_.take("failure"))
+            world_failure();
+        else
+            in_.fail("'model', 'const', 'feed', 'drive', 'stimulus', 'failure' or '}'");
+    }
+    in_.expect("}");
+}
+
+/// `feed EVENT with MEASURE in UNIT`, `feed EVENT when CONDITION`.
+void ScenarioReader::world_feed() {
+    WorldFeed feed;
+    feed.target = in_.qualified_name("the event that is fed");
+    const diagnostics::Span begin = in_.token().span;
+    if (in_.take("when")) {
+        feed.condition = either();
+        if (feed.condition->of_trial())
+            in_.report(rules::wrong_instant, diagnostics::join(begin, in_.last_span()),
+                       {"'when' takes a condition at an instant"});
+    } else {
+        in_.expect("with");
+        feed.measure = measure_named();
+        const bool known = feed.measure < scenario_.measures.size();
+        const Dimension dimension = dimension_of(feed.measure);
+        if (!known && in_.take("in") && !in_.take("%")) (void)in_.name("a unit");
+        if (known && dimension != Dimension::number) {
+            in_.expect("in");
+            feed.factor = in_.unit(dimension, "this measure");
+        }
+    }
+    feed.span = diagnostics::join(begin, in_.last_span());
+    if (!in_.failed()) feed.text = in_.text_since(begin);
+    // Measures that are not there are reported.
+    if (feed.condition || feed.measure < scenario_.measures.size())
+        scenario_.environment->feeds.push_back(std::move(feed));
+}
+
+/// `drive LIGHT by switch_on`, `switch_off`, `move((X, Y), SPEED)`, `move(UNIT, SPEED)`; `drive OBSTACLE by appear`,
+/// `vanish`.
+void ScenarioReader::world_drive() {
+    using Kind = WorldAct::Kind;
+    WorldAct act;
+    const Name name = in_.name("a light or an obstacle");
+    if (in_.failed()) return;
+    const auto& obstacles = scenario_.obstacles;
+    const auto obstacle = std::find_if(obstacles.begin(), obstacles.end(),
+                                       [&](const Obstacle& each) { return each.name.text == name.text; });
+    const bool is_obstacle = obstacle != obstacles.end();
+    const bool is_light = std::any_of(scenario_.lights.begin(), scenario_.lights.end(),
+                                      [&](const Light& each) { return each.name.text == name.text; });
+    if (!is_obstacle && !is_light) return unknown_subject(name);
+    act.what = is_obstacle ? static_cast<std::size_t>(obstacle - obstacles.begin()) : light_named(name);
+    in_.expect("by");
+    const diagnostics::Span begin = in_.token().span;
+    if (is_obstacle) {
+        act.kind = in_.take("vanish") ? Kind::obstacle_vanish : Kind::obstacle_appear;
+        if (act.kind == Kind::obstacle_appear && !in_.take("appear")) return in_.fail("'appear' or 'vanish'");
+        return add_act(std::move(act), begin);
+    }
+    if (in_.take("switch_on")) return add_act(std::move(act), begin);
+    if (in_.take("switch_off")) {
+        act.kind = Kind::light_off;
+        return add_act(std::move(act), begin);
+    }
+    if (!in_.take("move")) return in_.fail("'switch_on', 'switch_off' or 'move'");
+    act.kind = Kind::light_move;
+    in_.expect("(");
+    if (in_.at("(")) {
+        act.to = in_.point("a point");
+        inside_.push_back({*act.to, "the end of the light's way", in_.last_span()});
+    } else {
+        act.factor = in_.unit(Dimension::length, "'move'");
+    }
+    in_.expect(",");
+    act.speed = in_.positive(Dimension::speed, "the speed of the light");
+    in_.expect(")");
+    add_act(std::move(act), begin);
+}
+
+/// What it does is passed over, for its form is not known.
+void ScenarioReader::unknown_subject(const Name& name) {
+    std::vector<std::string> known;
+    for (const Light& each : scenario_.lights) known.push_back(each.name.text);
+    for (const Obstacle& each : scenario_.obstacles) known.push_back(each.name.text);
+    unknown_part("light or obstacle", name, known);
+    while (!in_.at("on") && !in_.at("}") && !in_.at_end()) skip_word();
+    in_.expect("on");
+    (void)in_.name("an operation or an output of the environment");
+}
+
+void ScenarioReader::world_stimulus() {
+    WorldAct act;
+    const diagnostics::Span begin = in_.token().span;
+    act.kind = WorldAct::Kind::stimulus;
+    act.stimulus = raised();
+    add_act(std::move(act), begin);
+}
+
+/// `failure of KIND in N robots`.
+void ScenarioReader::world_failure() {
+    WorldAct act;
+    const diagnostics::Span begin = in_.token().span;
+    act.kind = WorldAct::Kind::failure;
+    const auto kind = failure_kind();
+    if (!kind) return;
+    act.failure.kind = *kind;
+    in_.expect("in");
+    act.failure.robots = static_cast<std::uint32_t>(in_.count(1, most_robots_, "the number of robots that fail"));
+    in_.expect("robots");
+    add_act(std::move(act), begin);
+}
+
+void ScenarioReader::add_act(WorldAct act, diagnostics::Span begin) {
+    act.span = diagnostics::join(begin, in_.last_span());
+    in_.expect("on");
+    act.on = in_.name("an operation or an output of the environment");
+    scenario_.environment->acts.push_back(std::move(act));
+}
+
+}  // namespace robochart::simulation

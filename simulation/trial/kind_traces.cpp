@@ -1,0 +1,33 @@
+#include "simulation/trial/kind_traces.hpp"
+
+#include <algorithm>
+
+namespace robochart::simulation {
+
+KindTraces::KindTraces(const Scenario& scenario, std::vector<std::unique_ptr<Trace>> parts,
+                       std::unique_ptr<Trace> whole)
+    : parts_(std::move(parts)), whole_(std::move(whole)) {
+    for (std::size_t kind = 0; kind < parts_.size(); ++kind) first_.push_back(scenario.first_robot(kind));
+}
+
+void KindTraces::cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) {
+    if (whole_ != nullptr) whole_->cycle(robot, step, inputs, outputs, result);
+    const auto behind = std::upper_bound(first_.begin(), first_.end(), robot);
+    const auto kind = static_cast<std::size_t>(behind - first_.begin()) - 1;
+    last_ = parts_[kind].get();
+    if (parts_[kind] != nullptr) parts_[kind]->cycle(robot - first_[kind], step, inputs, outputs, result);
+}
+
+const Objection* KindTraces::objection() const {
+    const Objection* const found = last_ == nullptr ? nullptr : last_->objection();
+    return found == nullptr && whole_ != nullptr ? whole_->objection() : found;
+}
+
+bool KindTraces::decided() const {
+    return (whole_ == nullptr || whole_->decided()) &&
+           std::all_of(parts_.begin(), parts_.end(),
+                       [](const std::unique_ptr<Trace>& part) { return part == nullptr || part->decided(); });
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,326 @@
+// Several kinds of robots with models of their own, and the machine of an environment.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/simulation/harness.hpp"
+
+namespace robochart::simulation {
+namespace {
+
+using testing::Experiment;
+using ::testing::HasSubstr;
+using testing::replaced;
+
+/// Drives on from the start.
+constexpr const char* runner = R"(
+interface Legs { run() }
+interface Ears { event shout }
+stm Runner {
+	requires Legs
+	uses Ears
+	initial i
+	state Waiting { }
+	state Running { entry run() }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Running trigger shout }
+}
+)";
+
+/// Drives back as far as its constant says; says its number.
+constexpr const char* backer = R"(
+interface Wheels { back() halt() }
+interface Says { var word : nat = 0 }
+stm Backer {
+	requires Wheels
+	requires Says
+	const pace : nat = 3
+	clock T
+	initial i
+	state Backing { entry word = 7; back() }
+	state Standing { entry halt() }
+	transition t0 { from i to Backing action # T }
+	transition t1 { from Backing to Standing condition since(T) >= pace }
+}
+)";
+
+constexpr const char* mixed = R"(
+scenario Mixed for Runner {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 2 s trials 1 seed 1
+	arena 400 cm by 400 cm
+	robots 2 runners { radius 3 cm axle 5 cm wheel 10 cm/s
+		place at (0 cm, 0 cm) heading 0 deg
+		place at (0 cm, 50 cm) heading 0 deg }
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on run
+	stimulus shout at 0.5 s
+	robots 1 backers for Backer {
+		place at (0 cm, 100 cm) heading 0 deg
+		drive motors by forward(-10 cm/s) on back
+		drive motors by stop on halt
+	}
+	measure all is inside (10 cm, -200 cm) to (200 cm, 200 cm)
+	measure some is inside (10 cm, -200 cm) to (200 cm, 200 cm) of runners
+	measure none is inside (10 cm, -200 cm) to (200 cm, 200 cm) of backers
+	measure going is in_state(Running)
+	measure standing is in_state(Standing) of backers
+	accept each all in 66 % to 67 %
+	accept each some >= 100 %
+	accept each none <= 0 %
+	accept each going in 66 % to 67 %
+	accept each standing >= 100 %
+}
+)";
+
+TEST(Kinds, EachHasItsModelItsPlacesAndItsPlatform) {
+    Experiment experiment(runner, mixed, "model.rct", {backer});
+    const RunResult result = experiment.run();
+    for (std::size_t b = 0; b < result.bands.size(); ++b)
+        EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text << ": " << result.bands[b].value;
+    const Frame& last = result.trials.at(0).frames.back();
+    ASSERT_EQ(last.poses.size(), 3U);
+    // Shouted at in the cycle of 0.5 s, so from 0.5 s on, 1.5 s at 10 cm/s.
+    EXPECT_NEAR(last.poses[0].at.x, 15, 1e-9);
+    EXPECT_NEAR(last.poses[1].at.x, 15, 1e-9);
+    // Three time units of 0.1 s backwards.
+    EXPECT_NEAR(last.poses[2].at.x, -3, 1e-9);
+    const Machines machines = machines_of(experiment.scenario, experiment.drives());
+    ASSERT_EQ(machines.size(), 1U);
+    EXPECT_EQ(machines[0].state(last.state(0)), "runners::Running");
+    EXPECT_EQ(machines[0].state(last.state(2)), "backers::Standing");
+}
+
+TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
+    // The robots are too far from each other to meet: each kind moves as it does alone.
+    std::string alone = mixed;
+    alone.erase(alone.find("\trobots 1 backers"), alone.find("\tmeasure all") - alone.find("\trobots 1 backers"));
+    alone.erase(alone.find("\tmeasure all"));
+    Experiment one(runner, alone + "}\n");
+    Experiment both(runner, mixed, "model.rct", {backer});
+    const RunResult a = one.run();
+    const RunResult b = both.run();
+    ASSERT_EQ(a.trials[0].frames.size(), b.trials[0].frames.size());
+    for (std::size_t f = 0; f < a.trials[0].frames.size(); ++f)
+        for (std::size_t robot = 0; robot < 2; ++robot)
+            EXPECT_EQ(a.trials[0].frames[f].poses[robot].at, b.trials[0].frames[f].poses[robot].at);
+}
+
+TEST(Kinds, FailuresAreOfOneKind) {
+    const std::string failing = replaced(replaced(mixed, "drive motors by stop on halt",
+                                                  "drive motors by stop on halt failure of all at 0 s in 1 robots"),
+                                         "measure going",
+                                         "measure well is working of backers measure fine is working of runners "
+                                         "accept each well <= 0 % accept each fine >= 100 % measure going");
+    Experiment experiment(runner, replaced(failing, "accept each standing >= 100 %", ""), "model.rct", {backer});
+    const RunResult result = experiment.run();
+    for (std::size_t b = 0; b < result.bands.size(); ++b)
+        EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text;
+    EXPECT_EQ(result.trials[0].frames.back().poses[2].at, (Vector{0, 100})) << "its controller never ran";
+}
+
+TEST(Kinds, OneKindHearsWhatAnotherSends) {
+    constexpr const char* listener = R"(
+interface Ears { event heard : nat }
+stm Listener {
+	uses Ears
+	var n : nat
+	initial i
+	state Deaf { }
+	state Knows { }
+	transition t0 { from i to Deaf }
+	transition t1 { from Deaf to Knows trigger heard?n condition n == 7 }
+}
+)";
+    std::string text = replaced(mixed, "for Runner", "for Listener");
+    text = replaced(text, "\tdrive motors by forward(10 cm/s) on run\n\tstimulus shout at 0.5 s\n",
+                    "\tsensor radio is range_and_bearing { range 120 cm transparent message word }\n"
+                    "\tfeed heard with radio.message(120 cm)\n");
+    text.erase(text.find("\tmeasure all"));
+    text += "measure knows is in_state(Knows) accept each knows in 66 % to 67 % }\n";
+    Experiment experiment(listener, text, "model.rct", {backer});
+    const RunResult result = experiment.run();
+    EXPECT_TRUE(result.bands.at(0).holds) << result.bands.at(0).value;
+}
+
+TEST(Kinds, WhatDoesNotFitIsReported) {
+    const auto codes = [](const std::string& text) { return Experiment(runner, text, "model.rct", {backer}).codes(); };
+    EXPECT_EQ(codes(replaced(mixed, "robots 1 backers for", "robots 1 for")), "RC-M04 RC-M06 RC-M06");
+    EXPECT_EQ(codes(replaced(mixed, "robots 1 backers for Backer {", "robots 1 backers {")), "RC-M05 RC-M01");
+    EXPECT_EQ(codes(replaced(mixed, "place at (0 cm, 100 cm) heading 0 deg\n\t\tdrive", "drive")), "RC-M04");
+    EXPECT_EQ(codes(replaced(mixed, "of backers\n", "of barkers\n")), "RC-M06 RC-M06");
+    EXPECT_EQ(codes(replaced(mixed, "on halt", "on run")), "RC-M07 RC-U01") << "an operation of the other kind";
+    EXPECT_EQ(codes(replaced(mixed, "robots 1 backers", "robots 1 runners")), "RC-M05 RC-M06 RC-M06");
+}
+
+/// Counts to its constant, then does two things.
+constexpr const char* keeper = R"(
+interface Acts { act(x : real, y : real) stop() }
+interface Watch { event late event seen : boolean event share : real }
+stm Keeper {
+	requires Acts
+	uses Watch
+	var there : boolean = false
+	var part : real = 0
+	initial i
+	state Watching { }
+	state Acting { entry act(10, 20); stop() }
+	state Done { }
+	transition t0 { from i to Watching }
+	transition t1 { from Watching to Acting trigger late }
+	transition t2 { from Acting to Done trigger seen?there condition there }
+	transition t3 { from Done to Done trigger share?part }
+}
+)";
+
+constexpr const char* watched = R"(
+scenario Watched for Runner {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 2 seed 1
+	arena 400 cm by 400 cm
+	light lamp at (0 cm, 0 cm)
+	obstacle gate (100 cm, -50 cm), (110 cm, -50 cm), (110 cm, 50 cm), (100 cm, 50 cm) absent
+	robots 2 { radius 3 cm axle 5 cm wheel 10 cm/s
+		place at (0 cm, 0 cm) heading 0 deg
+		place at (0 cm, 50 cm) heading 0 deg }
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on run
+	measure clock is time
+	measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm)
+	measure fine is working
+	measure home is distance(lamp)
+	environment Keeper {
+		feed late when clock >= 1 s
+		feed seen when out >= 100 %
+		feed share with out in %
+		drive lamp by move(cm, 10 cm/s) on act
+		drive gate by appear on stop
+		stimulus shout on act
+	}
+	record 0.1 s
+}
+)";
+
+const Frame& frame_near(const RunResult& result, double time) {
+    const auto& frames = result.trials.at(0).frames;
+    return *std::min_element(frames.begin(), frames.end(), [&](const Frame& a, const Frame& b) {
+        return std::abs(a.time - time) < std::abs(b.time - time);
+    });
+}
+
+TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
+    Experiment experiment(runner, watched, "model.rct", {keeper});
+    const RunResult result = experiment.run();
+    // Read in the cycle of 1 s; what it does holds from the next one on.
+    EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
+    EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
+    EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));
+    // 22.36 cm to (10, 20) at 10 cm/s: one second is 10 cm of them.
+    EXPECT_NEAR(length(frame_near(result, 2).lights.at(0).at), 10, 1e-6);
+    EXPECT_NEAR(frame_near(result, 2).lights.at(0).at.y, 2 * frame_near(result, 2).lights.at(0).at.x, 1e-6);
+    // The robots read the event in the cycle of 1.1 s, and drive for 1.9 s.
+    EXPECT_NEAR(result.trials.at(0).frames.back().poses[0].at.x, 19, 1e-6);
+}
+
+TEST(WorldMachine, ReadsConditionsAndMeasures) {
+    Experiment experiment(
+        runner,
+        replaced(watched, "stimulus shout on act", "stimulus shout on act failure of motors in 1 robots on stop"),
+        "model.rct", {keeper});
+    const RunResult result = experiment.run();
+    const Frame& last = result.trials.at(0).frames.back();
+    EXPECT_EQ(std::count(last.working.begin(), last.working.end(), false), 1);
+    // Of two robots one stands, which of them is drawn: over trials it is not always the same.
+    Experiment many(runner,
+                    replaced(replaced(watched, "stimulus shout on act",
+                                      "stimulus shout on act failure of motors in 1 robots on stop"),
+                             "trials 2", "trials 40"),
+                    "model.rct", {keeper});
+    std::size_t first = 0;
+    for (const TrialResult& trial : many.run().trials) first += trial.frames.back().working[0] ? 1U : 0U;
+    EXPECT_GE(first, 5U);
+    EXPECT_LE(first, 35U);
+}
+
+TEST(WorldMachine, SwitchedOffALightIsNotSensed) {
+    constexpr const char* seeker = R"(
+interface Eyes { event lit : boolean }
+stm Seeker {
+	uses Eyes
+	var there : boolean
+	initial i
+	state Dark { }
+	state Light { }
+	transition t0 { from i to Dark }
+	transition t1 { from Dark to Light trigger lit?there condition there }
+	transition t2 { from Light to Dark trigger lit?there condition not there }
+}
+)";
+    std::string text = replaced(watched, "for Runner", "for Seeker");
+    text = replaced(text, "drive motors by forward(10 cm/s) on run",
+                    "sensor ring is light_ring { source lamp } feed lit with ring.lit(1)");
+    text = replaced(text, "\t\tstimulus shout on act\n", "");
+    text = replaced(text, "light lamp at (0 cm, 0 cm)", "light lamp at (150 cm, 150 cm)");
+    text = replaced(text, "drive lamp by move(cm, 10 cm/s) on act", "drive lamp by switch_off on act");
+    text = replaced(text, "measure clock is time",
+                    "measure bright is in_state(Light) accept each bright at 0.9 s >= 100 % "
+                    "accept each bright <= 0 % measure clock is time");
+    Experiment experiment(seeker, text, "model.rct", {keeper});
+    const RunResult result = experiment.run();
+    EXPECT_TRUE(result.bands.at(0).holds) << result.bands.at(0).value;
+    EXPECT_TRUE(result.bands.at(1).holds) << result.bands.at(1).value;
+}
+
+TEST(WorldMachine, SameSeedsGiveTheSameBitsForAnyNumberOfThreads) {
+    const std::string text =
+        replaced(watched, "stimulus shout on act", "stimulus shout on act failure of all in 1 robots on stop");
+    Experiment a(runner, replaced(text, "trials 2", "trials 8"), "model.rct", {keeper});
+    Experiment b(runner, replaced(text, "trials 2", "trials 8"), "model.rct", {keeper});
+    const RunResult one = a.run(1);
+    const RunResult four = b.run(4);
+    for (std::size_t t = 0; t < 8; ++t)
+        for (std::size_t robot = 0; robot < 2; ++robot)
+            EXPECT_EQ(one.trials[t].frames.back().poses[robot].at, four.trials[t].frames.back().poses[robot].at);
+}
+
+TEST(WorldMachine, WhatDoesNotFitIsReported) {
+    const auto codes = [](const std::string& text) { return Experiment(runner, text, "model.rct", {keeper}).codes(); };
+    EXPECT_EQ(codes(replaced(watched, "feed late when", "feed seen with out in % feed late when")), "RC-M08");
+    EXPECT_EQ(codes(replaced(watched, "feed share with", "feed shares with")), "RC-M14 RC-M07");
+    EXPECT_EQ(codes(replaced(watched, "feed share with out", "feed share with inn")), "RC-M06");
+    EXPECT_EQ(
+        codes(replaced(watched, "drive lamp by move(cm, 10 cm/s) on act", "drive lamp by move(cm, 10 cm/s) on stop")),
+        "RC-M08");
+    EXPECT_EQ(codes(replaced(watched, "drive gate by appear", "drive gate by move")), "RC-M01");
+    EXPECT_EQ(codes(replaced(watched, "drive gate by", "drive door by")), "RC-M06");
+    EXPECT_EQ(codes(replaced(watched, "stimulus shout on act", "stimulus shouts on act")), "RC-M14 RC-M07");
+    EXPECT_EQ(codes(replaced(watched, "stimulus shout on act", "stimulus shout on acts")), "RC-M07");
+    EXPECT_EQ(codes(replaced(watched, "when clock >= 1 s", "when clock >= 1 s within 2 s")), "RC-M16");
+}
+
+TEST(WorldMachine, StopsATrialByItself) {
+    constexpr const char* endless = R"(
+interface Watch { event late }
+stm Keeper {
+	uses Watch
+	initial i
+	state A { }
+	state B { }
+	transition t0 { from i to A }
+	transition t1 { from A to B trigger late }
+	transition t2 { from B to B }
+}
+)";
+    std::string text = watched;
+    for (const char* line : {"\t\tfeed seen when out >= 100 %\n", "\t\tfeed share with out in %\n",
+                             "\t\tdrive lamp by move(cm, 10 cm/s) on act\n", "\t\tdrive gate by appear on stop\n",
+                             "\t\tstimulus shout on act\n"})
+        text = replaced(text, line, "");
+    Experiment experiment(runner, text, "model.rct", {endless});
+    const RunResult result = experiment.run();
+    ASSERT_TRUE(result.trials.at(0).stop);
+    EXPECT_TRUE(result.trials[0].stop->environment);
+    EXPECT_THAT(experiment.messages(), HasSubstr("the controller of the environment stopped trial 1 at 1.0 s"));
+}
+
+}  // namespace
+}  // namespace robochart::simulation
