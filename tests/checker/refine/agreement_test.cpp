@@ -7,11 +7,10 @@
 #include <map>
 
 #include "checker/machine/compiler.hpp"
-#include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
-#include "diagnostics/files.hpp"
 #include "tests/checker/processes/naive.hpp"
+#include "tests/checker/processes/on_disk.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/random_process.hpp"
 #include "tests/checker/processes/translate.hpp"
@@ -40,33 +39,6 @@ enum class Engine {
     reduced_ranks,
     disk,
     reduced_disk
-};
-
-/// Rows on disk, none of the closed levels in memory, and filters of four bits, so that many searches roll back.
-class OnDisk final : public LevelStrategy {
-public:
-    explicit OnDisk(unsigned ranks) : ranks_(ranks) {}
-    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
-                                    Statistics& statistics) override {
-        if (question.row_width(system.width()) == 0) return OneRank().search(system, question, budget, statistics);
-        std::string error;
-        const diagnostics::TemporaryFolder folder("", error);
-        const auto make = [&](const LevelQuestion& asked, const lts::TransitionSystem& searched, Exchange& exchange) {
-            KeptWhere where;
-            where.folder = folder.path();
-            where.kind.width = asked.row_width(searched.width());
-            where.place = {exchange.rank(), exchange.ranks()};
-            DiskRowStore::Bounds bounds;
-            bounds.filter_bits = 4;
-            bounds.fewest_unsure = 3;
-            return std::make_unique<DiskRowStore>(std::move(where), bounds);
-        };
-        if (ranks_ == 1) return OneRank(make).search(system, question, budget, statistics);
-        return ThreadRanks(ranks_, make).search(system, question, budget, statistics);
-    }
-
-private:
-    unsigned ranks_;
 };
 
 bool is_compiled(Engine engine) {
