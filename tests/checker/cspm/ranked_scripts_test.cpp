@@ -25,7 +25,7 @@ using refine::Verdict;
 
 std::string in_common(const Verdict& verdict) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
-    if (verdict.outcome == Outcome::holds)
+    if (verdict.outcome == Outcome::holds && !verdict.counterexample)  // which `assert not` may have
         text += " " + std::to_string(verdict.statistics.states) + " " + std::to_string(verdict.statistics.transitions);
     if (!verdict.counterexample) return text;
     return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + " after " +
@@ -83,7 +83,11 @@ std::size_t compare_folder(const std::filesystem::path& folder) {
         if (entry.path().extension() == ".csp") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     std::size_t compared = 0;
-    for (const std::filesystem::path& file : files) compared += compare(file);
+    for (const std::filesystem::path& file : files) try {
+            compared += compare(file);
+        } catch (const EvaluationError& error) {
+            std::cout << file.string() << " has no assertions to compare: " << error.what() << "\n";
+        }
     return compared;
 }
 
