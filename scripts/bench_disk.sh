@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Searches with checkpoints and with states on disk beside the ordinary one: builds our command in release form and
-# nothing else (docs/search.md, "Out of core"). Arguments: SCRIPT:NUMBER of assertions, instead of phils8, milner18 and
-# P2 of the high-voltage controller. The models: ROBOCHART_SHARED/bench.
+# nothing else (docs/search.md, "Out of core"). Arguments: SCRIPT:NUMBER of assertions, instead of phils8 and milner18.
+# The models: ROBOCHART_SHARED/bench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

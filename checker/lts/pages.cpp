@@ -10,13 +10,17 @@ namespace robochart::lts {
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21U;
+constexpr std::size_t page = std::size_t{1} << 12U;
 constexpr std::size_t cache_line = 64;
+/// From here on memory is the system's, and goes back to it at once: in the heap, others would keep it from that.
+constexpr std::size_t large = std::size_t{1} << 17U;
 
 std::size_t rounded(std::size_t bytes) {
-    return (bytes + huge_page - 1) & ~(huge_page - 1);
+    return (bytes + page - 1) & ~(page - 1);
 }
 
-/// Maps a huge page too much and gives back what sticks out at both ends.
+/// Maps a huge page too much and gives back what sticks out at both ends. Only what fills huge pages gets them, so that
+/// no more is taken than is used.
 void* map(std::size_t bytes) {
     const std::size_t length = rounded(bytes);
     void* const mapped =
@@ -27,7 +31,8 @@ void* map(std::size_t bytes) {
     if (before != 0) munmap(begin, before);
     munmap(begin + before + length, huge_page - before);
 #ifdef MADV_HUGEPAGE
-    madvise(begin + before, length, MADV_HUGEPAGE);  // advice: refusal changes nothing but the speed
+    const std::size_t whole = length & ~(huge_page - 1);
+    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // advice: refusal changes nothing but the speed
 #endif
     return begin + before;
 }
@@ -35,14 +40,14 @@ void* map(std::size_t bytes) {
 }  // namespace
 
 void FreePages::operator()(void* memory) const {
-    if (bytes >= huge_page)
+    if (bytes >= large)
         munmap(memory, rounded(bytes));
     else
         ::operator delete (memory, std::align_val_t{cache_line});
 }
 
 Pages zeroed_pages(std::size_t bytes) {
-    if (bytes >= huge_page) return {map(bytes), FreePages{bytes}};
+    if (bytes >= large) return {map(bytes), FreePages{bytes}};
     void* const memory = ::operator new (bytes, std::align_val_t{cache_line});
     return {std::memset(memory, 0, bytes), FreePages{bytes}};
 }

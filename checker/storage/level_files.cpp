@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "diagnostics/escape.hpp"
 
@@ -71,16 +72,34 @@ RowFile& LevelFiles::growing() {
 }
 
 void LevelFiles::add_level(std::span<const Word> rows) {
+    add_level([rows, this](const TakeRows& take) {
+        if (!rows.empty() || where_.kind.width == 0) take(rows);
+    });
+}
+
+void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     Level entry;
-    if (!rows.empty() || where_.kind.width == 0) {
-        RowFile& file = growing();
-        entry.file = static_cast<std::uint32_t>(files_.size() - 1);
-        entry.first = static_cast<std::uint32_t>(file.blocks().size());
-        const std::uint64_t before = file.rows();
-        file.append(levels(), rows);
-        entry.count = static_cast<std::uint32_t>(file.blocks().size()) - entry.first;
-        entry.rows = file.rows() - before;
-        files_.back().used = file.blocks().size();
+    RowFile* file = nullptr;  // of a level without rows: none
+    const auto take = [&](std::span<const Word> rows) {
+        if (file == nullptr) {
+            file = &growing();
+            entry = {static_cast<std::uint32_t>(files_.size() - 1), static_cast<std::uint32_t>(file->blocks().size())};
+        } else if (file->blocks().back().rows != RowFile::rows_of_block) {
+            throw std::logic_error("a piece of a level that others follow is no whole number of blocks");
+        }
+        const std::uint64_t before = file->rows();
+        file->append(levels(), rows);
+        entry.rows += file->rows() - before;
+    };
+    try {
+        give(take);
+    } catch (...) {
+        if (file != nullptr) file->cut(entry.first);
+        throw;
+    }
+    if (file != nullptr) {
+        entry.count = static_cast<std::uint32_t>(file->blocks().size()) - entry.first;
+        files_.back().used = file->blocks().size();
     }
     rows_ += entry.rows;
     levels_.push_back(entry);
@@ -134,7 +153,7 @@ std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size
     return given;
 }
 
-void LevelFiles::each_block(std::uint32_t level, const std::function<void(std::span<const Word>)>& visit) {
+void LevelFiles::each_block(std::uint32_t level, const TakeRows& visit) {
     const Level& entry = levels_[level];
     std::vector<Word> rows;
     for (std::uint32_t i = 0; i < entry.count; ++i) {

@@ -35,13 +35,16 @@ public:
     /// Appends the next level. `rows`: ascending, none twice; there may be none. Throws CannotWrite; all is then as
     /// before.
     void add_level(std::span<const Word> rows);
+    /// Appends the next level, whose rows `give` gives piece by piece: ascending, none twice, in pieces of
+    /// RowFile::rows_of_block rows but for the last. Throws what `give` throws, too.
+    void add_level(const std::function<void(const TakeRows&)>& give);
     /// From now on this level and later ones are not there.
     void forget_from(std::uint32_t level);
 
     /// Appends the rows of a level from number `first` on, at most `most`, to `rows`; gives how many. Throws BadFile.
     std::size_t read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows);
     /// Calls with the rows of each block of a level, ascending. Throws BadFile.
-    void each_block(std::uint32_t level, const std::function<void(std::span<const Word>)>& visit);
+    void each_block(std::uint32_t level, const TakeRows& visit);
 
     /// What a checkpoint has beside the levels. Rows are ascending.
     struct Beside {

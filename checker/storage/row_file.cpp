@@ -103,24 +103,23 @@ RowFile::Check RowFile::check_of(std::size_t block, std::uint32_t level, std::ui
 void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     if (!lost_.empty()) throw CannotWrite(lost_);
     const std::size_t blocks = blocks_.size();
-    const std::uint64_t size = size_;
     try {
         if (kind_.width == 0) return write_block(level, rows);
         const std::size_t words = rows_of_block * kind_.width;
         for (std::size_t at = 0; at < rows.size(); at += words)
             write_block(level, rows.subspan(at, std::min(words, rows.size() - at)));
     } catch (...) {
-        shorten(blocks, size);
+        cut(blocks);
         throw;
     }
 }
 
-/// Takes back what was written behind.
-void RowFile::shorten(std::size_t blocks, std::uint64_t size) {
+/// Also of what was written behind the last block: a part of one, or of the end.
+void RowFile::cut(std::size_t blocks) {
     for (; blocks_.size() > blocks; blocks_.pop_back()) rows_ -= blocks_.back().rows;
     checks_.resize(blocks);
-    size_ = size;
-    (void)!::ftruncate(file_.get(), static_cast<off_t>(size));
+    size_ = blocks == 0 ? head_size : blocks_.back().offset + block_head + blocks_.back().bytes + check_size;
+    (void)!::ftruncate(file_.get(), static_cast<off_t>(size_));
 }
 
 void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
@@ -165,13 +164,11 @@ Check check_of_end(const Check& head, std::string_view end, const std::vector<Ch
 
 void RowFile::finish() {
     if (!lost_.empty()) throw CannotWrite(lost_);
-    const std::size_t blocks = blocks_.size();
-    const std::uint64_t size = size_;
     try {
         write_end();
     } catch (const std::exception& error) {
         lost_ = error.what();
-        shorten(blocks, size);
+        cut(blocks_.size());
         throw;
     }
     finished_ = true;

@@ -31,6 +31,9 @@ struct RowKind {
     diagnostics::Digest search{};
 };
 
+/// Takes some rows.
+using TakeRows = std::function<void(std::span<const Word>)>;
+
 class RowFile {
 public:
     struct Block {
@@ -50,6 +53,8 @@ public:
     /// Appends rows of one level, ascending, none twice, after those of this level that are there. Throws CannotWrite;
     /// the file is then as it was before, also after any other exception.
     void append(std::uint32_t level, std::span<const Word> rows);
+    /// Takes the blocks from this number on back, of a file that is not finished.
+    void cut(std::size_t blocks);
     /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the blocks can still be read, but nobody
     /// knows what of the file is on the disk, so that it can neither be finished nor grow any more.
     void finish();
@@ -71,7 +76,6 @@ private:
     [[nodiscard]] Check check_of(std::size_t block, std::uint32_t level, std::uint32_t rows,
                                  std::string_view code) const;
     void write(std::string_view bytes);
-    void shorten(std::size_t blocks, std::uint64_t size);
     void write_block(std::uint32_t level, std::span<const Word> rows);
     [[nodiscard]] std::string end_of() const;
     void write_end();

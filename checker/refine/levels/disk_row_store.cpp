@@ -1,7 +1,9 @@
 #include "checker/refine/levels/disk_row_store.hpp"
 
 #include <algorithm>
+#include <bit>
 
+#include "checker/refine/levels/hashed_rows.hpp"
 #include "checker/storage/sort_rows.hpp"
 
 namespace robochart::refine {
@@ -13,151 +15,161 @@ using lts::Word;
 
 namespace {
 
-constexpr std::uint64_t rows_of_segment = std::uint64_t{1} << 16U;
-constexpr std::size_t most_segments = 64;
-constexpr std::uint64_t between_looks = 4096;
+// Of the memory, in sixteenths: the filter, the open level, what is put aside.
+constexpr std::uint64_t filter_part = 10, open_part = 3, aside_part = 3;
 
-/// A row, its place in the table, which has four for five numbers, twelve in a line of 64 bytes.
+/// How many rows of this width a store in so many bytes has: each with its place in a table, 64 bytes for twelve, that
+/// is two thirds full. Rows lie in chunks, each as large as those before together: one that would be used by less than
+/// half is not begun. A few in any case.
+std::uint64_t rows_in(std::uint64_t bytes, std::size_t width) {
+    constexpr std::uint64_t fewest = 64, place = 8, first_chunk = 1024;
+    const std::uint64_t rows = bytes / (width * sizeof(Word) + place);
+    const std::uint64_t last_chunk = std::bit_floor(rows + first_chunk);
+    const std::uint64_t before = last_chunk - first_chunk;
+    return std::max(fewest, before > 0 && rows - before < last_chunk / 2 ? before : rows);
+}
+
 std::uint64_t bytes_of(const StateStore& store) {
     const std::uint64_t places = (store.size() + store.space()) * 5 / 4;
     return store.size() * store.width() * sizeof(Word) + places * 64 / 12;
 }
 
-std::vector<Word> sorted_rows(const StateStore& store) {
+std::vector<Word> sorted_rows(const StateStore& store, StateIndex first, StateIndex end) {
     std::vector<Word> rows;
-    rows.reserve(store.size() * store.width());
-    for (StateIndex i = 0; i < store.size(); ++i) rows.insert(rows.end(), store[i].begin(), store[i].end());
+    rows.reserve((end - first) * store.width());
+    for (StateIndex i = first; i < end; ++i) rows.insert(rows.end(), store[i].begin(), store[i].end());
     storage::sort_rows(rows, store.width());
     return rows;
+}
+
+std::string path_of_runs(const KeptWhere& where) {
+    return where.folder + "/runs-" + std::to_string(where.place.rank) + "-of-" + std::to_string(where.place.ranks);
 }
 
 }  // namespace
 
 DiskRowStore::DiskRowStore(KeptWhere where, Bounds bounds)
     : RowStore(where.kind.width),
-      kept_(std::move(where)),
+      kept_(where),
       bounds_(std::move(bounds)),
-      filter_(bounds_.filter_bits),
+      filter_(bounds_.filter_bits, bounds_.most_bytes / 16 * filter_part),
+      most_open_(rows_in(bounds_.most_bytes / 16 * open_part, width())),
+      most_aside_(rows_in(bounds_.most_bytes / 16 * aside_part, width())),
       open_(new_store()),
-      aside_(new_store()),
-      in_error_(width()) {
-    const KeptLevels::Unsure unsure = kept_.load(record());
-    if (levels() == 0) return;
+      runs_(path_of_runs(where), where.kind),
+      aside_(new_store()) {
     // Rows put aside of one level follow each other.
-    for (const auto& [level, row] : unsure) {
+    for (const auto& [level, row] : kept_.load(record())) {
         if (aside_levels_.empty() || aside_levels_.back().first != level)
             aside_levels_.emplace_back(level, static_cast<StateIndex>(aside_->size()));
         aside_->insert(row);
     }
-    fill_filter();
-    fill_window(0);
-    look_until_ = levels();
+    if (levels() > 0) fill_filter();
 }
 
 DiskRowStore::~DiskRowStore() {
     if (bounds_.report) bounds_.report(figures_);
 }
 
+/// Of the open level at least so many: a row that was met again after it had been written is in several runs.
+std::uint64_t DiskRowStore::rows(Level level) const {
+    return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest());
+}
+
 RowStore::Found DiskRowStore::enter(StateView row, std::uint64_t hash) {
+    ++met_;
     if (open_->find(row, hash) != lts::no_state) return Found::again;
-    const StateIndex in_error = in_error_.size() > 0 ? in_error_.find(row, hash) : lts::no_state;
-    const bool known_new = in_error != lts::no_state && waiting_[in_error];
-    if (!known_new && filter_.may_have(hash)) {
-        if (in_window(row, hash)) return Found::earlier;
-        if (window_begin() > 0 || aside_->size() > 0) return put_aside(row, hash);
+    if (levels() > 0 && filter_.may_have(hash)) {
+        put_aside(row, hash);
+        return Found::unsure;
     }
-    if (known_new) waiting_[in_error] = false;
-    open_->insert(row, hash);
-    if (open_->size() % between_looks == 0) make_space();
+    ++new_;
+    add_to_open(row, hash);
     return Found::fresh;
 }
 
-bool DiskRowStore::in_window(StateView row, std::uint64_t hash) const {
-    return std::any_of(window_.rbegin(), window_.rend(),
-                       [&](const Segment& each) { return each.rows->find(row, hash) != lts::no_state; });
+void DiskRowStore::add_to_open(StateView row, std::uint64_t hash) {
+    if (open_->size() >= most_open_) write_open();
+    open_->insert(row, hash);
+}
+
+/// Piece by piece, because what is sorted exists three times.
+void DiskRowStore::write_open() {
+    note_peak();
+    const auto piece = static_cast<StateIndex>(std::max<std::uint64_t>(most_open_ / 4, 64));
+    const auto end = static_cast<StateIndex>(open_->size());
+    for (StateIndex first = 0; first < end; first += piece)
+        runs_.add(sorted_rows(*open_, first, std::min(end, first + piece)));
+    ++figures_.runs_written;
+    open_ = new_store();
+}
+
+void DiskRowStore::empty_open() {
+    open_ = new_store();
+    runs_.clear();
 }
 
 /// It belongs to the level in which it was first put aside.
-RowStore::Found DiskRowStore::put_aside(StateView row, std::uint64_t hash) {
+void DiskRowStore::put_aside(StateView row, std::uint64_t hash) {
+    if (aside_->size() >= most_aside_ && aside_->find(row, hash) == lts::no_state) settle_aside();
     const auto [index, fresh] = aside_->insert(row, hash);
     if (fresh && (aside_levels_.empty() || aside_levels_.back().first != levels()))
         aside_levels_.emplace_back(levels(), index);
-    return Found::unsure;
 }
 
 void DiskRowStore::close_level() {
     const std::shared_ptr<void> held = kept_.hold();
-    const Level level = levels();
-    kept_.files().add_level(sorted_rows(*open_));
-    if (filter_.size() + open_->size() > filter_.capacity()) {
-        fill_filter();
+    note_peak();
+    const bool in_one_piece = runs_.empty() && open_->size() <= std::max<std::uint64_t>(most_open_ / 4, 64);
+    if (in_one_piece) {
+        const std::vector<Word> rows = sorted_rows(*open_, 0, static_cast<StateIndex>(open_->size()));
+        kept_.files().add_level(rows);
+        add_to_filter(rows);
     } else {
-        for (StateIndex i = 0; i < open_->size(); ++i) filter_.add(StateStore::hash((*open_)[i]));
+        write_open();
+        kept_.files().add_level([this](const storage::TakeRows& take) {
+            runs_.merge([&](std::span<const Word> rows) {
+                kept_.poll();
+                take(rows);
+                add_to_filter(rows);
+            });
+        });
     }
-    add_to_window(level, std::exchange(open_, new_store()));
-    make_space();
+    empty_open();
+    if (filter_.capacity() > 0 && filter_.size() == filter_.capacity()) fill_filter();
 }
 
-/// A small level joins those before it. Small segments would take long to look through.
-void DiskRowStore::add_to_window(Level level, Store rows) {
-    const auto has_space = [&](const Segment& last) {
-        return last.rows->size() + rows->size() <= rows_of_segment || window_.size() >= most_segments;
-    };
-    if (window_.empty() || !has_space(window_.back())) {
-        window_.push_back({level, std::move(rows)});
-        return;
-    }
-    StateStore& last = *window_.back().rows;
-    for (StateIndex i = 0; i < rows->size(); ++i) last.insert((*rows)[i]);
+/// What finds no space comes in when the filter is filled anew.
+void DiskRowStore::add_to_filter(std::span<const Word> rows) {
+    each_hashed(
+        rows, width(), [this](std::uint64_t hash) { filter_.prefetch(hash); },
+        [this](StateView, std::uint64_t hash) {
+            if (filter_.size() < filter_.capacity()) filter_.add(hash);
+        });
 }
 
-void DiskRowStore::make_space() {
-    const std::uint64_t now = bytes();
-    figures_.peak_bytes = std::max(figures_.peak_bytes, now);
-    std::uint64_t left = now;
-    while (left > bounds_.most_bytes && !window_.empty()) {
-        left -= std::min(left, bytes_of(*window_.front().rows));
-        window_.pop_front();
-    }
-}
-
-/// A fifth more than there are, so that it is seldom filled anew. It has the rows put aside as well, which a filter of
-/// another size might not have: what was unsure once stays so until it is settled.
+/// It has the rows put aside as well, which a filter of another size might not have: what was unsure once stays so
+/// until it is settled.
 void DiskRowStore::fill_filter() {
-    const std::uint64_t rows = kept_.files().rows() + aside_->size();
-    filter_.reset(std::max<std::uint64_t>(rows + rows / 5, between_looks));
+    filter_.reset(kept_.files().rows() + aside_->size());
+    if (filter_.capacity() == 0) return;
     for (Level level = 0; level < levels(); ++level)
         kept_.files().each_block(level, [this](std::span<const Word> block) {
             kept_.poll();
-            for (std::size_t at = 0; at < block.size(); at += width())
-                filter_.add(StateStore::hash(block.subspan(at, width())));
+            add_to_filter(block);
         });
     for (StateIndex i = 0; i < aside_->size(); ++i) filter_.add(StateStore::hash((*aside_)[i]));
 }
 
-/// The last levels, from this one on at most, in half of the memory.
-void DiskRowStore::fill_window(Level from) {
-    window_.clear();
-    const std::uint64_t space = bounds_.most_bytes - std::min(bounds_.most_bytes, bytes());
-    const std::uint64_t row_bytes = width() * sizeof(Word) + 10;
-    Level begin = levels();
-    for (std::uint64_t taken = 0; begin > from; --begin) {
-        taken += kept_.files().rows(begin - 1) * row_bytes;
-        if (taken > space / 2) break;
-    }
-    for (Level level = begin; level < levels(); ++level) {
-        Store rows = new_store();
-        kept_.files().each_block(level, [&](std::span<const Word> block) {
-            kept_.poll();
-            for (std::size_t at = 0; at < block.size(); at += width()) rows->insert(block.subspan(at, width()));
-        });
-        add_to_window(level, std::move(rows));
-    }
-}
-
+/// The more has been done since the last settling, the more is lost if a row has been taken for an old one meanwhile.
+/// The least is lost in all if that, times its probability, is as much as a settling takes (Young, CACM 17(9), 1974).
 bool DiskRowStore::wants_to_settle() const {
-    const std::uint64_t aside = aside_->size();
-    return aside >= std::max(bounds_.fewest_unsure, size() / bounds_.unsure_part);
+    if (!late_.empty()) return true;
+    if (aside_->size() == 0) return false;
+    const auto settling = static_cast<double>(kept_.files().rows());
+    const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 2 * settling;  // the filter is filled anew
+    const double in_error = std::min(1.0, static_cast<double>(new_) * filter_.error());
+    return bounds_.reads_a_step > 0 && in_error * lost >= settling;
 }
 
 Level DiskRowStore::level_of_aside(StateIndex index) const {
@@ -166,91 +178,87 @@ Level DiskRowStore::level_of_aside(StateIndex index) const {
     return std::prev(after)->first;
 }
 
-/// Marks the rows put aside that a level has. Gives how many.
+/// Marks the rows put aside that a level before their own has. Gives how many.
 std::size_t DiskRowStore::mark_those_in(Level level, std::vector<bool>& found) {
     std::size_t more = 0;
+    const auto mark = [&](StateView row, std::uint64_t hash) {
+        const StateIndex index = aside_->find(row, hash);
+        if (index == lts::no_state || found[index] || level >= level_of_aside(index)) return;
+        found[index] = true;
+        ++more;
+    };
     kept_.files().each_block(level, [&](std::span<const Word> block) {
         kept_.poll();
-        for (std::size_t at = 0; at < block.size(); at += width()) {
-            const StateIndex index = aside_->find(block.subspan(at, width()));
-            if (index == lts::no_state || found[index] || level >= level_of_aside(index)) continue;
-            found[index] = true;
-            ++more;
-        }
+        each_hashed(
+            block, width(), [this](std::uint64_t hash) { aside_->prefetch(hash); }, mark);
     });
     return more;
 }
 
-/// A row that was put aside is in no level that was in memory then, nor in one that came later, so only those are
-/// looked through that are not in memory now; in a run that goes on from another, once, all.
-std::optional<Level> DiskRowStore::settle() {
-    if (aside_->size() == 0) return late_.empty() ? std::nullopt : std::optional(late_.front().first);
+/// Whether some rows have joined the open level.
+bool DiskRowStore::settle_aside() {
+    met_ = 0;
+    new_ = 0;
+    if (aside_->size() == 0) return false;
     ++figures_.settled;
     std::vector<bool> found(aside_->size(), false);
     std::size_t open = aside_->size();
-    for (Level level = std::max(window_begin(), look_until_); level-- > 0 && open > 0;)
-        open -= mark_those_in(level, found);
-    late_.clear();
-    for (auto& [level, row] : unsure()) {
-        if (found[aside_->find(row)]) continue;
-        const auto [index, fresh] = in_error_.insert(row);
-        waiting_.resize(in_error_.size());
-        waiting_[index] = true;
-        late_.emplace_back(level, std::move(row));
+    for (Level level = levels(); level-- > 0 && open > 0;) open -= mark_those_in(level, found);
+    bool joined = false;
+    for (StateIndex i = 0; i < aside_->size() && open > 0; ++i) {
+        if (found[i]) continue;
         ++figures_.in_error;
+        const StateView row = (*aside_)[i];
+        if (const Level level = level_of_aside(i); level < levels()) {
+            late_.emplace_back(level, std::vector<Word>(row.begin(), row.end()));
+        } else {
+            add_to_open(row, StateStore::hash(row));
+            joined = true;
+        }
     }
     forget_aside();
-    return late_.empty() ? std::nullopt : std::optional(late_.front().first);
+    return joined;
+}
+
+std::optional<Level> DiskRowStore::settle() {
+    const bool joined = settle_aside();
+    if (!late_.empty()) return late_.front().first;
+    return joined ? std::optional(levels()) : std::nullopt;
 }
 
 void DiskRowStore::forget_aside() {
+    note_peak();
     aside_ = new_store();
     aside_levels_.clear();
-    look_until_ = 0;
-}
-
-KeptLevels::Unsure DiskRowStore::unsure() const {
-    KeptLevels::Unsure rows;
-    for (StateIndex i = 0; i < aside_->size(); ++i)
-        rows.emplace_back(level_of_aside(i), std::vector<Word>((*aside_)[i].begin(), (*aside_)[i].end()));
-    return rows;
 }
 
 /// The filter is filled anew: it would take the rows of later levels, when they are found again, for old ones.
 void DiskRowStore::roll_back_to(Level level) {
-    ++figures_.rolled_back;
     forget_aside();
-    if (level < levels()) {
-        const Level begin = window_begin();
-        window_.clear();
-        open_ = new_store();
-        kept_.files().each_block(level, [this](std::span<const Word> block) {
-            for (std::size_t at = 0; at < block.size(); at += width()) open_->insert(block.subspan(at, width()));
-        });
-        kept_.files().forget_from(level);
-        fill_filter();
-        fill_window(std::min(begin, level));
-    }
-    for (const auto& [own, row] : late_) {
-        if (own != level) continue;
-        waiting_[in_error_.find(row)] = false;
-        open_->insert(row);
-    }
-    late_.clear();
+    if (level == levels()) return;  // what was missing has joined it
+    ++figures_.rolled_back;
+    empty_open();
+    runs_.add([&](const storage::TakeRows& take) { kept_.files().each_block(level, take); });
+    kept_.files().forget_from(level);
+    fill_filter();
+    for (const auto& [own, row] : late_)
+        if (own == level) add_to_open(row, StateStore::hash(row));
+    late_.clear();  // the others are found again, in the levels that they belong to
 }
 
-/// What was found missing is still unsure for another run until the search has gone back.
+/// Runs are of the open level, which is left out; what they take on the disk may be needed. Rows that closed levels
+/// lack are unsure for another run.
 void DiskRowStore::checkpoint() {
     const std::shared_ptr<void> held = kept_.hold();
-    KeptLevels::Unsure rows = unsure();
-    rows.insert(rows.end(), late_.begin(), late_.end());
-    kept_.checkpoint(record(), rows);
+    empty_open();
+    KeptLevels::Unsure unsure = late_;
+    for (StateIndex i = 0; i < aside_->size(); ++i)
+        unsure.emplace_back(level_of_aside(i), std::vector<Word>((*aside_)[i].begin(), (*aside_)[i].end()));
+    kept_.checkpoint(record(), unsure);
 }
 
 std::uint64_t DiskRowStore::bytes() const {
-    std::uint64_t bytes = filter_.bytes() + kept_.files().bytes() + bytes_of(*open_) + bytes_of(*aside_);
-    for (const Segment& each : window_) bytes += bytes_of(*each.rows);
-    return bytes;
+    return filter_.bytes() + kept_.files().bytes() + runs_.bytes() + bytes_of(*open_) + bytes_of(*aside_);
 }
 
 }  // namespace robochart::refine

@@ -1,16 +1,17 @@
-// More rows than memory holds (docs/search.md, "Out of core"). All closed levels are in sorted files. In memory are the
-// open level and the last closed ones, as many as there is space for, and a filter over all closed levels. A row that
-// the filter does not have is new. One that it has, and the levels in memory have not, is almost surely old: it is put
-// aside. When many have gathered, and before any verdict, the files are read through for them. One that is in no file
-// after all was taken for an old one in error: the search goes back to its level.
+// More rows than memory holds (docs/search.md, "Out of core"). All closed levels are in sorted files. In memory are
+// rows of the open level, which are written as sorted runs when they take too much, and a filter over all closed
+// levels. A row that the filter does not have is new. One that it has is almost surely old: it is put aside. From time
+// to time, and before any verdict, the files are read through for the rows put aside. One that is in no file after all
+// was taken for an old one in error: it joins the open level, or the search goes back to its level.
 #pragma once
 
-#include <deque>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "checker/refine/levels/kept_levels.hpp"
 #include "checker/refine/levels/row_filter.hpp"
+#include "checker/storage/sorted_runs.hpp"
 
 namespace robochart::refine {
 
@@ -18,16 +19,18 @@ class DiskRowStore final : public RowStore {
 public:
     /// What has happened, for those who measure.
     struct Figures {
-        std::uint64_t settled = 0;      ///< times that the files were read through for rows that were unsure
-        std::uint64_t rolled_back = 0;  ///< times that the search went back
-        std::uint64_t in_error = 0;     ///< rows that were taken for old ones
+        std::uint64_t settled = 0;       ///< times that the files were read through for rows put aside
+        std::uint64_t rolled_back = 0;   ///< times that the search went back
+        std::uint64_t in_error = 0;      ///< rows that were taken for old ones
+        std::uint64_t runs_written = 0;  ///< times that rows of an open level were written before it was complete
         std::uint64_t peak_bytes = 0;
     };
     struct Bounds {
-        std::uint64_t most_bytes = 0;    ///< that all should take in memory
-        unsigned filter_bits = 24;       ///< of each row
-        std::uint64_t unsure_part = 10;  ///< of the rows one in so many may be unsure
-        std::uint64_t fewest_unsure = 4096;
+        std::uint64_t most_bytes = 0;  ///< that all should take in memory, but for a block of each run that is merged
+        unsigned filter_bits = 32;     ///< of each row, at most
+        /// In the time of one row that the search meets, so many rows of the files are read; 0: nothing is settled
+        /// before it must be.
+        unsigned reads_a_step = 5;
         std::function<void(const Figures&)> report;  ///< called at the end; may be empty
     };
     /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
@@ -37,10 +40,8 @@ public:
     DiskRowStore& operator=(const DiskRowStore&) = delete;
 
     [[nodiscard]] Level levels() const override { return kept_.files().levels(); }
-    [[nodiscard]] std::uint64_t rows(Level level) const override {
-        return level < levels() ? kept_.files().rows(level) : open_->size();
-    }
-    [[nodiscard]] std::uint64_t size() const override { return kept_.files().rows() + open_->size(); }
+    [[nodiscard]] std::uint64_t rows(Level level) const override;
+    [[nodiscard]] std::uint64_t size() const override { return kept_.files().rows() + rows(levels()); }
     void prefetch(std::uint64_t hash) const override {
         open_->prefetch(hash);
         filter_.prefetch(hash);
@@ -60,37 +61,33 @@ public:
     [[nodiscard]] const Figures& figures() const { return figures_; }
 
 private:
-    /// Some closed levels, one after the other, in memory.
-    struct Segment {
-        Level first;
-        std::unique_ptr<lts::StateStore> rows;
-    };
     using Store = std::unique_ptr<lts::StateStore>;
 
     [[nodiscard]] Store new_store() const { return std::make_unique<lts::StateStore>(width()); }
-    [[nodiscard]] bool in_window(lts::StateView row, std::uint64_t hash) const;
-    [[nodiscard]] Level window_begin() const { return window_.empty() ? levels() : window_.front().first; }
-    Found put_aside(lts::StateView row, std::uint64_t hash);
-    void add_to_window(Level level, Store rows);
-    void make_space();
-    void fill_filter();
-    void fill_window(Level from);
-    [[nodiscard]] Level level_of_aside(lts::StateIndex index) const;
+    void add_to_open(lts::StateView row, std::uint64_t hash);
+    void write_open();
+    void empty_open();
+    void put_aside(lts::StateView row, std::uint64_t hash);
+    bool settle_aside();
     std::size_t mark_those_in(Level level, std::vector<bool>& found);
+    [[nodiscard]] Level level_of_aside(lts::StateIndex index) const;
     void forget_aside();
-    [[nodiscard]] KeptLevels::Unsure unsure() const;
+    void fill_filter();
+    void add_to_filter(std::span<const lts::Word> rows);
+    void note_peak() { figures_.peak_bytes = std::max(figures_.peak_bytes, bytes()); }
 
     KeptLevels kept_;
     Bounds bounds_;
     RowFilter filter_;
+    std::uint64_t most_open_;   ///< rows
+    std::uint64_t most_aside_;  ///< rows
     Store open_;
-    std::deque<Segment> window_;  ///< levels window_begin() to levels()-1
+    storage::SortedRuns runs_;  ///< other rows of the open level, perhaps some of `open_` too
     Store aside_;
     std::vector<std::pair<Level, lts::StateIndex>> aside_levels_;  ///< a level, and the first row put aside in it
-    Level look_until_ = 0;       ///< those of levels before this one may have what was put aside in an earlier run
-    lts::StateStore in_error_;   ///< rows that were taken for old ones once
-    std::vector<bool> waiting_;  ///< of these: it is in no level yet
-    KeptLevels::Unsure late_;    ///< what the last settling has found missing, until the search has gone back
+    KeptLevels::Unsure late_;  ///< rows that closed levels lack, with their levels, which ascend
+    std::uint64_t met_ = 0;    ///< rows since the last settling
+    std::uint64_t new_ = 0;    ///< of these, entered
     Figures figures_;
 };
 

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "checker/lts/state_store.hpp"
 #include "checker/refine/levels/exchange.hpp"
+#include "checker/refine/levels/hashed_rows.hpp"
 
 namespace robochart::refine {
 
@@ -43,22 +42,12 @@ public:
     /// `prefetch(hash)`, `enter(row, hash, by_tau)`.
     template <class Prefetch, class Enter>
     void receive(const Prefetch& prefetch, const Enter& enter) const {
-        constexpr std::size_t ahead = 64;
-        std::array<std::uint64_t, ahead> hashes{};
         for (unsigned rank = 0; rank < messages_.size(); ++rank) {
             const lts::StateView message = in_.of(rank);
             if (message.empty()) continue;
-            const lts::StateView rows = message.subspan(1);
-            const std::size_t count = rows.size() / width_;
-            for (std::size_t first = 0; first < count; first += ahead) {
-                const std::size_t end = std::min(count, first + ahead);
-                for (std::size_t i = first; i < end; ++i) {
-                    hashes[i - first] = lts::StateStore::hash(rows.subspan(i * width_, width_));
-                    prefetch(hashes[i - first]);
-                }
-                for (std::size_t i = first; i < end; ++i)
-                    enter(rows.subspan(i * width_, width_), hashes[i - first], i >= message[0]);
-            }
+            std::size_t row = 0;
+            each_hashed(message.subspan(1), width_, prefetch,
+                        [&](lts::StateView words, auto hash) { enter(words, hash, row++ >= message[0]); });
         }
     }
     /// In memory.

@@ -1,5 +1,6 @@
-// Which rows there may be: a few bits of the hash of each, in buckets of one cache line. It never misses a row that was
-// added; that it has one which was not happens with a probability of about 2^-(bits - 4) for each question.
+// Which rows there may be: some bits of the hash of each, in buckets of one cache line. It never misses a row that was
+// added. The more rows there are, the fewer bits it keeps of each, so that it never takes more memory than it was
+// given.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +11,31 @@ namespace robochart::refine {
 
 class RowFilter {
 public:
-    /// `bits` of each hash are kept, 1 to 32; they take whole bytes.
-    explicit RowFilter(unsigned bits);
+    /// Of each hash `most_bits` are kept, 1 to 32, or the next fewer of 24, 16 and 8 for which all rows fit into
+    /// `most_bytes`; where not even these fit, it may have every row.
+    RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
-    /// Forgets all rows and gets ready for so many.
+    /// Forgets all rows and gets ready for so many, and for some more where there is memory for them.
     void reset(std::uint64_t rows);
-    /// How many rows it is made for.
+    /// How many rows it is made for; 0: it may have every row, and none is added.
     [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// There must be space: size() < capacity().
     void add(std::uint64_t hash);
     [[nodiscard]] bool may_have(std::uint64_t hash) const;
-    void prefetch(std::uint64_t hash) const { __builtin_prefetch(bucket(home_of(hash))); }
+    /// With which probability it may have a row that was not added.
+    [[nodiscard]] double error() const;
+    void prefetch(std::uint64_t hash) const {
+        if (buckets_ > 0) __builtin_prefetch(bucket(home_of(hash)));
+    }
     [[nodiscard]] std::uint64_t bytes() const { return buckets_ * line; }
 
 private:
     static constexpr std::size_t line = 64;
 
+    void keep_bits(unsigned bits);
+    /// Buckets are nine tenths full at most: those that are full pass rows on to the next.
+    [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 9 / 10; }
     /// In the upper half of the hash; what is kept is in the lower one.
     [[nodiscard]] std::uint64_t home_of(std::uint64_t hash) const { return ((hash >> 32U) * buckets_) >> 32U; }
     [[nodiscard]] std::uint8_t* bucket(std::uint64_t number) const {
@@ -35,9 +44,11 @@ private:
     template <unsigned bytes>
     [[nodiscard]] bool has(const std::uint8_t* bucket, std::uint32_t wanted, unsigned used) const;
 
-    unsigned bytes_of_row_;
-    std::uint32_t mask_;
-    unsigned places_;  ///< of a bucket, whose first byte says how many are taken
+    unsigned most_bits_;
+    std::uint64_t most_bytes_;
+    unsigned bytes_of_row_ = 0;
+    std::uint32_t mask_ = 0;
+    unsigned places_ = 0;  ///< of a bucket, whose first byte says how many are taken
     lts::Pages memory_;
     std::uint64_t buckets_ = 0;
     std::uint64_t capacity_ = 0;

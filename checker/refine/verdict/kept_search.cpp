@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <mutex>
 
 #include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
@@ -246,6 +247,8 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
     const std::size_t width = question.row_width(system.width());
     const bool keeps = question_ && !system.states_are_terms() && width > 0;
     MakeRowStore make = memory_row_store;
+    std::mutex ends;
+    std::uint64_t settled = 0, rolled_back = 0;  // the most of a rank
     if (keeps) {
         diagnostics::Hasher hasher;
         hasher.add(std::string_view("a search by levels"));
@@ -266,10 +269,15 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
         const std::uint64_t resident = diagnostics::resident_bytes();
         const std::uint64_t most = budget.limits().memory_bytes;
         DiskRowStore::Bounds bounds;
-        bounds.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 4 * 3);
+        bounds.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 8 * 7);
         bounds.filter_bits = settings_.filter_bits;
-        bounds.fewest_unsure = settings_.fewest_unsure.value_or(bounds.fewest_unsure);
-        bounds.report = on_end;
+        bounds.reads_a_step = settings_.reads_a_step;
+        bounds.report = [&](const DiskRowStore::Figures& figures) {
+            const std::lock_guard lock(ends);
+            settled = std::max(settled, figures.settled);
+            rolled_back = std::max(rolled_back, figures.rolled_back);
+            if (on_end) on_end(figures);
+        };
         make = [this, kind, folder, bounds, &budget](const LevelQuestion&, const lts::TransitionSystem&,
                                                      Exchange& exchange) -> std::unique_ptr<RowStore> {
             KeptWhere where{folder,        kind, {exchange.rank(), exchange.ranks()}, settings_.every, {}, {},
@@ -287,8 +295,14 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
             return std::make_unique<DiskRowStore>(std::move(where), own);
         };
     }
-    if (settings_.ranks > 1) return ThreadRanks(settings_.ranks, make).search(system, question, budget, statistics);
-    return OneRank(make).search(system, question, budget, statistics);
+    std::unique_ptr<LevelStrategy> strategy = std::make_unique<OneRank>(make);
+    if (settings_.ranks > 1) strategy = std::make_unique<ThreadRanks>(settings_.ranks, make);
+    std::optional<Violation> found = strategy->search(system, question, budget, statistics);
+    if (settled > 0 && settings_.say)
+        settings_.say(
+            fmt::format("the states of `{}` on disk were read through {} times, and the search went back {} times",
+                        diagnostics::shown(asked_.back().text), settled, rolled_back));
+    return found;
 }
 
 }  // namespace robochart::refine

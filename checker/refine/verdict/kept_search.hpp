@@ -35,8 +35,8 @@ struct KeptSettings {
     std::function<std::shared_ptr<void>()> undisturbed;
     // For tests: see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
-    std::optional<std::uint64_t> fewest_unsure;
-    unsigned filter_bits = 24;
+    unsigned filter_bits = 32;
+    unsigned reads_a_step = 5;
 };
 
 class KeptSearch final : public LevelStrategy {

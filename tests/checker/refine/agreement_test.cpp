@@ -9,11 +9,10 @@
 #include <random>
 
 #include "checker/machine/compiler.hpp"
-#include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
-#include "diagnostics/files.hpp"
 #include "tests/checker/processes/naive.hpp"
+#include "tests/checker/processes/on_disk.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/random_process.hpp"
 #include "tests/checker/processes/translate.hpp"
@@ -31,36 +30,6 @@ struct Seen {
     int holds = 0;
     int fails = 0;
     void count(bool held) { ++checks, ++(held ? holds : fails); }
-};
-
-/// Rows on disk, none of the closed levels in memory, and filters of four bits, so that many searches roll back.
-class OnDisk final : public LevelStrategy {
-public:
-    explicit OnDisk(unsigned ranks) : ranks_(ranks) {}
-    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
-                                    Statistics& statistics) override {
-        if (question.row_width(system.width()) == 0) return OneRank().search(system, question, budget, statistics);
-        std::string error;
-        const diagnostics::TemporaryFolder folder("", error);
-        const auto make = [&](const LevelQuestion& asked, const lts::TransitionSystem& searched, Exchange& exchange) {
-            KeptWhere where;
-            where.folder = folder.path();
-            where.kind.width = asked.row_width(searched.width());
-            where.place = {exchange.rank(), exchange.ranks()};
-            DiskRowStore::Bounds bounds;
-            bounds.filter_bits = 4;
-            bounds.fewest_unsure = 3;
-            bounds.report = [this](const DiskRowStore::Figures& figures) { rolled_back_ += figures.rolled_back; };
-            return std::make_unique<DiskRowStore>(std::move(where), bounds);
-        };
-        if (ranks_ == 1) return OneRank(make).search(system, question, budget, statistics);
-        return ThreadRanks(ranks_, make).search(system, question, budget, statistics);
-    }
-    [[nodiscard]] std::uint64_t rolled_back() const { return rolled_back_; }
-
-private:
-    unsigned ranks_;
-    std::atomic<std::uint64_t> rolled_back_{0};
 };
 
 /// How a question is answered.

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <system_error>
@@ -113,9 +114,9 @@ TEST_F(KeptRows, OnDiskAreThoseInMemory) {
         const unsigned ranks = round % 4 == 3 ? 3 : 1;
         clear();
         DiskRowStore::Bounds bounds;
-        bounds.most_bytes = round % 5 == 0 ? 1U << 20U : 0;
+        bounds.most_bytes = round % 5 == 0 ? 0 : std::uint64_t{1} << (9 + round % 4);
         bounds.filter_bits = round % 5 == 1 ? 24 : 4;
-        bounds.fewest_unsure = round % 5 == 2 ? 1 : 20;
+        bounds.reads_a_step = round % 5 == 2 ? 8 : 0;
         const Answer found = answer(graph, ranks, {}, [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
             return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
         });
@@ -165,9 +166,9 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
             const auto ranks = static_cast<unsigned>(1 + random() % 3);
             const bool disk = random() % 2 == 0;
             DiskRowStore::Bounds bounds;
-            bounds.most_bytes = random() % 2 == 0 ? 0 : 1U << 20U;
+            bounds.most_bytes = random() % 2 == 0 ? 0 : 1U << 10U;
             bounds.filter_bits = 4;
-            bounds.fewest_unsure = 10;
+            bounds.reads_a_step = random() % 2 == 0 ? 0 : 8;
             // The limit grows, so that each attempt comes further.
             Limits limits;
             limits.max_states = 10 + static_cast<std::uint64_t>(attempt) * (1 + random() % 20);
@@ -342,7 +343,7 @@ TEST(Ranks, EndWhereAThreadCannotBeStarted) {
 TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
     std::mt19937_64 random(7);
     for (const unsigned bits : {4U, 16U, 24U, 32U}) {
-        RowFilter filter(bits);
+        RowFilter filter(bits, 1U << 20U);
         filter.reset(20'000);
         std::vector<std::uint64_t> hashes;
         while (filter.size() < filter.capacity()) {
@@ -356,8 +357,31 @@ TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
         const int most = bits == 4 ? 50'000 : bits == 16 ? 100 : 2;
         EXPECT_GE(wrong, least);
         EXPECT_LE(wrong, most);
-        EXPECT_LT(filter.bytes(), 20'000 * ((bits + 7) / 8 * 10 / 9 + 2));
+        EXPECT_GE(filter.capacity(), 40'000U) << "twice as many";
+        EXPECT_LT(filter.bytes(), filter.capacity() * ((bits + 7) / 8 * 10 / 9 + 2));
     }
+}
+
+// By the size of a row: 32 bits take 64 bytes for fifteen rows, nine tenths full; 24, 16 and 8 the same for 21, 31, 63.
+TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
+    RowFilter filter(32, 64'000);
+    const std::pair<std::uint64_t, double> expected[] = {{11'000, 32}, {16'000, 24}, {24'000, 16}, {50'000, 8}};
+    for (const auto& [rows, bits] : expected) {
+        filter.reset(rows);
+        EXPECT_LE(filter.bytes(), 64'000U);
+        ASSERT_GE(filter.capacity(), rows);
+        std::mt19937_64 random(rows);
+        for (std::uint64_t i = 0; i < rows; ++i) filter.add(random());
+        const double entries = 64.0 * static_cast<double>(rows) / static_cast<double>(filter.bytes());
+        EXPECT_NEAR(filter.error(), entries / std::exp2(bits), 1e-12) << rows;
+        std::mt19937_64 again(rows);
+        for (std::uint64_t i = 0; i < rows; ++i) ASSERT_TRUE(filter.may_have(again()));
+    }
+    filter.reset(60'000);
+    EXPECT_EQ(filter.capacity(), 0U);
+    EXPECT_EQ(filter.bytes(), 0U);
+    EXPECT_EQ(filter.error(), 1);
+    EXPECT_TRUE(filter.may_have(1)) << "it may have every row";
 }
 
 }  // namespace

@@ -64,9 +64,9 @@ protected:
         settings.disk = disk;
         settings.every = std::chrono::milliseconds(0);
         settings.program = "this program";
-        settings.most_bytes = 0;
-        settings.fewest_unsure = 50;
+        settings.most_bytes = 16U << 10U;
         settings.filter_bits = 4;
+        settings.reads_a_step = 0;
         return settings;
     }
     [[nodiscard]] std::string kept() const { return folder_.path() + "/kept"; }
@@ -178,7 +178,7 @@ TEST_F(KeptSearches, KeepTheLastCheckpointWhereTheDiskIsFull) {
     const std::string expected = in_memory();
     std::string found;
     {
-        const tests::FileLimit limit(3000);
+        const tests::FileLimit limit(1000);
         KeptSettings own = settings(false, true);
         own.every = std::chrono::hours(1);
         KeptSearch search(std::move(own));

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Decides the assertions of all CSPM scripts in folders by levels: by 1, 2, 3, 4 and 8 ranks, and with states on disk and
+# hardly any memory; answers, figures and counterexamples must be equal (docs/search.md, "Out of core"). Arguments:
+# folders, instead of the scripts in ROBOCHART_SHARED/suite and in tests.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
+cmake --build --preset release --target tests_cspm
+folders=("$@")
+[ "${#folders[@]}" -gt 0 ] || folders=("${ROBOCHART_SHARED:-../shared}/suite" tests)
+for folder in "${folders[@]}"; do
+  ROBOCHART_RANKED_SCRIPTS="$folder" build/release/tests/checker/cspm/tests_cspm --gtest_filter='RankedScripts.OfAFolder*'
+done

@@ -1,0 +1,91 @@
+// Runs of the command that are ended in the midst of a search, by force, by a signal or by a full disk, and gone on
+// with: the answers, figures and counterexamples of a run that nobody ends.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Eight processes side by side: 4^8 states each, and one more after `last`, which all do together, after 24 steps.
+constexpr const char* script = R"(
+channel a : {0..7}.{0..3}
+channel last
+ROUND(i, n) = a.i.n -> ROUND(i, (n + 1) % 4)
+ONCE(i, n) = if n == 3 then last -> STOP else a.i.n -> ONCE(i, n + 1)
+assert ||| i : {0..7} @ ROUND(i, 0) :[deadlock free [F]]
+assert [| {last} |] i : {0..7} @ ONCE(i, 0) :[deadlock free [F]]
+)";
+
+class Resumed : public ::testing::Test {
+protected:
+    /// `before`: what the command is run by, in a shell. It goes on from what is in the folder, if there is anything.
+    Ran decide(const std::string& before, const std::string& options) const {
+        const bool again = std::filesystem::exists(folder_ / "kept/questions");
+        return run_shell(fmt::format("{} \"$verify\" cspm {} --no-reduction --format json {} {} {}", before,
+                                     folder_ / "script.csp", again ? "--resume" : "--checkpoint", folder_ / "kept",
+                                     options));
+    }
+    /// What does not depend on how a run came to its end.
+    static std::string results(const Ran& ran) {
+        const nlohmann::json report = nlohmann::json::parse(ran.out, nullptr, false);
+        if (report.is_discarded() || !report.contains("results")) return ran.out + ran.err;
+        std::string text = fmt::format("exit {}", ran.exit);
+        for (const nlohmann::json& each : report["results"])
+            text += fmt::format("\n{} {} {} {} {}", each["answer"].dump(), each["visited_states"].dump(),
+                                each["visited_transitions"].dump(), each["visited_plys"].dump(),
+                                each["counterexamples"].dump());
+        return text;
+    }
+    [[nodiscard]] std::string uninterrupted() const {
+        const Ran ran = run({"cspm", folder_ / "script.csp", "--no-reduction", "--format", "json", "--checkpoint",
+                             folder_ / "uninterrupted"});
+        EXPECT_THAT(results(ran), HasSubstr("exit 1\n\"holds\" 65536 524288 24 []\n\"fails\" 65537 "));
+        return results(ran);
+    }
+
+    Folder folder_{{{"script.csp", script}}};
+};
+
+TEST_F(Resumed, AfterKillsAtRandomMoments) {
+    const std::string expected = uninterrupted();
+    const unsigned seed = std::random_device()();
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    std::mt19937 random(seed);
+    int ended = 0;
+    for (int round = 0; round < 8; ++round) {
+        const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80);
+        const Ran ran =
+            decide(fmt::format("timeout --preserve-status -s {} {}", round % 2 == 0 ? "KILL" : "TERM", seconds),
+                   fmt::format("--every 0.0002 --threads {} {}", 1 + random() % 3,
+                               random() % 2 == 0 ? "" : "--disk " + folder_.path("kept")));
+        ASSERT_NE(ran.exit, 2) << ran.err;
+        if (ran.exit > 2) ++ended;
+    }
+    EXPECT_GT(ended, 0);
+    EXPECT_EQ(results(decide("", "--threads 2")), expected);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "kept")) << "all is decided";
+}
+
+TEST_F(Resumed, AfterAFullDisk) {
+    const std::string expected = uninterrupted();
+    const std::string disk = "--disk " + folder_.path("kept");
+    for (const std::string& options : {std::string(), disk}) {
+        const Ran full = decide("trap '' XFSZ; ulimit -f 8; exec", "--every 0.0002 " + options);
+        EXPECT_EQ(full.exit, 3) << full.err;
+        EXPECT_THAT(full.out, HasSubstr("cannot write"));
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "kept/questions"));
+        EXPECT_EQ(results(decide("", options)), expected);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
