@@ -25,6 +25,10 @@ std::uint64_t Scenario::steps() const {
     return static_cast<std::uint64_t>(std::llround(duration / world.control_step));
 }
 
+std::uint64_t Scenario::steps_apart() const {
+    return static_cast<std::uint64_t>(std::llround(abstraction->every / world.control_step));
+}
+
 std::vector<double*> shares_of(Sensor& sensor, std::string_view option) {
     const auto is = [&](SensorKind kind, std::string_view name) { return sensor.kind == kind && option == name; };
     if (is(SensorKind::line_of_sight, "error")) return {&sensor.false_negative, &sensor.false_positive};

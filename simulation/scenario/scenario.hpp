@@ -205,6 +205,31 @@ struct Variation {
     diagnostics::Span span;
 };
 
+/// What a chain tells apart of a measure: a share by each number of robots that it can be of, or by levels, up to and
+/// with each of which, and above the last, is one class.
+struct Distinction {
+    std::size_t measure = 0;
+    std::vector<double> levels;  ///< ascending; none: each number of robots
+};
+
+/// What only a chain answers: the mean time until a condition holds first, or what a measure is on average in the long
+/// run.
+struct ChainQuestion {
+    bool time = true;   ///< else the average of `measure`
+    Formula condition;  ///< of an instant
+    std::size_t measure = 0;
+    double confidence = 0;
+    std::string text;  ///< as written
+    diagnostics::Span span;
+};
+
+/// `abstract by MEASURE in LEVELS, ... every TIME`: a Markov chain over what is distinguished of the swarm.
+struct Abstraction {
+    std::vector<Distinction> distinctions;
+    double every = 0;  ///< s between two states, a whole number of control steps
+    diagnostics::Span span;
+};
+
 struct Scenario {
     Name name;
     Name component;
@@ -229,11 +254,15 @@ struct Scenario {
     std::vector<Band> bands;
     std::vector<Claim> claims;
     std::vector<Variation> variations;  ///< at most two
+    std::optional<Abstraction> abstraction;
+    std::vector<ChainQuestion> chain_questions;
     std::vector<std::string> drawings;  ///< texts of the files that obstacles come from
     std::vector<double> pictures;       ///< times, s
     double record = 0.5;                ///< s between recorded positions
 
     [[nodiscard]] std::uint64_t steps() const;
+    /// Control steps between two states of the chain.
+    [[nodiscard]] std::uint64_t steps_apart() const;
     /// Another number of trials, for bands and estimates.
     void set_trials(std::uint32_t count);
     /// Another number of robots, with an arena for them.

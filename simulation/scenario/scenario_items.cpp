@@ -31,8 +31,8 @@ Scenario ScenarioReader::read() {
     return scenario_;
 }
 
-const std::array<ScenarioReader::ItemRow, 25>& ScenarioReader::items() {
-    static constexpr std::array<ItemRow, 25> table{{
+const std::array<ScenarioReader::ItemRow, 26>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 26> table{{
         {"model", true, &ScenarioReader::model},
         {"step", true, &ScenarioReader::step},
         {"physics", true, &ScenarioReader::physics},
@@ -58,6 +58,7 @@ const std::array<ScenarioReader::ItemRow, 25>& ScenarioReader::items() {
         {"failure", false, &ScenarioReader::failure},
         {"obstacle", false, &ScenarioReader::obstacle},
         {"obstacles", false, &ScenarioReader::obstacles},
+        {"abstract", true, &ScenarioReader::abstract},
     }};
     return table;
 }
