@@ -82,7 +82,7 @@ private:
     const refine::Counterexample& counterexample_;
     StepReader reader_;
     Copies copies_;
-    std::size_t described_ = 0;  ///< definitions in the text of the initial state
+    std::size_t described_ = 0;  ///< definitions in the text of a state, at most
     Run run_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;
@@ -261,11 +261,10 @@ bool Interpreter::read_apart() {
     return true;
 }
 
-/// The machines of a state by its text. Where each copy is in as many definitions as at the start, they stand in the
-/// order of the copies; where one is in none of them, nothing says whose the others are.
+/// The machines of a state by its text. Where it has as many definitions as any state of the run, they stand in the
+/// order of the copies; where a copy is in none, nothing says whose the others are.
 std::vector<Machine> Interpreter::machines_described(const std::string& state) {
     const std::vector<Call> calls = reader_.meanings().calls(state);
-    if (run_.steps.empty()) described_ = std::max(described_, calls.size());
     const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;
     if (copies == 1 || calls.size() != described_ || calls.size() % copies != 0) return reader_.machines_of({calls});
     std::vector<Machine> result;
@@ -281,6 +280,9 @@ std::vector<Machine> Interpreter::machines_described(const std::string& state) {
 }
 
 void Interpreter::read_whole() {
+    for (const std::vector<refine::Step>* steps : {&counterexample_.steps, &counterexample_.loop})
+        for (const refine::Step& step : *steps)
+            described_ = std::max(described_, reader_.meanings().calls(step.state).size());
     run_.initial = machines_described(counterexample_.initial);
     for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
