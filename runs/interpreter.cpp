@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "runs/copies.hpp"
 #include "runs/timeline.hpp"
 
 namespace robochart::runs {
@@ -23,7 +24,11 @@ class Interpreter {
 public:
     Interpreter(const Context& context, const csp_emit::Obligation& obligation,
                 const refine::Counterexample& counterexample)
-        : context_(context), obligation_(obligation), counterexample_(counterexample), reader_(context) {}
+        : context_(context),
+          obligation_(obligation),
+          counterexample_(counterexample),
+          reader_(context),
+          copies_(context.provenance.copies) {}
 
     Run run();
 
@@ -50,8 +55,13 @@ private:
                                                   : counterexample_.loop_terms[raw - counterexample_.steps.size()];
     }
     [[nodiscard]] const std::string& name(process::Event event) const { return reader_.name(event); }
+    void tell_copies_apart(const Timeline& line);
+    [[nodiscard]] Happening happening(const Moment& moment, const std::vector<ComponentStep>& moves);
+    [[nodiscard]] Happening said_of_copy(Happening happening, const std::string& whole) const;
+    [[nodiscard]] Event offer(TermId term, const process::Transition& step);
     std::vector<ComponentStep> moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before);
     std::vector<Machine> machines_at(const std::vector<std::optional<TermId>>& leaves);
+    std::vector<Machine> machines_described(const std::string& state);
     [[nodiscard]] std::vector<Change> changes(std::size_t steps, const std::vector<Machine>& after) const;
     std::vector<Event> offers_at(TermId term);
     void add_offers(std::size_t raw, Step& step);
@@ -71,6 +81,8 @@ private:
     const csp_emit::Obligation& obligation_;
     const refine::Counterexample& counterexample_;
     StepReader reader_;
+    Copies copies_;
+    std::size_t described_ = 0;  ///< definitions in the text of a state, at most
     Run run_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;
@@ -78,11 +90,80 @@ private:
 
 // ---------------------------------------------------------------- steps
 
+/// The machines of each copy have their own variables beside them.
 std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<TermId>>& leaves) {
-    std::vector<std::vector<Call>> calls;
-    for (const auto& leaf : leaves)
-        if (leaf) calls.push_back(reader_.calls_of(*leaf));
-    return reader_.machines_of(calls);
+    std::map<std::optional<std::uint32_t>, std::vector<std::vector<Call>>> calls;
+    for (Leaf leaf = 0; leaf < leaves.size(); ++leaf)
+        if (leaves[leaf]) calls[copies_.of_leaf(leaf)].push_back(reader_.calls_of(*leaves[leaf]));
+    std::vector<Machine> result;
+    for (const auto& [copy, own] : calls)
+        for (Machine& each : reader_.machines_of(own)) {
+            each.component = copies_.named(each.component, copy);
+            result.push_back(std::move(each));
+        }
+    return result;
+}
+
+/// Numbers the leaves, if every event of one copy is made by leaves of that copy.
+void Interpreter::tell_copies_apart(const Timeline& line) {
+    std::vector<bool> of_model(line.initial.size());
+    const auto look = [&](const std::vector<std::optional<TermId>>& leaves) {
+        for (Leaf leaf = 0; leaf < leaves.size(); ++leaf)
+            if (leaves[leaf] && !of_model[leaf]) of_model[leaf] = !reader_.calls_of(*leaves[leaf]).empty();
+    };
+    look(line.initial);
+    for (const Moment& moment : line.moments) look(moment.leaves);
+    copies_.number(of_model);
+    for (const Moment& moment : line.moments) {
+        if (!moment.shown) continue;
+        const refine::Step& raw = raw_step(moment.raw);
+        const std::string& name = reader_.name_of(raw.event, raw.revealed);
+        const auto copy = copies_.of_event(name);
+        if (!copy) continue;
+        const bool of_it = std::any_of(moment.movers.begin(), moment.movers.end(),
+                                       [&](const Mover& each) { return copies_.of_leaf(each.leaf) == copy; });
+        const bool of_none = std::none_of(moment.movers.begin(), moment.movers.end(),
+                                          [&](const Mover& each) { return copies_.of_leaf(each.leaf).has_value(); });
+        if (!of_it && !of_none) return copies_.forget();
+    }
+}
+
+/// What happens, by each copy that takes part: first by the one that the event is of.
+Happening Interpreter::happening(const Moment& moment, const std::vector<ComponentStep>& moves) {
+    const refine::Step& raw = raw_step(moment.raw);
+    const std::string& whole = moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau);
+    std::map<std::optional<std::uint32_t>, std::vector<ComponentStep>> apart;
+    for (std::size_t i = 0; i < moves.size(); ++i) apart[copies_.of_leaf(moment.movers[i].leaf)].push_back(moves[i]);
+    apart.erase(std::nullopt);
+    Happening all = reader_.happens(moves, whole);
+    if (all.event.kind == Kind::tock) return all;
+    if (apart.empty()) return said_of_copy(std::move(all), whole);
+    const auto actor = copies_.of_event(whole);
+    const auto first = actor && apart.contains(actor) ? apart.find(actor) : apart.begin();
+    Happening result = reader_.happens(first->second, whole);
+    const auto name_all = [&](Happening& each, std::optional<std::uint32_t> copy) {
+        each.event.component = copies_.named(each.event.component, copy);
+        for (Event& other : each.with) other.component = copies_.named(other.component, copy);
+    };
+    name_all(result, first->first);
+    for (const auto& [copy, own] : apart) {
+        if (copy == first->first) continue;
+        Happening other = reader_.happens(own, whole);
+        name_all(other, copy);
+        result.with.push_back(std::move(other.event));
+        result.with.insert(result.with.end(), other.with.begin(), other.with.end());
+    }
+    return result;
+}
+
+/// An event that no machine of the model takes part in.
+Happening Interpreter::said_of_copy(Happening happening, const std::string& whole) const {
+    const auto words = copies_.words(whole);
+    if (!words) return happening;
+    happening.event.kind = words->empty() ? Kind::internal : Kind::event;
+    if (!words->empty()) happening.event.text = *words;
+    happening.event.component = copies_.named("", copies_.of_event(whole));
+    return happening;
 }
 
 /// Behind so many steps of the run. Between an event and what a memory is given of it, a machine is in no definition.
@@ -163,15 +244,14 @@ bool Interpreter::read_apart() {
     const auto behaviour = context_.session.behaviour(counterexample_, false);
     if (!behaviour) return false;
     const Timeline line = timeline(*behaviour, counterexample_.steps.size() + counterexample_.loop.size());
+    tell_copies_apart(line);
     run_.initial = machines_at(line.initial);
     const std::vector<std::optional<TermId>>* before = &line.initial;
     for (const Moment& moment : line.moments) {
         const bool none = counterexample_.steps.empty() && counterexample_.loop.empty();
         if (none) break;
-        const refine::Step& raw = raw_step(moment.raw);
         const std::vector<ComponentStep> moves = moves_of(moment, *before);
-        auto [event, with] =
-            reader_.happens(moves, moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau));
+        auto [event, with] = happening(moment, moves);
         if (!moves.empty() && belongs_to_last(moment.raw, moves.front().name, event))
             complete_last(moment.shown, machines_at(moment.leaves));
         else
@@ -181,13 +261,34 @@ bool Interpreter::read_apart() {
     return true;
 }
 
+/// The machines of a state by its text. Where it has as many definitions as any state of the run, they stand in the
+/// order of the copies; where a copy is in none, nothing says whose the others are.
+std::vector<Machine> Interpreter::machines_described(const std::string& state) {
+    const std::vector<Call> calls = reader_.meanings().calls(state);
+    const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;
+    if (copies == 1 || calls.size() != described_ || calls.size() % copies != 0) return reader_.machines_of({calls});
+    std::vector<Machine> result;
+    const auto each = static_cast<std::ptrdiff_t>(calls.size() / copies);
+    for (std::uint32_t copy = 0; copy < copies; ++copy) {
+        const auto begin = calls.begin() + copy * each;
+        for (Machine& machine : reader_.machines_of({std::vector<Call>(begin, begin + each)})) {
+            machine.component = copies_.named(machine.component, copy);
+            result.push_back(std::move(machine));
+        }
+    }
+    return result;
+}
+
 void Interpreter::read_whole() {
-    run_.initial = reader_.machines_of({reader_.meanings().calls(counterexample_.initial)});
+    for (const std::vector<refine::Step>* steps : {&counterexample_.steps, &counterexample_.loop})
+        for (const refine::Step& step : *steps)
+            described_ = std::max(described_, reader_.meanings().calls(step.state).size());
+    run_.initial = machines_described(counterexample_.initial);
     for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
         const std::string& name = reader_.name_of(step.event, step.revealed);
-        Event event = reader_.meanings().event(name);
-        std::vector<Machine> machines = reader_.machines_of({reader_.meanings().calls(step.state)});
+        Event event = said_of_copy({reader_.meanings().event(name), {}}, name).event;
+        std::vector<Machine> machines = machines_described(step.state);
         if (belongs_to_last(raw, name, event))
             complete_last(true, std::move(machines));
         else
@@ -249,6 +350,17 @@ std::vector<process::Transition> Interpreter::transitions_at(TermId term) const 
     return {};
 }
 
+/// What a step that was not taken would have been.
+Event Interpreter::offer(TermId term, const process::Transition& step) {
+    const std::string& whole = reader_.name_of(step.event, step.revealed);
+    Happening result = reader_.happens(term, step);
+    const auto copy = copies_.of_event(whole);
+    if (!copy) return result.event;
+    if (result.event.component.empty()) return said_of_copy(std::move(result), whole).event;
+    result.event.component = copies_.named(result.event.component, copy);
+    return result.event;
+}
+
 /// What else the run could have done in front of this step; looked up once for each state.
 void Interpreter::add_offers(std::size_t raw, Step& step) {
     const TermId term = term_before(raw);
@@ -256,7 +368,7 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
     if (added)
         for (const process::Transition& each : transitions_at(term)) {
             if (++looked_at_ > most_looked_at) break;
-            found->second.emplace_back(each, reader_.happens(term, each).event);
+            found->second.emplace_back(each, offer(term, each));
         }
     const refine::Step& taken = raw_step(raw);
     for (const auto& [transition, event] : found->second) {
@@ -288,7 +400,7 @@ std::vector<Event> Interpreter::offered_at_the_end() {
     std::vector<Event> result;
     for (const process::Transition& each : transitions_at(counterexample_.terms.back())) {
         if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
-        Event event = reader_.happens(counterexample_.terms.back(), each).event;
+        Event event = offer(counterexample_.terms.back(), each);
         if (!among(result, event)) result.push_back(std::move(event));
     }
     return result;
@@ -389,6 +501,7 @@ std::string Interpreter::why() const {
     const End& end = run_.end;
     switch (end.kind) {
         case EndKind::forbidden:
+            if (context_.provenance.copies && !obligation_.reason.empty()) return obligation_.reason;
             if (end.event && end.event->kind == Kind::tock)
                 return fmt::format("the last time unit is not allowed to pass; allowed: {}", list(end.allowed));
             return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step",

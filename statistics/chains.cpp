@@ -2,24 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace robochart::statistics {
 
+TransitionCounts::TransitionCounts(std::size_t states)
+    : states_(states),
+      counts_(states * states),
+      looked_(states * states),
+      visits_(states),
+      looked_visits_(states),
+      next_(states, looks(1).next(0).value()) {}
+
 void TransitionCounts::add(const StateSequence& sequence) {
-    std::vector<bool> visited(states_);
     for (std::size_t at = 0; at + 1 < sequence.size(); ++at) {
         const std::size_t from = sequence[at];
-        if (visited.at(from)) continue;
-        visited[from] = true;
         ++counts_.at(from * states_ + sequence[at + 1]);
+        if (++visits_[from] < next_[from]) continue;
+        const auto row = static_cast<std::ptrdiff_t>(from * states_);
+        std::copy_n(counts_.begin() + row, states_, looked_.begin() + row);
+        looked_visits_[from] = visits_[from];
+        next_[from] = looks(1).next(visits_[from]).value();
     }
-}
-
-std::uint64_t TransitionCounts::visits(std::size_t from) const {
-    const auto row = counts_.begin() + static_cast<std::ptrdiff_t>(from * states_);
-    return std::accumulate(row, row + static_cast<std::ptrdiff_t>(states_), std::uint64_t{0});
 }
 
 Permitted all_permitted(std::size_t states) {
@@ -37,8 +43,15 @@ std::size_t permitted_of(const std::vector<bool>& row) {
 std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& counts, const Permitted& permitted,
                                                         double error) {
     std::size_t open = 0;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known;  // many transitions have the same counts
     for (const std::vector<bool>& row : permitted)
         if (permitted_of(row) > 1) open += permitted_of(row);
+    const Looks looks = TransitionCounts::looks(error / static_cast<double>(std::max<std::size_t>(open, 1)));
+    const auto interval = [&](std::uint64_t successes, std::uint64_t trials) {
+        const auto [found, added] = known.try_emplace({successes, trials});
+        if (added) found->second = looks.at(successes, trials).value_or(Interval{0, 1});
+        return found->second;
+    };
     std::vector<std::vector<Interval>> result(counts.states(), std::vector<Interval>(counts.states(), Interval{0, 0}));
     for (std::size_t from = 0; from < counts.states(); ++from) {
         const std::size_t choices = permitted_of(permitted[from]);
@@ -49,9 +62,7 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
                     throw std::invalid_argument("a transition that is not permitted was seen");
                 continue;
             }
-            result[from][to] = choices == 1 ? Interval{1, 1}
-                                            : clopper_pearson(counts.count(from, to), counts.visits(from),
-                                                              error / static_cast<double>(open));
+            result[from][to] = choices == 1 ? Interval{1, 1} : interval(counts.looked(from, to), counts.looked(from));
         }
     }
     return result;

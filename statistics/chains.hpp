@@ -1,7 +1,8 @@
 // Markov chains estimated from sequences of states. Under the assumption that the sequences are independent runs of one
-// chain, the successors of a state's first visits in the sequences are independent draws of its row, and whether a
-// sequence visits the state does not depend on that draw: so intervals for a fixed number of trials hold. Later visits
-// of the same sequence are not used.
+// chain, the successors of a state's visits, sequence by sequence and in the order of time, are independent draws of
+// its row: whether there is another visit depends on earlier draws alone. How many there are depends on them too, so
+// intervals for a number that is fixed before do not hold for all of them; those at several looks that share the error
+// do (sequential.hpp), and the last look that was reached is taken.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +10,34 @@
 #include <vector>
 
 #include "statistics/binomial.hpp"
+#include "statistics/sequential.hpp"
 
 namespace robochart::statistics {
 
 /// Numbers of states at equal times.
 using StateSequence = std::vector<std::size_t>;
 
-/// How often the first visit of each state in a sequence was followed by each state.
+/// How often a visit of each state was followed by each state, now and at the state's last look.
 class TransitionCounts {
 public:
-    explicit TransitionCounts(std::size_t states) : states_(states), counts_(states * states) {}
+    explicit TransitionCounts(std::size_t states);
     /// States are below the number of states; the last state of a sequence has no successor.
     void add(const StateSequence& sequence);
     [[nodiscard]] std::size_t states() const { return states_; }
     [[nodiscard]] std::uint64_t count(std::size_t from, std::size_t to) const { return counts_[from * states_ + to]; }
-    /// Sequences that have a successor of this state.
-    [[nodiscard]] std::uint64_t visits(std::size_t from) const;
+    /// Visits that have a successor.
+    [[nodiscard]] std::uint64_t visits(std::size_t from) const { return visits_[from]; }
+    /// Of the visits up to the last look.
+    [[nodiscard]] std::uint64_t looked(std::size_t from, std::size_t to) const { return looked_[from * states_ + to]; }
+    /// How many visits these are: those of the last of `looks()`; 0 before the first.
+    [[nodiscard]] std::uint64_t looked(std::size_t from) const { return looked_visits_[from]; }
+    /// The looks that share an error.
+    [[nodiscard]] static Looks looks(double error) { return {~std::uint64_t{0}, error}; }
 
 private:
     std::size_t states_;
-    std::vector<std::uint64_t> counts_;
+    std::vector<std::uint64_t> counts_, looked_;
+    std::vector<std::uint64_t> visits_, looked_visits_, next_;
 };
 
 /// The transitions that a model permits: `[from][to]`.
@@ -37,7 +46,8 @@ using Permitted = std::vector<std::vector<bool>>;
 [[nodiscard]] Permitted all_permitted(std::size_t states);
 
 /// Intervals for the probabilities of all permitted transitions that together miss the chain with a chance of at most
-/// `error`: those of Clopper and Pearson, the error divided among the transitions of states with more than one. A
+/// `error`: those of Clopper and Pearson at the last look at each state, [0, 1] before the first one, the error divided
+/// among the transitions of states with more than one. A
 /// transition that was never seen has an upper bound above 0 where it is permitted, and [0, 0] where it is not; a
 /// state's only one has [1, 1]. Throws std::invalid_argument where one was seen that is not permitted, or none is.
 [[nodiscard]] std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts&, const Permitted&,

@@ -29,12 +29,17 @@ std::optional<std::uint64_t> Looks::next(std::uint64_t trials) const {
     return first(trials + 1).trials;
 }
 
-std::optional<Interval> Looks::at(std::uint64_t successes, std::uint64_t trials) const {
+double Looks::share(std::uint64_t trials) const {
     const Look look = first(trials);
-    if (look.trials != trials) return std::nullopt;
+    if (look.trials != trials) return 0;
     const auto number = static_cast<double>(look.number);
-    const double share = look.trials == most_ ? error_ / number : error_ / (number * (number + 1));
-    return clopper_pearson(successes, trials, share);
+    return look.trials == most_ ? 1 / number : 1 / (number * (number + 1));
+}
+
+std::optional<Interval> Looks::at(std::uint64_t successes, std::uint64_t trials) const {
+    const double part = share(trials);
+    if (part == 0) return std::nullopt;
+    return clopper_pearson(successes, trials, error_ * part);
 }
 
 }  // namespace robochart::statistics

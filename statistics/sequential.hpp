@@ -39,6 +39,8 @@ public:
     [[nodiscard]] std::optional<std::uint64_t> next(std::uint64_t trials) const;
     /// The interval of the look after so many trials; between looks there is none.
     [[nodiscard]] std::optional<Interval> at(std::uint64_t successes, std::uint64_t trials) const;
+    /// Of the error, what the look after so many trials takes; 0 between looks.
+    [[nodiscard]] double share(std::uint64_t trials) const;
 
 private:
     struct Look {

@@ -157,7 +157,7 @@ constexpr Argument format_of(const char* choices) {
 const std::vector<OptionRow>& option_table() {
     static const std::vector<OptionRow> rows{
         {"--assertion", Group::checking, checking, {.kind = Kind::name, .name = "NAME", .repeated = true},
-         "only the assertion of this name", take_assertion},
+         "only the assertion of this name; with --swarm, the claim that is written so", take_assertion},
         {"--assertion", Group::checking, of(Verb::cspm),
          {.kind = Kind::whole, .name = "N", .repeated = true, .least = 1, .most = 1'000'000'000},
          "only this assertion of each script, counted from 1", take_assertion},

@@ -544,6 +544,14 @@ void check_names(const std::vector<Part>& parts, const Options& options) {
         }
     }
     if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
+    if (!options.swarm.empty()) {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics errors;  // reported where the swarm is composed
+        assertions.clear();
+        for (const csp_emit::SwarmClaim& each : swarm_of(options, sources, errors).claims)
+            assertions.push_back(each.text);
+        if (!errors.ok()) return;
+    }
     for (const std::string& name : options.claims)
         if (std::find(assertions.begin(), assertions.end(), name) == assertions.end())
             unknown("--assertion", name, "assertion", assertions);

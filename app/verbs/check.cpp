@@ -256,6 +256,7 @@ private:
 };
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
+    if (!obligation.name.empty()) return asked_for(context.options, obligation.name);
     const bool core = obligation.property == ir::no_id;
     const bool asked = context.options.core && !obligation.component.empty();
     return core ? context.options.claims.empty() || asked

@@ -128,6 +128,8 @@ std::string with_progress(const simulation::RunProgress& p) {
                        std::min(p.trials_done + 1, p.trials), p.trials, p.simulated_seconds, p.total_seconds, speed);
 }
 
+}  // namespace
+
 std::function<void(const simulation::RunProgress&)> progress_reports(const Options& options,
                                                                      const std::string& subject) {
     if (options.progress == ProgressMode::json)
@@ -148,6 +150,8 @@ std::function<void(const simulation::RunProgress&)> progress_reports(const Optio
         redraw_error_line(p.trials_done == p.trials ? std::string() : with_progress(p));
     };
 }
+
+namespace {
 
 Exit exit_of(const simulation::RunResult& result) {
     if (result.interrupted) return Exit::inconclusive;
@@ -324,6 +328,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     if (!options.compare.empty())
         project.diagnostics.report(rules::bad_option, {}, {"--compare takes a scenario in which something varies"});
     if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
+    if (simulation->scenario.abstraction) return study_chain(*simulation, options, stage);
     const auto controller = build_controller(*simulation, options);
     if (controller == nullptr || !project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;

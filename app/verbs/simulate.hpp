@@ -2,6 +2,7 @@
 // share.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -67,6 +68,11 @@ struct OtherStage {
 Exit run_simulate(const Options&, const OtherStage&);
 /// Of a scenario in which something varies.
 Exit sweep(const Options&, const OtherStage&);
+/// Of a scenario with a chain; its project has no errors so far.
+Exit study_chain(Simulation&, const Options&, const OtherStage&);
+/// The progress of trials as `--progress` asks for; empty: not at all.
+[[nodiscard]] std::function<void(const simulation::RunProgress&)> progress_reports(const Options&,
+                                                                                   const std::string& subject);
 /// The whole of a program that simulates in another simulator: its arguments are those of the verb. Returns its exit
 /// code.
 int simulate_program(const char* program, int argc, char** argv, const OtherStage&);

@@ -90,9 +90,19 @@ struct DefinitionMeaning {
 };
 /// Keys are names as the checker prints them: qualified event name without arguments
 /// ("P::S::internal__.P::S::TID_t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").
+/// Copies of one component that run together: which of them an event is of.
+struct CopiesMeaning {
+    std::uint32_t count = 0;
+    std::string word;  ///< what each is called, with its number from 0 on behind it: "robot"
+    /// Channels whose first field is the number of the copy that acts, with what it does in words where the events of
+    /// the component do not say it; "": nothing worth saying.
+    std::map<std::string, std::string> channels;
+};
+
 struct Provenance {
     std::map<std::string, EventMeaning> events;
     std::map<std::string, DefinitionMeaning> definitions;
+    std::optional<CopiesMeaning> copies = std::nullopt;  ///< none: the script has no copies
 };
 
 /// A transition of a machine inside a component.
@@ -136,6 +146,7 @@ struct Obligation {
     bool information = false;            ///< core properties: nothing is wrong where it does not hold
     ir::Origin origin = {};              ///< core properties: the state or clock; of a block's assert line: its place
     std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string name = {};               ///< claims of a swarm: as written; others have their property's
     Time time = Time::untimed;
     std::vector<cspm::DeclPtr> preparation;        ///< what the assertions mention and no other does; in the script too
     std::vector<cspm::DeclPtr> assertions;         ///< members of the script below; empty: no check exists (`reason`)

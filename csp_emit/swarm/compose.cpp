@@ -87,6 +87,24 @@ public:
         return whole();
     }
 
+    /// Which robot an event of the module's text is of.
+    [[nodiscard]] CopiesMeaning copies() const {
+        CopiesMeaning result{swarm_.robots, "robot", {}};
+        const auto add = [&](const std::string& channel, const std::string& words) {
+            result.channels["Swarm__::" + channel] = words;
+        };
+        add("acts", "acts");
+        for (const auto& [operation, channel] : operations_) add(channel, "calls " + operation);
+        for (std::size_t k = 0; k < swarm_.feeds.size(); ++k)
+            add(fmt::format("feed_{}", k + 1), "reads " + swarm_.feeds[k].event.text);
+        for (std::size_t k = 0; k < messages_.size(); ++k)
+            add(messages_[k].channel, "sends " + swarm_.connections[k].from.text);
+        if (!swarm_.grid) return result;
+        add("go", "drives one cell");
+        add("stay", "");
+        return result;
+    }
+
 private:
     // ------------------------------------------------------------ what is bound to what
 
@@ -703,6 +721,7 @@ bool premised(const SwarmClaim& claim) {
 Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_t number, Time time) {
     Obligation result;
     result.title = title_of(swarm, claim);
+    result.name = claim.text;
     result.origin.span = claim.span;
     result.time = time;
     switch (claim.question) {
@@ -714,6 +733,7 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
             break;
         case SwarmQuestion::always:
             result.kind = ir::PropertyKind::refines;
+            result.reason = "here the condition does not hold";
             break;
         case SwarmQuestion::possible:
             result.kind = ir::PropertyKind::refines;
@@ -741,10 +761,12 @@ cspm::DeclPtr named(const cspm::DeclPtr& assertion, const std::string& title) {
 void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::System& system,
                 const ir::Instantiation& instantiation, diagnostics::SourceManager& sources,
                 diagnostics::Diagnostics& diagnostics) {
-    const std::string module = SwarmModule(emission, swarm, time, system, instantiation, diagnostics).text();
+    SwarmModule composed(emission, swarm, time, system, instantiation, diagnostics);
+    const std::string module = composed.text();
     emission.script = emission.definitions;
     emission.obligations.clear();
     if (module.empty()) return;
+    emission.provenance.copies = composed.copies();
     const auto read = [&](const std::string& name, const std::string& text, const std::string& title = "") {
         cspm::Script script = cspm::read(sources, sources.add(name, text), diagnostics);
         if (!title.empty())
@@ -764,6 +786,10 @@ void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::Sys
                                       : std::vector<cspm::DeclPtr>{});
     for (std::size_t k = 0; k < swarm.claims.size(); ++k) {
         Obligation one = obligation_of(swarm, swarm.claims[k], k + 1, time);
+        if (swarm.claims[k].question != SwarmQuestion::deadlock_free) {
+            emission.provenance.events[fmt::format("Swarm__::observe_{}", k + 1)].text =
+                "where the robots are is looked at";
+        }
         if (premised(swarm.claims[k])) one.premise = passing;
         const std::string text = assertion_text(swarm.claims[k], k + 1, time == Time::timed);
         if (!text.empty()) one.assertions = read("the swarm's claims", text, one.title);

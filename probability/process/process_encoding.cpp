@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "checker/cspm/session.hpp"
 #include "checker/prism/checks/check.hpp"
-#include "csp_emit/emit.hpp"
+#include "probability/process/explored_process.hpp"
 #include "probability/process/observers.hpp"
 #include "probability/process/subgraph.hpp"
 #include "semantics/instantiate/instantiate.hpp"
@@ -21,13 +20,6 @@ std::string first_error(const diagnostics::Diagnostics& diagnostics) {
     for (const diagnostics::Diagnostic& each : diagnostics.sorted())
         if (each.rule->severity == diagnostics::Severity::error) return each.message();
     return "";
-}
-
-const cspm::ExprPtr& process_of(const csp_emit::Emission& emission, const std::string& path) {
-    const auto found = std::find_if(emission.components.begin(), emission.components.end(),
-                                    [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
-    if (found == emission.components.end()) throw Wrong(fmt::format("{} has no process of its own", path));
-    return found->process;
 }
 
 std::string magnitude(const boost::multiprecision::cpp_int& value) {
@@ -69,18 +61,10 @@ prism::ExprPtr number(const Rational& value) {
 
 }  // namespace
 
-/// The process for values of the constants, explored.
+/// The process for values of the constants.
 struct ProcessEncoding::Explored {
     std::string constants;  ///< the values, as text
-    ir::Instantiation instantiation;
-    csp_emit::Emission emission;
-    std::unique_ptr<cspm::Session> session;
-    std::unique_ptr<lts::TransitionSystem> system;
-    std::unique_ptr<Exploration> exploration;
-    std::unique_ptr<runs::Context> context;
-    std::unique_ptr<runs::StepReader> steps;
-    std::unique_ptr<StateReader> reader;
-    std::uint64_t compared = 0;
+    std::unique_ptr<ExploredProcess> process;
 };
 
 /// A question's states.
@@ -105,7 +89,7 @@ Elements& ProcessEncoding::elements() {
 }
 
 std::uint64_t ProcessEncoding::compared() const {
-    return explored_ ? explored_->compared : 0;
+    return explored_ ? explored_->process->compared : 0;
 }
 
 prism::Constant ProcessEncoding::constant(const std::string& path) {
@@ -139,69 +123,12 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
     made->constants = text;
     diagnostics::Diagnostics findings;
     if (options_.budget != nullptr) findings.within(options_.budget);
-    made->instantiation = ir::instantiate(system_, wanted, findings);
+    ir::Instantiation instantiation = ir::instantiate(system_, wanted, findings);
     if (!findings.ok()) throw Wrong(first_error(findings));
-    made->instantiation.budget = options_.budget;
-    explore(*made);
-    if (made->exploration->size() <= options_.compared_states) compare(*made);
+    made->process = explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
+                                    {options_.max_states, options_.compared_states, options_.budget});
     explored_ = std::move(made);
     return *explored_;
-}
-
-namespace {
-
-/// The semantics in time. Throws Wrong where there is none.
-csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
-                           bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
-    diagnostics::Diagnostics findings;
-    if (budget != nullptr) findings.within(budget);
-    csp_emit::Options options;
-    options.whole_states = whole_states;
-    options.share_modules = share_modules;
-    csp_emit::Emission result =
-        csp_emit::emit(system, instantiation, csp_emit::Time::timed, options, sources, findings);
-    if (!findings.ok()) throw Wrong(first_error(findings));
-    return result;
-}
-
-}  // namespace
-
-void ProcessEncoding::explore(Explored& made) const {
-    const std::vector<ObservedEvent>& observed = names_->observed();
-    made.emission = emitted(system_, made.instantiation, true, observed.empty(), sources_, options_.budget);
-    observe(made.emission, observed);
-    try {
-        made.session = std::make_unique<cspm::Session>(made.emission.script, options_.budget, true);
-        refine::Limits limits;
-        if (options_.budget != nullptr) static_cast<diagnostics::Limits&>(limits) = options_.budget->limits();
-        made.system = made.session->whole_system(process_of(made.emission, ir::qualified(subject_)), limits);
-        const auto poll = [budget = options_.budget] {
-            if (budget != nullptr) budget->poll();
-        };
-        made.exploration = std::make_unique<Exploration>(*made.system, options_.max_states, poll);
-    } catch (const cspm::EvaluationError& error) {
-        throw Wrong(error.what());
-    }
-    made.context.reset(
-        new runs::Context{made.emission.provenance, system_, made.instantiation, sources_, *made.session});
-    made.steps = std::make_unique<runs::StepReader>(*made.context);
-    made.reader = std::make_unique<StateReader>(*made.system, *made.steps);
-}
-
-/// What was explored has to be the process that assertions are decided on: branching bisimilar to it.
-void ProcessEncoding::compare(Explored& made) const {
-    const csp_emit::Emission usual = emitted(system_, made.instantiation, false, true, sources_, options_.budget);
-    cspm::Session session(usual.script, options_.budget);
-    refine::Limits limits;
-    if (options_.budget != nullptr) static_cast<diagnostics::Limits&>(limits) = options_.budget->limits();
-    const auto other = session.system(process_of(usual, ir::qualified(subject_)), limits);
-    const auto poll = [budget = options_.budget] {
-        if (budget != nullptr) budget->poll();
-    };
-    if (!agrees(*made.exploration, made.session->event_table(), *other, poll))
-        throw std::logic_error(
-            fmt::format("the states of {} with all values are not bisimilar to its process", ir::qualified(subject_)));
-    made.compared = made.exploration->size();
 }
 
 namespace {
@@ -227,12 +154,13 @@ void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happe
 /// What PRISM's language is to know of the process: names of what is asked for, rewards.
 prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question,
                                                const std::vector<EventSet>& happening) const {
-    const Weights weights(system_, found.instantiation);
+    const Weights weights(system_, found.process->instantiation);
     prism::ModelFile file;
     file.kind = prism::ModelKind::mdp;
     file.kind_given = true;
     file.constants = question.model_constants;
-    file.constants.push_back({prism::Type::real, {ProcessNames::units, {}}, number(found.instantiation.scale)});
+    file.constants.push_back(
+        {prism::Type::real, {ProcessNames::units, {}}, number(found.process->instantiation.scale)});
     for (const ConstantHere& each : names_->constants())
         file.constants.push_back(
             {prism::Type::real, {each.name, {}}, number(weights.constant(*each.seat->machine, each.id, *each.seat))});
@@ -251,15 +179,15 @@ prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Ques
 
 /// The value of something that is asked for, in a state. Throws Wrong where it has none.
 std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const {
-    const std::vector<std::size_t>& parts = found.reader->parts(found.exploration->state(state));
+    const std::vector<std::size_t>& parts = found.process->reader->parts(found.process->exploration->state(state));
     for (const std::size_t number : parts) {
-        const Part& part = found.reader->part(number);
+        const Part& part = found.process->reader->part(number);
         if (asked.variable.empty()) {
             if (part.in_state(asked.component, asked.state)) return 1;
             continue;
         }
         const auto held = part.variable(asked.component, asked.variable);
-        const auto value = held ? number_of(system_, found.instantiation, *held) : std::nullopt;
+        const auto value = held ? number_of(system_, found.process->instantiation, *held) : std::nullopt;
         if (!value) continue;
         if (*value < std::numeric_limits<std::int32_t>::min() || *value > std::numeric_limits<std::int32_t>::max())
             throw Wrong(fmt::format("a value of {} has more than 32 bits", asked.variable));
@@ -267,7 +195,7 @@ std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex st
     }
     if (asked.variable.empty() || asked.carried) return 0;
     throw Wrong(fmt::format("{} of {} has no value in the state {}", asked.variable, asked.component,
-                            found.system->describe(found.exploration->state(state))));
+                            found.process->system->describe(found.process->exploration->state(state))));
 }
 
 DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
@@ -275,13 +203,13 @@ DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
         if (budget != nullptr) budget->poll();
     };
     const auto under = [&](Scheduler scheduler) {
-        return decision_process(*found.exploration, *found.reader,
-                                {system_, found.instantiation, found.emission.provenance, found.session->event_table(),
-                                 names_->seats(), names_->observed()},
+        return decision_process(*found.process->exploration, *found.process->reader,
+                                {system_, found.process->instantiation, found.process->emission.provenance,
+                                 found.process->session->event_table(), names_->seats(), names_->observed()},
                                 scheduler, poll);
     };
     DecisionProcess result = under(options_.scheduler);
-    const bool compared = found.exploration->size() <= options_.compared_states;
+    const bool compared = found.process->exploration->size() <= options_.compared_states;
     if (compared && options_.scheduler == Scheduler::urgent && !is_subgraph(result, under(Scheduler::any), poll))
         throw std::logic_error(fmt::format("the urgent steps of {} are not among its steps", ir::qualified(subject_)));
     return result;

@@ -48,8 +48,6 @@ private:
     struct Answered;
 
     const Explored& explored(const prism::Values&);
-    void explore(Explored& made) const;
-    void compare(Explored& made) const;
     [[nodiscard]] prism::ModelFile declarations(const Explored& found, const Question& question,
                                                 const std::vector<EventSet>& happening) const;
     [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const;

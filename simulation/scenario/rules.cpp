@@ -80,11 +80,24 @@ const Rule wrong_instant{
     "join "
     "two of one kind: `(a and b) within 60 s` and `a at end and b within 60 s` say which is meant."};
 
+const Rule not_in_chain{
+    "RC-M17", Severity::error, "{}",
+    "A chain answers from its states alone: conditions on measures that `abstract` tells apart, at its levels, at "
+    "times "
+    "at which it has a state; `CONDITION within TIME`, `time until CONDITION` and `average MEASURE`."};
+
+const Rule excluded{
+    "RC-M18", Severity::error, "trial {} went from '{}' to '{}' at {} s, which the model excludes",
+    "By the timed semantics of the model no robots can do that between two states of the chain. Either a value from "
+    "the "
+    "world is outside of the finite instantiation that the proof is about (--range), or the generated code does not "
+    "conform."};
+
 std::span<const Rule* const> all() {
-    static constexpr std::array table = {&syntax,       &wrong_unit,    &out_of_range, &missing,
-                                         &said_twice,   &unknown_part,  &unknown_name, &wrong_type,
-                                         &no_space,     &no_controller, &not_compiled, &stopped,
-                                         &uneven_steps, &not_fed,       &not_there,    &wrong_instant};
+    static constexpr std::array table = {&syntax,        &wrong_unit,   &out_of_range, &missing,  &said_twice,
+                                         &unknown_part,  &unknown_name, &wrong_type,   &no_space, &no_controller,
+                                         &not_compiled,  &stopped,      &uneven_steps, &not_fed,  &not_there,
+                                         &wrong_instant, &not_in_chain, &excluded};
     return table;
 }
 

@@ -23,6 +23,8 @@ extern const diagnostics::Rule uneven_steps;   ///< RC-M13
 extern const diagnostics::Rule not_fed;        ///< RC-M14
 extern const diagnostics::Rule not_there;      ///< RC-M15
 extern const diagnostics::Rule wrong_instant;  ///< RC-M16
+extern const diagnostics::Rule not_in_chain;   ///< RC-M17
+extern const diagnostics::Rule excluded;       ///< RC-M18
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -25,6 +25,10 @@ std::uint64_t Scenario::steps() const {
     return static_cast<std::uint64_t>(std::llround(duration / world.control_step));
 }
 
+std::uint64_t Scenario::steps_apart() const {
+    return static_cast<std::uint64_t>(std::llround(abstraction->every / world.control_step));
+}
+
 bool can_err(SensorKind kind) {
     return kind == SensorKind::line_of_sight || kind == SensorKind::proximity || kind == SensorKind::ground;
 }
@@ -62,9 +66,9 @@ std::uint32_t Scenario::all_robots() const {
     return first_robot(kinds());
 }
 
-std::uint32_t Scenario::first_robot(std::size_t kind) const {
+std::uint32_t Scenario::first_robot(std::size_t number) const {
     std::uint32_t before = 0;
-    for (std::size_t k = 0; k < kind; ++k) before += kind_at(k).robots;
+    for (std::size_t kind = 0; kind < number; ++kind) before += kind_at(kind).robots;
     return before;
 }
 

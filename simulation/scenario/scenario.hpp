@@ -224,6 +224,31 @@ struct Variation {
     diagnostics::Span span;
 };
 
+/// What a chain tells apart of a measure: a share by each number of robots that it can be of, or by levels, up to and
+/// with each of which, and above the last, is one class.
+struct Distinction {
+    std::size_t measure = 0;
+    std::vector<double> levels;  ///< ascending; none: each number of robots
+};
+
+/// What only a chain answers: the mean time until a condition holds first, or what a measure is on average in the long
+/// run.
+struct ChainQuestion {
+    bool time = true;   ///< else the average of `measure`
+    Formula condition;  ///< of an instant
+    std::size_t measure = 0;
+    double confidence = 0;
+    std::string text;  ///< as written
+    diagnostics::Span span;
+};
+
+/// `abstract by MEASURE in LEVELS, ... every TIME`: a Markov chain over what is distinguished of the swarm.
+struct Abstraction {
+    std::vector<Distinction> distinctions;
+    double every = 0;  ///< s between two states, a whole number of control steps
+    diagnostics::Span span;
+};
+
 /// `feed EVENT with MEASURE in UNIT` or `feed EVENT with CONDITION`, of an environment.
 struct WorldFeed {
     Name target;
@@ -294,11 +319,15 @@ struct Scenario : RobotKind {
     std::vector<Band> bands;
     std::vector<Claim> claims;
     std::vector<Variation> variations;  ///< at most two
+    std::optional<Abstraction> abstraction;
+    std::vector<ChainQuestion> chain_questions;
     std::vector<std::string> drawings;  ///< texts of the files that obstacles come from
     std::vector<double> pictures;       ///< times, s
     double record = 0.5;                ///< s between recorded positions
 
     [[nodiscard]] std::uint64_t steps() const;
+    /// Control steps between two states of the chain.
+    [[nodiscard]] std::uint64_t steps_apart() const;
     /// Another number of trials, for bands and estimates.
     void set_trials(std::uint32_t count);
     /// Another number of robots of the first kind, with an arena for all.
@@ -306,13 +335,13 @@ struct Scenario : RobotKind {
 
     /// How many kinds of robots there are, and each of them: the first is the scenario itself.
     [[nodiscard]] std::size_t kinds() const { return 1 + others.size(); }
-    [[nodiscard]] const RobotKind& kind_at(std::size_t kind) const {
-        return kind == 0 ? static_cast<const RobotKind&>(*this) : others[kind - 1];
+    [[nodiscard]] const RobotKind& kind_at(std::size_t number) const {
+        return number == 0 ? static_cast<const RobotKind&>(*this) : others[number - 1];
     }
     /// Robots of all kinds.
     [[nodiscard]] std::uint32_t all_robots() const;
     /// The number of the first robot of a kind.
-    [[nodiscard]] std::uint32_t first_robot(std::size_t kind) const;
+    [[nodiscard]] std::uint32_t first_robot(std::size_t number) const;
     /// Has it several kinds of robots, or an environment?
     [[nodiscard]] bool has_others() const { return !others.empty() || environment.has_value(); }
 };

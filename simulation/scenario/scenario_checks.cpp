@@ -25,6 +25,7 @@ void ScenarioReader::check() {
     check_steps();
     check_places();
     check_lights();
+    check_abstraction();
     for (const Variation& each : scenario_.variations) {
         const auto varies = [&](const Failure& failure) {
             return (failure.mean_time > 0) == (each.what == Varied::mean_time);

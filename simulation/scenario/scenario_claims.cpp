@@ -18,16 +18,18 @@ constexpr std::size_t most_depth = 100;
 
 void ScenarioReader::estimate() {
     const diagnostics::Span word = in_.token().span;
-    in_.expect("probability");
+    if (in_.at("time") || in_.at("average")) return chain_question(word);
+    if (!in_.take("probability")) return in_.fail("'probability', 'time' or 'average'");
     claim(word, true);
 }
 
-void ScenarioReader::confidence(Claim& claim) {
+double ScenarioReader::confidence() {
     in_.expect("with");
     in_.expect("confidence");
-    claim.confidence = in_.not_negative(Dimension::share, "the confidence");
-    if (!in_.failed() && (claim.confidence < 0.5 || claim.confidence >= 1))
+    const double confidence = in_.not_negative(Dimension::share, "the confidence");
+    if (!in_.failed() && (confidence < 0.5 || confidence >= 1))
         in_.report(rules::out_of_range, in_.last_span(), {"the confidence is at least 50 % and less than 100 %"});
+    return confidence;
 }
 
 void ScenarioReader::claim(diagnostics::Span begin, bool estimate) {
@@ -40,7 +42,7 @@ void ScenarioReader::claim(diagnostics::Span begin, bool estimate) {
         if (!claim.at_least) in_.expect("<=");
         claim.probability = in_.not_negative(Dimension::share, "a probability");
     }
-    confidence(claim);
+    claim.confidence = confidence();
     while (!estimate && in_.take(",")) {
         if (in_.take("indifference")) {
             claim.indifference = in_.positive(Dimension::share, "the indifference");

@@ -40,7 +40,7 @@ private:
     };
 
     // scenario.cpp: times, the arena and who is in it
-    static const std::array<ItemRow, 26>& items();
+    static const std::array<ItemRow, 27>& items();
     void item();
     void model();
     void step();
@@ -122,7 +122,7 @@ private:
 
     // scenario_claims.cpp: claims and formulas
     void claim(diagnostics::Span begin, bool estimate);
-    void confidence(Claim& claim);
+    double confidence();
     /// `estimate probability PROPERTY with confidence SHARE`.
     void estimate();
     Formula either();
@@ -142,6 +142,14 @@ private:
     double value_of(Varied what);
     /// `SENSOR.OPTION`.
     void sensor_option(Variation& variation);
+
+    // scenario_abstraction.cpp: the states of a chain and what only it answers
+    void abstract();
+    /// Whether another one follows.
+    bool distinction(Abstraction& abstraction);
+    /// `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
+    void chain_question(diagnostics::Span begin);
+    void check_abstraction();
 
     // scenario_checks.cpp: what belongs together
     void check();

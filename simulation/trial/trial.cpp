@@ -561,12 +561,19 @@ private:
         const bool keep = options_.record && due();
         const bool asked = std::any_of(properties_.begin(), properties_.end(),
                                        [&](const Property& property) { return property.due(result_.steps); });
-        if (!keep && !asked && !statistics_.due(result_.steps)) return;
+        const bool sampled = scenario_.abstraction && result_.steps % scenario_.steps_apart() == 0;
+        if (!keep && !asked && !sampled && !statistics_.due(result_.steps)) return;
         Frame frame = frame_now(keep || states_are_measured());
         const MeasureNow now = measures_now(scenario_, frame);
         statistics_.look(result_.steps, now);
         for (Property& property : properties_) property.look(result_.steps, now);
+        if (sampled) sample(now);
         if (keep) result_.frames.push_back(std::move(frame));
+    }
+
+    void sample(const MeasureNow& now) {
+        std::vector<double>& values = result_.samples.emplace_back();
+        for (const Distinction& each : scenario_.abstraction->distinctions) values.push_back(now(each.measure));
     }
 
     [[nodiscard]] bool states_are_measured() const {

@@ -66,6 +66,8 @@ struct TrialResult {
     std::vector<double> statistics;  ///< of each band; NaN: never came about
     std::vector<Answer> answers;     ///< of each claim; a trial that stopped is one against it
     std::vector<Frame> frames;       ///< as Scenario::record, and at the times of pictures
+    /// At the times of the states of a chain, what it tells apart: a value for each distinction.
+    std::vector<std::vector<double>> samples;
 };
 
 struct TrialOptions {

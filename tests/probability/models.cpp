@@ -59,8 +59,6 @@ std::vector<Row> robotool(const Loaded& loaded, const std::string& assertion, co
     return rows;
 }
 
-namespace {
-
 ir::ComponentRef whole(const ir::System& system) {
     ir::ComponentRef result;
     result.definition = 0;
@@ -80,8 +78,6 @@ ir::ComponentRef whole(const ir::System& system) {
     }
     return result;
 }
-
-}  // namespace
 
 std::vector<Row> process(Loaded& loaded, const std::string& assertion, Scheduler scheduler, std::uint64_t* compared,
                          std::uint64_t most_states, bool exact) {

@@ -25,6 +25,9 @@ struct Loaded {
 
 [[nodiscard]] std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files);
 
+/// The only module, else the first controller or machine.
+[[nodiscard]] ir::ComponentRef whole(const ir::System&);
+
 /// An assertion of this name, with its file.
 struct Claim {
     const frontend::File* file = nullptr;
@@ -39,8 +42,8 @@ struct Claim {
 [[nodiscard]] std::vector<Row> robotool(const Loaded&, const std::string& assertion,
                                         const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
 
-/// The rows of an assertion on the decision process of a component: of the only module, else of the first controller or
-/// machine. `compared`: the states that were compared with the process that is checked for refinement.
+/// The rows of an assertion on the decision process of the `whole`. `compared`: the states that were compared with the
+/// process that is checked for refinement.
 [[nodiscard]] std::vector<Row> process(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
                                        std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
                                        bool exact = true);

@@ -10,27 +10,41 @@
 namespace robochart::statistics {
 namespace {
 
-TEST(TransitionCounts, TakesFirstVisits) {
+TEST(TransitionCounts, TakesAllVisits) {
     TransitionCounts counts(3);
-    counts.add({0, 0, 1, 0, 2});  // first visits: 0 to 0, 1 to 0; the end of the sequence has no successor
+    counts.add({0, 0, 1, 0, 2});  // the end of the sequence has no successor
     counts.add({1, 2});
     counts.add({2});
     EXPECT_EQ(counts.count(0, 0), 1U);
-    EXPECT_EQ(counts.count(0, 1), 0U);
+    EXPECT_EQ(counts.count(0, 1), 1U);
+    EXPECT_EQ(counts.count(0, 2), 1U);
     EXPECT_EQ(counts.count(1, 0), 1U);
     EXPECT_EQ(counts.count(1, 2), 1U);
-    EXPECT_EQ(counts.visits(0), 1U);
+    EXPECT_EQ(counts.visits(0), 3U);
     EXPECT_EQ(counts.visits(1), 2U);
     EXPECT_EQ(counts.visits(2), 0U);
+    EXPECT_EQ(counts.looked(0), 0U) << "the first look is after sixteen";
+}
+
+/// Sixteen visits, then twenty-four, half as many more.
+TEST(TransitionCounts, LooksAtFixedNumbers) {
+    TransitionCounts counts(2);
+    for (int i = 0; i < 20; ++i) counts.add({0, i < 16 ? 0U : 1U});
+    EXPECT_EQ(counts.looked(0), 16U);
+    EXPECT_EQ(counts.looked(0, 1), 0U);
+    EXPECT_EQ(counts.count(0, 1), 4U);
+    for (int i = 0; i < 4; ++i) counts.add({0, 1});
+    EXPECT_EQ(counts.looked(0), 24U);
+    EXPECT_EQ(counts.looked(0, 1), 8U);
 }
 
 TEST(TransitionIntervals, ErrorIsDividedAndNothingUnseenIsImpossible) {
     TransitionCounts counts(2);
     for (int i = 0; i < 20; ++i) counts.add({0, 0});
     const auto intervals = transition_intervals(counts, all_permitted(2), 0.04);
-    // Four transitions share the error.
-    EXPECT_EQ(intervals[0][0], clopper_pearson(20, 20, 0.01));
-    EXPECT_EQ(intervals[0][1], clopper_pearson(0, 20, 0.01));
+    // Four transitions share the error, of which the first look takes a half.
+    EXPECT_EQ(intervals[0][0], clopper_pearson(16, 16, 0.005));
+    EXPECT_EQ(intervals[0][1], clopper_pearson(0, 16, 0.005));
     EXPECT_GT(intervals[0][1].high, 0);
     EXPECT_EQ(intervals[1][0], (Interval{0, 1}));  // never visited
 }

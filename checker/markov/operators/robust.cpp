@@ -1,6 +1,8 @@
 #include "checker/markov/operators/robust.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -75,13 +77,99 @@ double expectation(const UncertainRow& row, const std::vector<double>& worth) {
     return row.centre.empty() ? within_bounds(row, worth) : within_ball(row, worth);
 }
 
+/// A lower bound of a minimum is the negative of an upper bound of the maximum of negative worths.
+double sign_of(Direction direction) {
+    return direction == Direction::maximum ? 1 : -1;
+}
+
+/// The states without `goal` in which nature can keep the chain for ever: the greatest set that it need not leave. More
+/// only where rounding cannot tell.
+StateSet endless(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
+    std::vector<double> inside(chain.size());
+    for (std::size_t state = 0; state < chain.size(); ++state) inside[state] = goal[state] ? 0 : 1;
+    for (bool changed = true; changed;) {
+        poll(budget);
+        changed = false;
+        for (std::size_t state = 0; state < chain.size(); ++state)
+            if (inside[state] > 0 && expectation(chain[state], inside) < 1) {
+                inside[state] = 0;
+                changed = true;
+            }
+    }
+    StateSet result;
+    for (const double each : inside) result.push_back(each > 0);
+    return result;
+}
+
+/// The states without `goal` from which nature can bring the chain into `target`, with a chance above 0.
+StateSet leading_to(const UncertainChain& chain, const StateSet& goal, StateSet target, diagnostics::Budget* budget) {
+    std::vector<double> there(target.begin(), target.end());
+    for (bool changed = true; changed;) {
+        poll(budget);
+        changed = false;
+        for (std::size_t state = 0; state < chain.size(); ++state)
+            if (!goal[state] && !target[state] && expectation(chain[state], there) > 0) {
+                target[state] = true;
+                there[state] = 1;
+                changed = true;
+            }
+    }
+    return target;
+}
+
+/// What it costs from each state on, from above, where it does from its successors on; 0 where nothing is asked.
+std::vector<double> costs_behind(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
+                                 const std::vector<double>& worth, double sign) {
+    std::vector<double> next(chain.size());
+    for (std::size_t state = 0; state < chain.size(); ++state)
+        if (!done[state]) next[state] = sign * cost[state] + expectation(chain[state], worth);
+    return next;
+}
+
+double change(const std::vector<double>& before, const std::vector<double>& now) {
+    double most = 0;
+    for (std::size_t state = 0; state < now.size(); ++state)
+        most = std::max(most, std::abs(now[state] - before[state]) / std::max(1e-300, std::abs(now[state])));
+    return most;
+}
+
+/// A vector that its costs and successors do not exceed, near to what value iteration came to; empty: none.
+std::vector<double> inductive(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
+                              std::vector<double> worth) {
+    constexpr double more = 1 + 1e-6;
+    for (double& each : worth) each *= more;
+    const std::vector<double> once = costs_behind(chain, done, cost, worth, 1);
+    for (std::size_t state = 0; state < chain.size(); ++state)
+        if (!done[state] && cost[state] == 0) worth[state] = once[state];
+    const std::vector<double> behind = costs_behind(chain, done, cost, worth, 1);
+    for (std::size_t state = 0; state < chain.size(); ++state)
+        if (behind[state] > worth[state]) return {};
+    return worth;
+}
+
+/// The states that can be reached, in whichever chain.
+StateSet reachable(const UncertainChain& chain, State from) {
+    StateSet found(chain.size());
+    std::vector<State> open{from};
+    found[from] = true;
+    while (!open.empty()) {
+        const UncertainRow& row = chain[open.back()];
+        open.pop_back();
+        for (const UncertainBranch& each : row.branches)
+            if ((!row.centre.empty() || each.high > 0) && !found[each.target]) {
+                found[each.target] = true;
+                open.push_back(each.target);
+            }
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> reach_bounds(const UncertainChain& chain, const StateSet& goal, std::uint64_t steps,
                                               Direction direction, diagnostics::Budget* budget) {
     const RoundUpward rounding;
-    // A lower bound of a minimum is the negative of an upper bound of the maximum of negative worths.
-    const double there = direction == Direction::maximum ? 1 : -1;
+    const double there = sign_of(direction);
     const auto value = [&](double worth) { return std::clamp(there * worth, 0.0, 1.0); };
     std::vector<double> worth(chain.size());
     for (std::size_t state = 0; state < chain.size(); ++state) worth[state] = goal[state] ? there : 0;
@@ -100,6 +188,83 @@ std::vector<std::vector<double>> reach_bounds(const UncertainChain& chain, const
         note();
     }
     return result;
+}
+
+std::vector<std::vector<double>> value_bounds(const UncertainChain& chain, const std::vector<double>& value,
+                                              std::uint64_t steps, Direction direction, diagnostics::Budget* budget) {
+    const RoundUpward rounding;
+    const double sign = sign_of(direction);
+    std::vector<double> worth;
+    for (const double each : value) worth.push_back(sign * each);
+    std::vector<std::vector<double>> result;
+    for (std::uint64_t step = 0; step <= steps; ++step) {
+        poll(budget);
+        std::vector<double>& bounds = result.emplace_back();
+        for (const double each : worth) bounds.push_back(sign * each);
+        std::vector<double> next;
+        for (const UncertainRow& row : chain) next.push_back(expectation(row, worth));
+        worth = std::move(next);
+    }
+    return result;
+}
+
+std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goal, const std::vector<double>& cost,
+                                Direction direction, std::uint64_t most_rounds, diagnostics::Budget* budget) {
+    constexpr double near = 1e-9;
+    const RoundUpward rounding;
+    const double sign = sign_of(direction);
+    StateSet done = goal;
+    StateSet infinite(chain.size());
+    if (direction == Direction::maximum) {
+        infinite = leading_to(chain, goal, endless(chain, goal, budget), budget);
+        for (std::size_t state = 0; state < chain.size(); ++state) done[state] = goal[state] || infinite[state];
+    }
+    std::vector<double> worth(chain.size());
+    for (std::uint64_t round = 0; round < most_rounds; ++round) {
+        poll(budget);
+        std::vector<double> next = costs_behind(chain, done, cost, worth, sign);
+        const bool settled = change(worth, next) < near;
+        worth = std::move(next);
+        if (settled) break;
+    }
+    constexpr double forever = std::numeric_limits<double>::infinity();
+    if (direction == Direction::maximum) {
+        worth = inductive(chain, done, cost, std::move(worth));
+        if (worth.empty()) infinite.assign(chain.size(), true);
+        worth.resize(chain.size());
+    }
+    for (std::size_t state = 0; state < chain.size(); ++state)
+        worth[state] = goal[state] ? 0 : infinite[state] ? forever : std::max(0.0, sign * worth[state]);
+    return worth;
+}
+
+double average_bound(const UncertainChain& chain, State from, const std::vector<double>& value, Direction direction,
+                     std::uint64_t most_rounds, diagnostics::Budget* budget) {
+    constexpr double near = 1e-9;
+    const RoundUpward rounding;
+    const double sign = sign_of(direction);
+    const StateSet asked = reachable(chain, from);
+    std::vector<double> worth(chain.size());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint64_t round = 0; round < most_rounds; ++round) {
+        poll(budget);
+        double bound = -std::numeric_limits<double>::infinity();
+        double other = std::numeric_limits<double>::infinity();
+        std::vector<double> next(chain.size());
+        for (std::size_t state = 0; state < chain.size(); ++state) {
+            if (!asked[state]) continue;
+            const double gain = sign * value[state] + expectation(chain[state], worth) - worth[state];
+            bound = std::max(bound, gain);
+            other = std::min(other, gain);
+            next[state] = worth[state] + gain / 2;  // half a step: a chain with a period settles too
+        }
+        least = std::min(least, bound);
+        if (bound - other < near) break;
+        const double shift = next[from];
+        for (double& each : next) each -= shift;
+        worth = std::move(next);
+    }
+    return sign * least;
 }
 
 }  // namespace robochart::markov

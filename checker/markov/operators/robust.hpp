@@ -38,4 +38,26 @@ using UncertainChain = std::vector<UncertainRow>;
                                                             std::uint64_t steps, Direction direction,
                                                             diagnostics::Budget* budget = nullptr);
 
+/// A bound, for each state, on the expectation of a value of the state 0, 1, ... `steps` steps later, for every chain
+/// within the bounds. `result[k][s]` is about k steps from s.
+[[nodiscard]] std::vector<std::vector<double>> value_bounds(const UncertainChain& chain,
+                                                            const std::vector<double>& value, std::uint64_t steps,
+                                                            Direction direction, diagnostics::Budget* budget = nullptr);
+
+/// A bound, for each state, on the expected sum of what the states before `goal` cost (at least 0; a state that costs
+/// nothing is entered from nowhere). A lower bound is reached from below, so every round gives one. An upper bound is a
+/// vector w with cost + E w <= w for all choices of nature (Park induction); infinite where she can keep the chain from
+/// the goal for ever, and where no such vector was found in `most_rounds` rounds.
+[[nodiscard]] std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goal,
+                                              const std::vector<double>& cost, Direction direction,
+                                              std::uint64_t most_rounds = 100'000,
+                                              diagnostics::Budget* budget = nullptr);
+
+/// A bound on what a value of the state is on average in the long run from a state: the greatest value[s] + E v - v[s],
+/// or the least, over the states that can be reached, of some vector v (any of them gives a bound: Puterman, Markov
+/// Decision Processes, 1994, theorem 8.5.5).
+[[nodiscard]] double average_bound(const UncertainChain& chain, State from, const std::vector<double>& value,
+                                   Direction direction, std::uint64_t most_rounds = 10'000,
+                                   diagnostics::Budget* budget = nullptr);
+
 }  // namespace robochart::markov

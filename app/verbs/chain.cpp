@@ -1,0 +1,230 @@
+// `simulate` with a scenario that has a chain: trials estimate it, the timed semantics of the model excludes
+// transitions, fresh trials may refute it.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/simulate.hpp"
+#include "app/verbs/verbs.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "probability/experiments/encoding.hpp"
+#include "probability/process/following.hpp"
+#include "simulation/chain/chain_report.hpp"
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::app {
+namespace {
+
+class ChainStudy {
+public:
+    ChainStudy(Simulation& simulation, const Options& options, const OtherStage& stage)
+        : simulation_(simulation), project_(*simulation.project), options_(options), stage_(stage) {}
+
+    Exit run() {
+        for (const auto& [given, option] :
+             {std::pair(!options_.html.empty(), "--html"), std::pair(!options_.log.empty(), "--log"),
+              std::pair(options_.monitor, "--monitor")})
+            if (given)
+                project_.diagnostics.report(rules::bad_option, {},
+                                            {fmt::format("{} takes a scenario without a chain", option)});
+        if (!project_.diagnostics.ok()) return refused();
+        controller_ = build_controller(simulation_, options_);
+        if (controller_ == nullptr || !project_.diagnostics.ok()) return refused();
+        scenario_ = simulation_.scenario;
+        if (!find_states()) return refused();
+        const auto asked = simulation::chain_asked(scenario_, *states_, project_.diagnostics);
+        if (!project_.diagnostics.ok()) return refused();
+        result_.questions = asked.size();
+        run_trials();
+        if (!project_.diagnostics.ok()) return refused();
+        if (!result_.interrupted && !answer(asked)) return show_diagnostics(project_, options_), Exit::failed;
+        return report();
+    }
+
+private:
+    Exit refused() const { return show_diagnostics(project_, options_), refusal(project_); }
+
+    bool find_states() {
+        try {
+            states_.emplace(scenario_, steps_of_robots());
+        } catch (const simulation::TooManyStates& many) {
+            project_.diagnostics.report(
+                simulation::rules::out_of_range, scenario_.abstraction->span,
+                {fmt::format("a chain has at most {} states: {}", simulation::ChainStates::most_states, many.what())});
+            return false;
+        }
+        permitted_ = states_->permitted();
+        for (std::size_t from = 1; from < permitted_.size(); ++from)
+            for (std::size_t to = 1; to < permitted_.size(); ++to) {
+                ++result_.transitions;
+                if (!permitted_[from][to]) ++result_.excluded;
+            }
+        return true;
+    }
+
+    /// The states that are distinguished by numbers of robots.
+    [[nodiscard]] std::vector<std::string> distinguished_states() const {
+        std::vector<std::string> states;
+        for (const simulation::Distinction& each : scenario_.abstraction->distinctions) {
+            const simulation::Measure& measure = scenario_.measures[each.measure];
+            if (measure.kind == simulation::MeasureKind::in_state) states.push_back(measure.state.text);
+        }
+        return states;
+    }
+
+    /// What the model's semantics in time says; nothing, with the reason, where it was not asked or has no answer.
+    std::optional<simulation::RobotSteps> steps_of_robots() {
+        const std::vector<std::string> states = distinguished_states();
+        if (states.empty()) {
+            result_.proof = "the states of the chain are not those of the model";
+            return std::nullopt;
+        }
+        if (scenario_.has_others()) {
+            result_.proof = "robots of several kinds, and what an environment does to robots, have no common semantics";
+            return std::nullopt;
+        }
+        for (const simulation::Failure& each : scenario_.failures)
+            if (each.kind == simulation::FailureKind::whole) {
+                result_.proof = "robots that fail leave the model's semantics";
+                return std::nullopt;
+            }
+        try {
+            return proved_steps(states);
+        } catch (const probability::Wrong& wrong) {
+            result_.proof = fmt::format("not decided: {}", wrong.what());
+        } catch (const diagnostics::LimitReached& limit) {
+            options_.run->budget().check();
+            result_.proof = fmt::format("not decided: {}", limit.what());
+        }
+        return std::nullopt;
+    }
+
+    simulation::RobotSteps proved_steps(const std::vector<std::string>& states) {
+        constexpr std::uint64_t most_states = 1'000'000;
+        diagnostics::Budget& budget = options_.run->budget();
+        const diagnostics::Budget::Phase phase(budget, "finding what robots may do between two states of the chain");
+        const std::uint64_t units = scenario_.steps_apart() * scenario_.units_per_step;
+        const ir::ComponentRef component = code_components(project_.system, scenario_.component.text).front();
+        const auto process =
+            probability::explore_process(project_.system, component, project_.instantiation, {}, project_.sources,
+                                         {std::min(options_.max_states, most_states), most_states, &budget});
+        const probability::Following found =
+            probability::following(*process, project_.system, component, states, units, [&] { budget.poll(); });
+        result_.proof = fmt::format("what {} time units of {} admit, by {} states of its semantics", units,
+                                    scenario_.component.text, process->exploration->size());
+        return {found.classes, found.first, found.after};
+    }
+
+    void run_trials() {
+        result_.trials = scenario_.trials;
+        simulation::Scenario all = scenario_;
+        all.claims.clear();
+        all.bands.clear();
+        all.set_trials(2 * scenario_.trials);
+        simulation::Plan plan = simulation_.plan;
+        plan.scenario = &all;
+        simulation::RunOptions wanted;
+        wanted.threads = stage_.parallel ? options_.threads : 1;
+        wanted.stage = stage_.make;
+        wanted.record = false;
+        wanted.interrupted = [&budget = options_.run->budget()] { return !budget.reached().empty(); };
+        wanted.progress = progress_reports(options_, scenario_.name.text);
+        simulation::RunResult found = simulation::run(plan, controller_->drive(), wanted, project_.diagnostics);
+        result_.cpu_seconds = found.cpu_seconds;
+        result_.interrupted = found.interrupted;
+        trials_ = std::move(found.trials);
+    }
+
+    /// False where trials took transitions that the proof excludes.
+    bool answer(const std::vector<simulation::ChainAsked>& asked) {
+        std::vector<simulation::Excluded> excluded;
+        const auto sequences = simulation::sequences_of(scenario_, *states_, permitted_, trials_, excluded);
+        if (!excluded.empty()) {
+            const simulation::Excluded& first = excluded.front();
+            project_.diagnostics.report(
+                simulation::rules::excluded, scenario_.abstraction->span,
+                {std::to_string(first.trial + 1), first.from, first.to, fmt::format("{:g}", first.time)});
+            return false;
+        }
+        counts_.emplace(states_->size());
+        for (std::size_t i = 0; i < sequences.size() / 2; ++i) counts_->add(sequences[i]);
+        for (std::size_t from = 1; from < states_->size(); ++from)
+            for (std::size_t to = 1; to < states_->size(); ++to)
+                if (counts_->count(from, to) > 0) ++result_.seen;
+        try {
+            for (const simulation::ChainAsked& each : asked)
+                result_.answers.push_back(
+                    simulation::chain_answer(scenario_, each, permitted_, sequences, trials_, &options_.run->budget()));
+        } catch (const diagnostics::LimitReached&) {
+            result_.interrupted = true;  // what was answered stays
+        }
+        return true;
+    }
+
+    Exit report() {
+        std::vector<std::string> files;
+        if (options_.pictures && counts_ && !result_.answers.empty()) {
+            const double error = (1 - result_.answers.front().asked.confidence) / 2;
+            add("chain.csv", simulation::transitions_csv(*states_, permitted_, *counts_, error), files);
+            add("chain-checks.csv", simulation::checks_csv(result_), files);
+            for (std::size_t q = 0; q < result_.answers.size(); ++q)
+                add(fmt::format("chain-{}.svg", q + 1), simulation::answer_svg(result_.answers[q]), files);
+        }
+        options_.run->finish();
+        if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::bad_input;
+        const Exit exit = result_.fails() ? Exit::failed : result_.complete() ? Exit::success : Exit::inconclusive;
+        if (options_.format == Format::json) {
+            print_exact(simulation::chain_json(scenario_, *states_, result_, files, static_cast<int>(exit)));
+            return exit;
+        }
+        show_diagnostics(project_, options_);
+        print_text(files);
+        return exit;
+    }
+
+    void add(const std::string& name, const std::string& text, std::vector<std::string>& files) {
+        const std::string path = "simulation/" + scenario_.name.text + "/" + name;
+        const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
+        if (!error.empty()) project_.diagnostics.report(rules::unwritable, {}, {error});
+        if (error.empty()) files.push_back(options_.out + "/" + path);
+    }
+
+    void print_text(const std::vector<std::string>& files) const {
+        if (!options_.quiet) {
+            print("{}\n", simulation::study_text(scenario_, *states_, result_));
+            if (!scenario_.bands.empty()) print("bands are not asked where there is a chain\n\n");
+            print("answers, if robots in one state behave alike whatever was before\n{}\n",
+                  simulation::answers_text(result_));
+            print("in this world\n{}\n", simulation::world_text(scenario_));
+            if (!files.empty()) print("files\n");
+            for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
+            if (!files.empty()) print("\n");
+        }
+        if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached());
+        print("{}\n", simulation::chain_summary(result_));
+    }
+
+    Simulation& simulation_;
+    Project& project_;
+    const Options& options_;
+    const OtherStage& stage_;
+    std::unique_ptr<simulation::Controller> controller_;
+    simulation::Scenario scenario_;
+    std::optional<simulation::ChainStates> states_;
+    statistics::Permitted permitted_;
+    std::vector<simulation::TrialResult> trials_;
+    std::optional<statistics::TransitionCounts> counts_;
+    simulation::ChainResult result_;
+};
+
+}  // namespace
+
+Exit study_chain(Simulation& simulation, const Options& options, const OtherStage& stage) {
+    return ChainStudy(simulation, options, stage).run();
+}
+
+}  // namespace robochart::app

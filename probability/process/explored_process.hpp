@@ -1,0 +1,47 @@
+// The timed process of a component with all its states, and what reads them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "csp_emit/base/emission.hpp"
+#include "diagnostics/budget.hpp"
+#include "diagnostics/source.hpp"
+#include "probability/process/exploration.hpp"
+#include "probability/process/observers.hpp"
+#include "probability/process/state_reader.hpp"
+#include "runs/step_reader.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+struct ExploredProcess {
+    ir::Instantiation instantiation;
+    csp_emit::Emission emission;
+    std::unique_ptr<cspm::Session> session;
+    std::unique_ptr<lts::TransitionSystem> system;
+    std::unique_ptr<Exploration> exploration;
+    std::unique_ptr<runs::Context> context;
+    std::unique_ptr<runs::StepReader> steps;
+    std::unique_ptr<StateReader> reader;
+    std::uint64_t compared = 0;  ///< states of the comparison; 0: none was made
+};
+
+struct ExploreLimits {
+    std::uint64_t most_states = 500'000'000;
+    /// Up to so many states the process is compared with the one that is checked for refinement: branching bisimilar to
+    /// it.
+    std::uint64_t compared_states = 1'000'000;
+    diagnostics::Budget* budget = nullptr;
+};
+
+/// System and sources outlive it. Throws Wrong where there is no such process, diagnostics::LimitReached.
+[[nodiscard]] std::unique_ptr<ExploredProcess> explore_process(const ir::System&, const ir::ComponentRef& subject,
+                                                               ir::Instantiation,
+                                                               const std::vector<ObservedEvent>& observed,
+                                                               diagnostics::SourceManager&, const ExploreLimits&);
+
+}  // namespace robochart::probability

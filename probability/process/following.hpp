@@ -1,0 +1,28 @@
+// Which states of a machine may follow which some time units later, whatever its environment does: a proof about the
+// timed semantics of its component, by all of its states.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "probability/process/explored_process.hpp"
+
+namespace robochart::probability {
+
+/// Classes are sets of bits: bit i, whether the i-th state that was asked for is active.
+struct Following {
+    std::vector<std::uint32_t> classes;    ///< in which time passes, ascending
+    std::vector<bool> first;               ///< of each class: the component begins in it
+    std::vector<std::vector<bool>> after;  ///< [from][to], exactly so many time units later
+};
+
+/// `states`: of the component's first machine, by their paths in it, at most 32. A class is that of a state in which a
+/// time unit passes, taken both in front of that step and behind it, so it is that of the end of a control cycle
+/// whichever of them is meant. Throws Wrong where the machine has no such state.
+[[nodiscard]] Following following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
+                                  const std::vector<std::string>& states, std::uint64_t units,
+                                  const std::function<void()>& poll);
+
+}  // namespace robochart::probability

@@ -1,0 +1,266 @@
+#include "simulation/chain/chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "checker/markov/operators/robust.hpp"
+#include "simulation/scenario/rules.hpp"
+#include "statistics/means.hpp"
+
+namespace robochart::simulation {
+
+using markov::Direction;
+using statistics::Interval;
+
+namespace {
+
+constexpr const char* not_said =
+    "the states of the chain do not say whether it holds: it is about measures that are not "
+    "distinguished, or values between levels";
+
+/// Of the last state in a trial, that after 0 s is the first.
+std::uint64_t last_step(const Scenario& scenario) {
+    return scenario.steps() / scenario.steps_apart();
+}
+
+class Asking {
+public:
+    Asking(const Scenario& scenario, const ChainStates& states, diagnostics::Diagnostics& diagnostics)
+        : scenario_(scenario), states_(states), diagnostics_(diagnostics) {}
+
+    std::vector<ChainAsked> operator()() {
+        for (const Claim& each : scenario_.claims) ask(each);
+        for (const ChainQuestion& each : scenario_.chain_questions) ask(each);
+        return std::move(result_);
+    }
+
+private:
+    void refuse(diagnostics::Span span, const std::string& why) {
+        diagnostics_.report(rules::not_in_chain, span, {why});
+    }
+
+    void ask(const Claim& claim) {
+        if (claim.property.kind != Formula::Kind::within || std::isinf(claim.property.time))
+            return refuse(claim.span, "a chain answers `CONDITION within TIME`");
+        if (claim.indifference > 0) return refuse(claim.span, "a chain has bounds, no test with an indifference");
+        const double steps = claim.property.time / scenario_.abstraction->every;
+        const double whole = std::round(steps);
+        if (std::abs(steps - whole) > 1e-9 * std::max(1.0, steps))
+            return refuse(claim.span, fmt::format("the chain has no state at {:g} s", claim.property.time));
+        const auto goal = states_.holding(claim.property.parts.front());
+        if (!goal) return refuse(claim.span, not_said);
+        ChainAsked& asked = result_.emplace_back();
+        asked.claim = &claim;
+        asked.text = claim.text;
+        asked.confidence = claim.confidence;
+        asked.goal = *goal;
+        asked.steps = static_cast<std::uint64_t>(whole);
+    }
+
+    void ask(const ChainQuestion& question) {
+        ChainAsked asked;
+        asked.kind = question.time ? ChainAsked::Kind::time : ChainAsked::Kind::average;
+        asked.text = question.text;
+        asked.confidence = question.confidence;
+        if (question.time) {
+            const auto goal = states_.holding(question.condition);
+            if (!goal) return refuse(question.span, not_said);
+            asked.goal = *goal;
+        } else if (!take_average(question, asked)) {
+            return refuse(question.span, "the chain does not tell apart what is averaged");
+        }
+        result_.push_back(std::move(asked));
+    }
+
+    bool take_average(const ChainQuestion& question, ChainAsked& asked) {
+        const auto& distinctions = scenario_.abstraction->distinctions;
+        const auto found = std::find_if(distinctions.begin(), distinctions.end(),
+                                        [&](const Distinction& each) { return each.measure == question.measure; });
+        if (found == distinctions.end()) return false;
+        asked.distinction = static_cast<std::size_t>(found - distinctions.begin());
+        for (std::size_t state = 0; state < states_.size(); ++state) {
+            const auto values = states_.measure(state, question.measure);
+            asked.low.push_back(values ? values->low : 0);
+            asked.high.push_back(values ? values->high : 0);
+        }
+        return true;
+    }
+
+    const Scenario& scenario_;
+    const ChainStates& states_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::vector<ChainAsked> result_;
+};
+
+}  // namespace
+
+std::vector<ChainAsked> chain_asked(const Scenario& scenario, const ChainStates& states,
+                                    diagnostics::Diagnostics& diagnostics) {
+    return Asking(scenario, states, diagnostics)();
+}
+
+bool ChainAnswer::refuted() const {
+    return std::any_of(checks.begin(), checks.end(), [](const ChainCheck& each) { return each.contradicts; });
+}
+
+ClaimVerdict ChainAnswer::verdict() const {
+    if (asked.claim == nullptr || asked.claim->estimate) return ClaimVerdict::estimated;
+    const double wanted = asked.claim->probability;
+    const bool least = asked.claim->at_least;
+    if (least ? low >= wanted : high <= wanted) return ClaimVerdict::holds;
+    return (least ? high < wanted : low > wanted) ? ClaimVerdict::fails : ClaimVerdict::open;
+}
+
+std::vector<statistics::StateSequence> sequences_of(const Scenario& scenario, const ChainStates& states,
+                                                    const statistics::Permitted& permitted,
+                                                    const std::vector<TrialResult>& trials,
+                                                    std::vector<Excluded>& excluded) {
+    std::vector<statistics::StateSequence> result;
+    for (std::size_t trial = 0; trial < trials.size(); ++trial) {
+        statistics::StateSequence& sequence = result.emplace_back();
+        sequence.push_back(ChainStates::start);
+        for (std::size_t at = 0; at < trials[trial].samples.size(); ++at) {
+            const std::size_t next = states.of(trials[trial].samples[at]);
+            if (next != ChainStates::none && permitted[sequence.back()][next]) {
+                sequence.push_back(next);
+                continue;
+            }
+            excluded.push_back(
+                {static_cast<std::uint32_t>(trial), static_cast<double>(at) * scenario.abstraction->every,
+                 states.text(sequence.back()),
+                 next == ChainStates::none ? "a state that no robots are in together" : states.text(next)});
+            break;
+        }
+    }
+    return result;
+}
+
+namespace {
+
+class Answering {
+public:
+    Answering(const Scenario& scenario, const ChainAsked& asked, const statistics::Permitted& permitted,
+              const std::vector<statistics::StateSequence>& sequences, const std::vector<TrialResult>& trials,
+              diagnostics::Budget* budget)
+        : scenario_(scenario),
+          sequences_(sequences),
+          trials_(trials),
+          first_fresh_(sequences.size() / 2),
+          error_((1 - asked.confidence) / 2),
+          budget_(budget) {
+        answer_.asked = asked;
+        statistics::TransitionCounts counts(permitted.size());
+        for (std::size_t i = 0; i < first_fresh_; ++i) counts.add(sequences[i]);
+        const auto intervals = statistics::transition_intervals(counts, permitted, error_);
+        for (const auto& row : intervals) {
+            markov::UncertainRow& added = chain_.emplace_back();
+            for (markov::State to = 0; to < row.size(); ++to)
+                if (row[to].high > 0) added.branches.push_back({to, row[to].low, row[to].high});
+        }
+    }
+
+    ChainAnswer operator()() {
+        if (answer_.asked.kind == ChainAsked::Kind::average)
+            average();
+        else
+            reach();
+        answer_.low = std::max(0.0, answer_.low);  // rounding may have left it at -0
+        return std::move(answer_);
+    }
+
+private:
+    [[nodiscard]] std::size_t fresh() const { return sequences_.size() - first_fresh_; }
+    [[nodiscard]] double error_of_check() const { return error_ / static_cast<double>(last_step(scenario_) + 1); }
+
+    /// A step of the chain is behind the start.
+    void reach() {
+        const std::uint64_t steps = last_step(scenario_) + 1;
+        const auto& goal = answer_.asked.goal;
+        const auto least = markov::reach_bounds(chain_, goal, steps, Direction::minimum, budget_);
+        const auto most = markov::reach_bounds(chain_, goal, steps, Direction::maximum, budget_);
+        for (std::uint64_t step = 1; step <= steps; ++step)
+            check_share(step, {std::max(0.0, least[step][ChainStates::start]), most[step][ChainStates::start]});
+        if (answer_.asked.kind == ChainAsked::Kind::within) {
+            answer_.low = least[answer_.asked.steps + 1][ChainStates::start];
+            answer_.high = most[answer_.asked.steps + 1][ChainStates::start];
+            return;
+        }
+        std::vector<double> cost(chain_.size(), scenario_.abstraction->every);
+        cost[ChainStates::start] = 0;
+        const std::uint64_t rounds = most_rounds();
+        answer_.low = markov::cost_bounds(chain_, goal, cost, Direction::minimum, rounds, budget_)[ChainStates::start];
+        answer_.high = markov::cost_bounds(chain_, goal, cost, Direction::maximum, rounds, budget_)[ChainStates::start];
+    }
+
+    /// Fewer for chains with more transitions: a bound that has not settled is a bound.
+    [[nodiscard]] std::uint64_t most_rounds() const {
+        std::uint64_t transitions = 0;
+        for (const markov::UncertainRow& row : chain_) transitions += row.branches.size();
+        return std::clamp<std::uint64_t>(500'000'000 / transitions, 1'000, 100'000);
+    }
+
+    void average() {
+        const std::uint64_t steps = last_step(scenario_) + 1;
+        const ChainAsked& asked = answer_.asked;
+        const auto least = markov::value_bounds(chain_, asked.low, steps, Direction::minimum, budget_);
+        const auto most = markov::value_bounds(chain_, asked.high, steps, Direction::maximum, budget_);
+        for (std::uint64_t step = 1; step <= steps; ++step)
+            check_mean(step, {least[step][ChainStates::start], most[step][ChainStates::start]});
+        const std::uint64_t rounds = most_rounds() / 10;
+        answer_.low = markov::average_bound(chain_, ChainStates::start, asked.low, Direction::minimum, rounds, budget_);
+        answer_.high =
+            markov::average_bound(chain_, ChainStates::start, asked.high, Direction::maximum, rounds, budget_);
+    }
+
+    [[nodiscard]] double time_of(std::uint64_t step) const {
+        return static_cast<double>(step - 1) * scenario_.abstraction->every;
+    }
+
+    /// In how many fresh trials the goal had come by then.
+    void check_share(std::uint64_t step, const Interval& predicted) {
+        std::uint64_t there = 0;
+        for (std::size_t i = first_fresh_; i < sequences_.size(); ++i) {
+            const auto begin = sequences_[i].begin();
+            const auto end = begin + static_cast<std::ptrdiff_t>(std::min<std::size_t>(step + 1, sequences_[i].size()));
+            if (std::any_of(begin, end, [&](std::size_t state) { return answer_.asked.goal[state]; })) ++there;
+        }
+        const double error = error_of_check();
+        const Interval by_trials = statistics::clopper_pearson(there, fresh(), error);
+        answer_.checks.push_back({time_of(step), predicted, static_cast<double>(there) / static_cast<double>(fresh()),
+                                  by_trials, statistics::contradicts(there, fresh(), error, predicted)});
+    }
+
+    /// The mean of a share over the fresh trials, by the inequality of Hoeffding.
+    void check_mean(std::uint64_t step, const Interval& predicted) {
+        double sum = 0;
+        for (std::size_t i = first_fresh_; i < trials_.size(); ++i)
+            sum += trials_[i].samples.at(step - 1).at(answer_.asked.distinction);
+        const double mean = sum / static_cast<double>(fresh());
+        const double away = statistics::hoeffding_epsilon(static_cast<double>(fresh()), error_of_check());
+        const Interval by_trials{std::max(0.0, mean - away), std::min(1.0, mean + away)};
+        answer_.checks.push_back({time_of(step), predicted, mean, by_trials,
+                                  by_trials.low > predicted.high || predicted.low > by_trials.high});
+    }
+
+    const Scenario& scenario_;
+    const std::vector<statistics::StateSequence>& sequences_;
+    const std::vector<TrialResult>& trials_;
+    const std::size_t first_fresh_;
+    const double error_;  ///< of the intervals, and of all checks together
+    diagnostics::Budget* budget_;
+    markov::UncertainChain chain_;
+    ChainAnswer answer_;
+};
+
+}  // namespace
+
+ChainAnswer chain_answer(const Scenario& scenario, const ChainAsked& asked, const statistics::Permitted& permitted,
+                         const std::vector<statistics::StateSequence>& sequences,
+                         const std::vector<TrialResult>& trials, diagnostics::Budget* budget) {
+    return Answering(scenario, asked, permitted, sequences, trials, budget)();
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,211 @@
+#include "simulation/chain/chain_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "diagnostics/json.hpp"
+#include "simulation/report/line_plot.hpp"
+#include "simulation/report/percent.hpp"
+
+namespace robochart::simulation {
+
+using diagnostics::Json;
+
+bool ChainResult::refuted() const {
+    return std::any_of(answers.begin(), answers.end(), [](const ChainAnswer& each) { return each.refuted(); });
+}
+
+bool ChainResult::fails() const {
+    return refuted() || std::any_of(answers.begin(), answers.end(),
+                                    [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::fails; });
+}
+
+bool ChainResult::complete() const {
+    return !interrupted && answers.size() == questions &&
+           std::none_of(answers.begin(), answers.end(),
+                        [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::open; });
+}
+
+std::string answer_word(const ChainAnswer& answer) {
+    if (answer.refuted()) return "REFUTED";
+    const ClaimVerdict verdict = answer.verdict();
+    if (verdict == ClaimVerdict::fails) return "FAILS";
+    return verdict == ClaimVerdict::estimated ? "estimate" : verdict_word(verdict);
+}
+
+namespace {
+
+/// Rounded down, and up.
+std::string below(const ChainAnswer& answer) {
+    if (answer.asked.kind != ChainAsked::Kind::time) return percent_below(answer.low);
+    return fmt::format("{:.1f} s", std::floor(answer.low * 10) / 10);
+}
+
+std::string above(const ChainAnswer& answer) {
+    if (answer.asked.kind != ChainAsked::Kind::time) return percent_above(answer.high);
+    return fmt::format("{:.1f} s", std::ceil(answer.high * 10) / 10);
+}
+
+std::string bounds(const ChainAnswer& answer) {
+    if (std::isinf(answer.high)) return fmt::format("at least {}; the chain has no upper bound", below(answer));
+    return fmt::format("between {} and {}", below(answer), above(answer));
+}
+
+std::string interval(const statistics::Interval& each) {
+    return fmt::format("between {} and {}", percent_below(each.low), percent_above(each.high));
+}
+
+/// The first check that contradicts.
+std::string contradiction(const ChainAnswer& answer) {
+    const auto found = std::find_if(answer.checks.begin(), answer.checks.end(),
+                                    [](const ChainCheck& each) { return each.contradicts; });
+    const auto all = std::count_if(answer.checks.begin(), answer.checks.end(),
+                                   [](const ChainCheck& each) { return each.contradicts; });
+    return fmt::format("the chain is no abstraction here: at {:g} s it says {}, fresh trials {}; so at {} of {} times",
+                       found->time, interval(found->predicted), interval(found->by_trials), all, answer.checks.size());
+}
+
+std::string trials_of(std::uint32_t first, std::uint32_t count, std::uint64_t seed) {
+    return fmt::format("{} trials from seed {} on", count, seed + first);
+}
+
+}  // namespace
+
+std::string answers_text(const ChainResult& result) {
+    std::string out;
+    for (const ChainAnswer& each : result.answers)
+        out += fmt::format("  {:<8} {}\n           {}\n", answer_word(each), each.asked.text,
+                           each.refuted() ? contradiction(each)
+                                          : fmt::format("{}; fresh trials do not contradict the chain at {} times",
+                                                        bounds(each), each.checks.size()));
+    return out;
+}
+
+std::string study_text(const Scenario& scenario, const ChainStates& states, const ChainResult& result) {
+    return fmt::format(
+        "chain of {}: {} states, {:g} s apart; controller {}\n"
+        "estimated from {}, checked on {}; {:.1f} CPU seconds\n"
+        "{} transitions, {} of them seen, {} excluded: {}\n",
+        scenario.name.text, states.size() - 1, scenario.abstraction->every, scenario.component.text,
+        trials_of(0, result.trials, scenario.seed), trials_of(result.trials, result.trials, scenario.seed),
+        result.cpu_seconds, result.transitions, result.seen, result.excluded, result.proof);
+}
+
+std::string chain_summary(const ChainResult& result) {
+    const auto refuted = std::count_if(result.answers.begin(), result.answers.end(),
+                                       [](const ChainAnswer& each) { return each.refuted(); });
+    const auto fails = std::count_if(result.answers.begin(), result.answers.end(), [](const ChainAnswer& each) {
+        return !each.refuted() && each.verdict() == ClaimVerdict::fails;
+    });
+    const auto open = std::count_if(result.answers.begin(), result.answers.end(), [](const ChainAnswer& each) {
+        return !each.refuted() && each.verdict() == ClaimVerdict::open;
+    });
+    std::string out;
+    if (refuted > 0)
+        out = fmt::format("refuted: the chain is no abstraction here ({} of {} answers)", refuted, result.questions);
+    const auto add = [&](std::ptrdiff_t count, const char* what) {
+        if (count > 0) out += fmt::format("{}{} of {} {}", out.empty() ? "" : ", ", count, result.questions, what);
+    };
+    add(fails, "fail");
+    add(open + static_cast<std::ptrdiff_t>(result.questions - result.answers.size()), "open");
+    if (out.empty()) out = fmt::format("{} of {} answered, none refuted", result.answers.size(), result.questions);
+    return out;
+}
+
+std::string transitions_csv(const ChainStates& states, const statistics::Permitted& permitted,
+                            const statistics::TransitionCounts& counts, double error) {
+    const auto intervals = statistics::transition_intervals(counts, permitted, error);
+    std::string out = "from,to,count,visits,low,high\n";
+    for (std::size_t from = 0; from < states.size(); ++from) {
+        const std::uint64_t visits = counts.visits(from);
+        for (std::size_t to = 0; to < states.size() && visits > 0; ++to)
+            if (permitted[from][to])
+                out += fmt::format("\"{}\",\"{}\",{},{},{:.6f},{:.6f}\n", states.text(from), states.text(to),
+                                   counts.count(from, to), visits, intervals[from][to].low, intervals[from][to].high);
+    }
+    return out;
+}
+
+std::string checks_csv(const ChainResult& result) {
+    std::string out = "question,time,chain_low,chain_high,fresh,fresh_low,fresh_high,contradicts\n";
+    for (std::size_t q = 0; q < result.answers.size(); ++q)
+        for (const ChainCheck& each : result.answers[q].checks)
+            out +=
+                fmt::format("{},{:g},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", q + 1, each.time, each.predicted.low,
+                            each.predicted.high, each.seen, each.by_trials.low, each.by_trials.high, each.contradicts);
+    return out;
+}
+
+std::string answer_svg(const ChainAnswer& answer) {
+    LinePlot plot{answer.asked.text,
+                  "time in s",
+                  {{"the chain, at most", {}}, {"the chain, at least", {}}, {"fresh trials", {}}}};
+    for (const ChainCheck& each : answer.checks) {
+        plot.lines[0].points.push_back({each.time, each.predicted.high, each.predicted.high, each.predicted.high});
+        plot.lines[1].points.push_back({each.time, each.predicted.low, each.predicted.low, each.predicted.low});
+        plot.lines[2].points.push_back({each.time, each.seen, each.by_trials.low, each.by_trials.high});
+    }
+    return line_plot_svg(plot);
+}
+
+namespace {
+
+/// Six significant digits; null where there is no number.
+Json chain_number(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return Json::parse(fmt::format("{:.6g}", value));
+}
+
+Json checks_json(const ChainAnswer& answer) {
+    Json list = Json::array();
+    for (const ChainCheck& each : answer.checks)
+        list.push_back({{"time", chain_number(each.time)},
+                        {"chain", {chain_number(each.predicted.low), chain_number(each.predicted.high)}},
+                        {"fresh", chain_number(each.seen)},
+                        {"interval", {chain_number(each.by_trials.low), chain_number(each.by_trials.high)}},
+                        {"contradicts", each.contradicts}});
+    return list;
+}
+
+Json answer_json(const ChainAnswer& answer) {
+    const char* const kind = answer.asked.kind == ChainAsked::Kind::within ? "probability"
+                             : answer.asked.kind == ChainAsked::Kind::time ? "time"
+                                                                           : "average";
+    std::string verdict = answer.refuted() ? "refuted" : verdict_word(answer.verdict());
+    return Json{{"question", answer.asked.text},   {"kind", kind},
+                {"verdict", std::move(verdict)},   {"confidence", chain_number(answer.asked.confidence)},
+                {"low", chain_number(answer.low)}, {"high", chain_number(answer.high)},
+                {"checks", checks_json(answer)}};
+}
+
+}  // namespace
+
+std::string chain_json(const Scenario& scenario, const ChainStates& states, const ChainResult& result,
+                       const std::vector<std::string>& files, int exit) {
+    Json answers = Json::array();
+    for (const ChainAnswer& each : result.answers) answers.push_back(answer_json(each));
+    const Json json{{"schema", "robochart-verify/chain/1"},
+                    {"scenario", scenario.name.text},
+                    {"component", scenario.component.text},
+                    {"robots", scenario.robots},
+                    {"seed", scenario.seed},
+                    {"trials", result.trials},
+                    {"every", chain_number(scenario.abstraction->every)},
+                    {"states", states.size() - 1},
+                    {"transitions", result.transitions},
+                    {"seen", result.seen},
+                    {"excluded", result.excluded},
+                    {"proof", result.proof},
+                    {"interrupted", result.interrupted},
+                    {"cpuSeconds", diagnostics::rounded(result.cpu_seconds, 3)},
+                    {"answers", std::move(answers)},
+                    {"world", world_lines(scenario)},
+                    {"files", files},
+                    {"exit", exit}};
+    return diagnostics::json_text(json) + "\n";
+}
+
+}  // namespace robochart::simulation

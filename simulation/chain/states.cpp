@@ -1,0 +1,290 @@
+#include "simulation/chain/states.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace robochart::simulation {
+
+namespace {
+
+bool is_share(MeasureKind kind) {
+    return kind != MeasureKind::spread && kind != MeasureKind::second_moment && kind != MeasureKind::distance;
+}
+
+double share(std::uint32_t count, std::uint32_t robots) {
+    return static_cast<double>(count) / static_cast<double>(robots);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> robot_classes(const Scenario& scenario) {
+    std::set<std::uint16_t> numbers;
+    std::vector<const Measure*> asked;
+    for (const Distinction& each : scenario.abstraction->distinctions) {
+        const Measure& measure = scenario.measures[each.measure];
+        if (measure.kind != MeasureKind::in_state) continue;
+        asked.push_back(&measure);
+        numbers.insert(measure.states.begin(), measure.states.end());
+    }
+    std::set<std::uint32_t> classes{0};
+    for (const std::uint16_t number : numbers) {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            if (std::find(asked[i]->states.begin(), asked[i]->states.end(), number) != asked[i]->states.end())
+                bits |= std::uint32_t{1} << i;
+        classes.insert(bits);
+    }
+    return {classes.begin(), classes.end()};
+}
+
+ChainStates::ChainStates(const Scenario& scenario, std::optional<RobotSteps> steps)
+    : scenario_(scenario), steps_(std::move(steps)) {
+    for (const Distinction& each : scenario.abstraction->distinctions) find_classes(each);
+    find_distributions(steps_ ? steps_->classes : robot_classes(scenario));
+    Tuple so_far;
+    find_states(0, so_far);
+}
+
+bool ChainStates::is_in_state(std::size_t distinction) const {
+    return scenario_.measures[scenario_.abstraction->distinctions[distinction].measure].kind == MeasureKind::in_state;
+}
+
+void ChainStates::find_classes(const Distinction& distinction) {
+    std::vector<MeasureClass>& found = classes_.emplace_back();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (!is_share(scenario_.measures[distinction.measure].kind)) {
+        double low = -infinite;
+        for (const double level : distinction.levels) {
+            found.push_back({false, 0, 0, low, level});
+            low = level;
+        }
+        found.push_back({false, 0, 0, low, infinite});
+        return;
+    }
+    const std::uint32_t robots = scenario_.robots;
+    if (robots >= most_states) throw TooManyStates(fmt::format("{} robots", robots));
+    const auto level_of = [&](std::uint32_t count) {
+        const auto& levels = distinction.levels;
+        return std::lower_bound(levels.begin(), levels.end(), share(count, robots)) - levels.begin();
+    };
+    for (std::uint32_t count = 0; count <= robots; ++count) {
+        const bool same = count > 0 && !distinction.levels.empty() && level_of(count) == level_of(count - 1);
+        if (!same) found.push_back({true, count, count, share(count, robots), 0});
+        found.back().most = count;
+        found.back().high = share(count, robots);
+    }
+}
+
+void ChainStates::find_distributions(const std::vector<std::uint32_t>& classes) {
+    constexpr std::size_t most_classes = 12;
+    if (classes.size() > most_classes)
+        throw TooManyStates(fmt::format("{} classes of states of a robot", classes.size()));
+    Distribution so_far(classes.size());
+    distribute(so_far, 0, scenario_.robots);
+    for (const Distribution& each : distributions_) distributed_.push_back(projected(each, classes));
+    admitted_ = distributed_;
+    std::sort(admitted_.begin(), admitted_.end());
+    admitted_.erase(std::unique(admitted_.begin(), admitted_.end()), admitted_.end());
+}
+
+void ChainStates::distribute(Distribution& so_far, std::size_t at, std::uint32_t left) {
+    if (at + 1 == so_far.size()) {
+        so_far[at] = left;
+        if (distributions_.size() == most_distributions)
+            throw TooManyStates(fmt::format("more than {} ways to distribute {} robots over {} classes",
+                                            most_distributions, scenario_.robots, so_far.size()));
+        distributions_.push_back(so_far);
+        return;
+    }
+    for (std::uint32_t here = 0; here <= left; ++here) {
+        so_far[at] = here;
+        distribute(so_far, at + 1, left - here);
+    }
+}
+
+ChainStates::Tuple ChainStates::projected(const Distribution& robots, const std::vector<std::uint32_t>& classes) const {
+    Tuple result(classes_.size());
+    std::uint32_t bit = 1;
+    for (std::size_t d = 0; d < classes_.size(); ++d) {
+        if (!is_in_state(d)) continue;
+        std::uint32_t count = 0;
+        for (std::size_t c = 0; c < classes.size(); ++c)
+            if ((classes[c] & bit) != 0) count += robots[c];
+        const auto found = std::find_if(classes_[d].begin(), classes_[d].end(), [&](const MeasureClass& each) {
+            return each.least <= count && count <= each.most;
+        });
+        result[d] = static_cast<std::size_t>(found - classes_[d].begin());
+        bit <<= 1U;
+    }
+    return result;
+}
+
+ChainStates::Tuple ChainStates::robots_in(const Tuple& state) const {
+    Tuple result = state;
+    for (std::size_t d = 0; d < state.size(); ++d)
+        if (!is_in_state(d)) result[d] = 0;
+    return result;
+}
+
+bool ChainStates::fits(const Tuple& state) const {
+    return std::binary_search(admitted_.begin(), admitted_.end(), robots_in(state));
+}
+
+void ChainStates::find_states(std::size_t at, Tuple& so_far) {
+    if (at == classes_.size()) {
+        if (!fits(so_far)) return;
+        if (states_.size() == most_states) throw TooManyStates(fmt::format("more than {} states", most_states));
+        states_.push_back(so_far);
+        return;
+    }
+    so_far.push_back(0);
+    for (std::size_t each = 0; each < classes_[at].size(); ++each) {
+        so_far[at] = each;
+        find_states(at + 1, so_far);
+    }
+    so_far.pop_back();
+}
+
+std::size_t ChainStates::of(const std::vector<double>& sample) const {
+    Tuple wanted;
+    for (std::size_t d = 0; d < classes_.size(); ++d) {
+        const auto& classes = classes_[d];
+        const auto found = std::find_if(classes.begin(), classes.end(),
+                                        [&](const MeasureClass& each) { return sample[d] <= each.high; });
+        if (found == classes.end()) return none;
+        wanted.push_back(static_cast<std::size_t>(found - classes.begin()));
+    }
+    const auto found = std::lower_bound(states_.begin(), states_.end(), wanted);
+    return found == states_.end() || *found != wanted ? none : static_cast<std::size_t>(found - states_.begin()) + 1;
+}
+
+std::string ChainStates::text(std::size_t state) const {
+    if (state == start) return "start";
+    std::string result;
+    for (std::size_t d = 0; d < classes_.size(); ++d) {
+        const Measure& measure = scenario_.measures[scenario_.abstraction->distinctions[d].measure];
+        const MeasureClass& here = classes_[d][states_[state - 1][d]];
+        const char* const unit = measure.kind == MeasureKind::second_moment ? "" : " cm";
+        const std::string value = here.share && here.least == here.most
+                                      ? fmt::format("{} of {}", here.least, scenario_.robots)
+                                  : here.share ? fmt::format("{} to {} of {}", here.least, here.most, scenario_.robots)
+                                  : std::isinf(here.low)  ? fmt::format("up to {:g}{}", here.high, unit)
+                                  : std::isinf(here.high) ? fmt::format("above {:g}{}", here.low, unit)
+                                                          : fmt::format("{:g} to {:g}{}", here.low, here.high, unit);
+        result += fmt::format("{}{} {}", result.empty() ? "" : ", ", measure.name.text, value);
+    }
+    return result;
+}
+
+std::optional<MeasureClass> ChainStates::measure(std::size_t state, std::size_t measure) const {
+    const auto& distinctions = scenario_.abstraction->distinctions;
+    for (std::size_t d = 0; d < distinctions.size() && state != start; ++d)
+        if (distinctions[d].measure == measure) return classes_[d][states_[state - 1][d]];
+    return std::nullopt;
+}
+
+namespace {
+
+/// Whether all values of a class lie in the band, or none does.
+std::optional<bool> within(const MeasureClass& values, double low, double high, std::uint32_t robots) {
+    if (!values.share) {
+        if (low <= values.low && values.high <= high) return true;
+        if (values.high < low || high <= values.low) return false;
+        return std::nullopt;
+    }
+    std::uint32_t inside = 0;
+    for (std::uint32_t count = values.least; count <= values.most; ++count)
+        if (low <= share(count, robots) && share(count, robots) <= high) ++inside;
+    if (inside == 0) return false;
+    return inside == values.most - values.least + 1 ? std::optional(true) : std::nullopt;
+}
+
+}  // namespace
+
+/// Kleene's three values.
+std::optional<bool> ChainStates::holds(const Formula& formula, std::size_t state) const {
+    switch (formula.kind) {
+        case Formula::Kind::compare: {
+            const auto values = measure(state, formula.measure);
+            return values ? within(*values, formula.low, formula.high, scenario_.robots) : std::nullopt;
+        }
+        case Formula::Kind::negation: {
+            const auto part = holds(formula.parts.front(), state);
+            return part ? std::optional(!*part) : std::nullopt;
+        }
+        case Formula::Kind::both:
+        case Formula::Kind::either: {
+            const bool decisive = formula.kind == Formula::Kind::either;
+            std::optional<bool> result = !decisive;
+            for (const Formula& each : formula.parts) {
+                const auto part = holds(each, state);
+                if (part == decisive) return decisive;
+                if (!part) result = std::nullopt;
+            }
+            return result;
+        }
+        default:
+            return std::nullopt;  // it looks back
+    }
+}
+
+std::optional<std::vector<bool>> ChainStates::holding(const Formula& condition) const {
+    std::vector<bool> result{false};
+    for (std::size_t state = 1; state < size(); ++state) {
+        const auto here = holds(condition, state);
+        if (!here) return std::nullopt;
+        result.push_back(*here);
+    }
+    return result;
+}
+
+bool ChainStates::admits(const Distribution& before, const Distribution& behind) const {
+    const std::size_t count = before.size();
+    for (std::uint32_t set = 1; set < std::uint32_t{1} << count; ++set) {
+        std::uint32_t inside = 0;
+        std::uint32_t behind_them = 0;
+        for (std::size_t to = 0; to < count; ++to) {
+            bool follows = false;
+            for (std::size_t from = 0; from < count; ++from)
+                follows = follows || ((set >> from & 1U) != 0 && steps_->after[from][to]);
+            if (follows) behind_them += behind[to];
+            if ((set >> to & 1U) != 0) inside += before[to];
+        }
+        if (inside > behind_them) return false;
+    }
+    return true;
+}
+
+statistics::Permitted ChainStates::permitted() const {
+    statistics::Permitted result = statistics::all_permitted(size());
+    const auto number = [&](const Tuple& robots) {
+        return static_cast<std::size_t>(std::lower_bound(admitted_.begin(), admitted_.end(), robots) -
+                                        admitted_.begin());
+    };
+    std::vector<bool> first(admitted_.size(), !steps_);
+    statistics::Permitted follows(admitted_.size(), std::vector<bool>(admitted_.size(), !steps_));
+    for (std::size_t from = 0; from < distributions_.size() && steps_; ++from) {
+        bool begins = true;
+        for (std::size_t c = 0; c < steps_->classes.size(); ++c)
+            begins = begins && (distributions_[from][c] == 0 || steps_->first[c]);
+        const std::size_t source = number(distributed_[from]);
+        if (begins) first[source] = true;
+        for (std::size_t to = 0; to < distributions_.size(); ++to) {
+            const std::size_t target = number(distributed_[to]);
+            if (!follows[source][target]) follows[source][target] = admits(distributions_[from], distributions_[to]);
+        }
+    }
+    for (std::size_t to = 0; to < size(); ++to) {
+        const std::size_t target = to == start ? 0 : number(robots_in(states_[to - 1]));
+        for (std::size_t from = 0; from < size(); ++from)
+            result[from][to] =
+                to != start && (from == start ? first[target] : follows[number(robots_in(states_[from - 1]))][target]);
+    }
+    return result;
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,111 @@
+// Reading scenarios: `abstract`, the states of a chain, and the questions that only a chain answers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "simulation/scenario/rules.hpp"
+#include "simulation/scenario/scenario_reader.hpp"
+
+namespace robochart::simulation {
+
+namespace {
+
+constexpr std::size_t most_distinctions = 8;
+constexpr std::size_t most_levels = 100;
+constexpr double most_steps = 10'000;
+
+}  // namespace
+
+/// `abstract by MEASURE in LEVEL, LEVEL, MEASURE every TIME`.
+void ScenarioReader::abstract() {
+    const diagnostics::Span begin = in_.last_span();
+    Abstraction abstraction;
+    in_.expect("by");
+    while (distinction(abstraction) && !in_.failed()) {
+    }
+    in_.expect("every");
+    abstraction.every = in_.positive(Dimension::time, "the time between two states of the chain");
+    abstraction.span = diagnostics::join(begin, in_.last_span());
+    if (in_.failed()) return;
+    if (abstraction.distinctions.size() > most_distinctions)
+        in_.report(rules::out_of_range, abstraction.span,
+                   {fmt::format("a chain tells at most {} measures apart", most_distinctions)});
+    scenario_.abstraction = std::move(abstraction);
+}
+
+bool ScenarioReader::distinction(Abstraction& abstraction) {
+    const diagnostics::Span begin = in_.token().span;
+    Distinction each;
+    each.measure = measure_named();
+    if (in_.failed() || each.measure >= scenario_.measures.size()) return false;
+    const std::string name = scenario_.measures[each.measure].name.text;
+    const Dimension dimension = dimension_of(each.measure);
+    bool another = false;
+    if (in_.take("in")) {
+        do {
+            each.levels.push_back(in_.quantity(dimension, "a level of this measure").value);
+            another = in_.take(",");
+        } while (!in_.failed() && another && in_.at_number());
+    } else {
+        another = in_.take(",");
+    }
+    if (in_.failed()) return false;
+    const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
+    const bool again = std::any_of(abstraction.distinctions.begin(), abstraction.distinctions.end(),
+                                   [&](const Distinction& other) { return other.measure == each.measure; });
+    if (again) in_.report(rules::said_twice, span, {fmt::format("'{}'", name)});
+    if (each.levels.empty() && dimension != Dimension::share)
+        in_.report(rules::missing, span, {fmt::format("between which levels of '{}' the chain tells apart", name)});
+    if (each.levels.size() > most_levels)
+        in_.report(rules::out_of_range, span, {fmt::format("a measure has at most {} levels", most_levels)});
+    if (std::adjacent_find(each.levels.begin(), each.levels.end(), std::greater_equal<>()) != each.levels.end())
+        in_.report(rules::out_of_range, span, {"the levels do not ascend"});
+    abstraction.distinctions.push_back(std::move(each));
+    return another;
+}
+
+void ScenarioReader::chain_question(diagnostics::Span begin) {
+    ChainQuestion question;
+    question.time = in_.take("time");
+    if (question.time) {
+        in_.expect("until");
+        question.condition = either();
+        if (question.condition.of_trial())
+            in_.report(rules::wrong_instant, in_.last_span(), {"'time until' takes a condition at an instant"});
+    } else {
+        in_.expect("average");
+        question.measure = measure_named();
+        if (question.measure < scenario_.measures.size() && dimension_of(question.measure) != Dimension::share)
+            in_.report(rules::out_of_range, in_.last_span(), {"an average in the long run is one of a share"});
+    }
+    question.confidence = confidence();
+    question.span = diagnostics::join(begin, in_.last_span());
+    if (in_.failed()) return;
+    question.text = in_.text_since(begin);
+    scenario_.chain_questions.push_back(std::move(question));
+}
+
+void ScenarioReader::check_abstraction() {
+    if (!scenario_.abstraction) {
+        for (const ChainQuestion& each : scenario_.chain_questions)
+            in_.report(rules::missing, each.span, {"what the states of a chain are (abstract by MEASURE every TIME)"});
+        return;
+    }
+    const Abstraction& abstraction = *scenario_.abstraction;
+    if (!scenario_.variations.empty())
+        in_.report(rules::out_of_range, abstraction.span, {"a scenario has a chain, or something varies in it"});
+    if (scenario_.world.control_step > 0 && said_.contains("step"))
+        (void)divide(abstraction.every, "the time between two states of the chain", scenario_.world.control_step,
+                     "the control step", "abstract");
+    if (scenario_.duration > 0 && abstraction.every > scenario_.duration)
+        in_.report(rules::out_of_range, abstraction.span, {"the trials are shorter than a step of the chain"});
+    if (scenario_.duration / abstraction.every > most_steps)
+        in_.report(rules::out_of_range, abstraction.span,
+                   {fmt::format("the trials are more than {:.0f} steps of the chain", most_steps)});
+    if (scenario_.claims.empty() && scenario_.chain_questions.empty())
+        in_.report(rules::missing, abstraction.span,
+                   {"what the chain is asked (accept probability, estimate probability, time or average)"});
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,94 @@
+// `simulate` with a scenario that has a chain, as a user runs it: answers, refutation, files, what is not taken.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.hpp"
+#include "tests/contents.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+std::string scenario() {
+    return tests::contents(repository("corpus/foraging/chain.scenario"));
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return at == std::string::npos ? text : text.replace(at, what.size(), with);
+}
+
+/// The scenario beside a copy of the model.
+Folder folder_with(const std::string& text) {
+    return Folder(
+        {{"m/foraging.rct", tests::contents(repository("corpus/foraging/foraging.rct"))}, {"m/chain.scenario", text}});
+}
+
+TEST(Chain, AnswersAndLeavesFiles) {
+    const Folder folder = folder_with(scenario());
+    const Ran ran =
+        run({"simulate", folder / "m/chain.scenario", "--trials", "60", "--format", "json", "--out", folder / "out"});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const json found = json::parse(ran.out);
+    EXPECT_EQ(found.at("schema"), "robochart-verify/chain/1");
+    EXPECT_EQ(found.at("trials"), 60);
+    EXPECT_EQ(found.at("states"), 3) << "one robot rests, searches or is on its way home";
+    EXPECT_THAT(found.at("proof").get<std::string>(), HasSubstr("states of its semantics"));
+    ASSERT_EQ(found.at("answers").size(), 3U);
+    for (const json& each : found.at("answers")) {
+        EXPECT_EQ(each.at("verdict"), "estimated");
+        EXPECT_LT(each.at("low"), each.at("high"));
+        EXPECT_FALSE(each.at("checks").empty());
+    }
+    EXPECT_EQ(found.at("files").size(), 5U);
+    for (const json& file : found.at("files")) EXPECT_TRUE(std::filesystem::exists(file.get<std::string>()));
+    const std::string out = folder / "out/simulation/ForagingChain/";
+    EXPECT_THAT(tests::contents(out + "chain.csv"), HasSubstr("from,to,count,visits,low,high\n"));
+    EXPECT_THAT(tests::contents(out + "chain-checks.csv"), HasSubstr("contradicts\n1,0,"));
+}
+
+/// A robot comes home after at least a time that depends on how far it went, and searches for at most twenty seconds:
+/// in steps of five the state does not say for how long it has. After five seconds nobody is on a new search who was on
+/// the way home: it rests for as long.
+TEST(Chain, IsRefutedWhereTheStateSaysTooLittle) {
+    const Folder folder = folder_with(
+        replaced(replaced(scenario(), "every 60 s", "every 5 s"), "estimate probability homing >= 50 % within",
+                 "accept probability homing >= 50 % within 60 s >= 90 % with confidence 95 %\n\testimate "
+                 "probability homing >= 50 % within"));
+    const Ran ran = run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "200"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("9 transitions"));
+    EXPECT_THAT(ran.out, HasSubstr("1 excluded: what 5 time units of foraging::Robot admit"));
+    EXPECT_THAT(ran.out, HasSubstr("REFUTED"));
+    EXPECT_THAT(ran.out, HasSubstr("refuted: the chain is no abstraction here"));
+}
+
+TEST(Chain, OptionsOfTrialsThatAreWatchedAreRefused) {
+    const Folder folder = folder_with(scenario());
+    for (const std::vector<std::string>& option :
+         {std::vector<std::string>{"--html", "a.html"}, {"--log", "logs"}, {"--monitor"}}) {
+        std::vector<std::string> command{"simulate", folder / "m/chain.scenario", "--trials", "2"};
+        command.insert(command.end(), option.begin(), option.end());
+        const Ran ran = run(command);
+        EXPECT_EQ(ran.exit, 4) << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr(option.front() + " takes a scenario without a chain"));
+    }
+}
+
+/// What a limit ends is open.
+TEST(Chain, LimitsAreObeyed) {
+    const Folder folder = folder_with(replaced(scenario(), "duration 600 s", "duration 100000 s"));
+    const Ran ran =
+        run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "10000", "--timeout", "3"});
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("time limit"));
+}
+
+}  // namespace
+}  // namespace robochart::app::testing

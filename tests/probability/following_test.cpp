@@ -1,0 +1,94 @@
+// Which states of a machine may follow which in time, worked out by hand.
+#include "probability/process/following.hpp"
+
+#include <gtest/gtest.h>
+
+#include "probability/experiments/encoding.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "tests/probability/models.hpp"
+
+namespace robochart::probability {
+namespace {
+
+/// Two time units in A, then B at once, and from there to C whenever somebody asks for it.
+const char* const machine =
+    "stm S { event go initial i state A { entry wait(2) } state B { } state C { } transition t0 { from i to A } "
+    "transition t1 { from A to B } transition t2 { from B to C trigger go } }";
+
+Following found(const std::string& model, const std::vector<std::string>& states, std::uint64_t units) {
+    const auto loaded = testing::load({{"m.rct", model}});
+    diagnostics::Diagnostics none;
+    const ir::ComponentRef subject = testing::whole(loaded->system);
+    const auto process =
+        explore_process(loaded->system, subject, ir::instantiate(loaded->system, {}, none), {}, loaded->sources, {});
+    return following(*process, loaded->system, subject, states, units, [] {});
+}
+
+bool may(const Following& following, std::uint32_t from, std::uint32_t to) {
+    const auto place = [&](std::uint32_t bits) {
+        return std::find(following.classes.begin(), following.classes.end(), bits) - following.classes.begin();
+    };
+    return following.after.at(static_cast<std::size_t>(place(from))).at(static_cast<std::size_t>(place(to)));
+}
+
+constexpr std::uint32_t none = 0;
+constexpr std::uint32_t a = 1;
+constexpr std::uint32_t b = 2;
+constexpr std::uint32_t c = 4;
+
+/// The first two time units pass in A, the third in B, or in C if somebody asks at once.
+TEST(Following, OneTimeUnit) {
+    const Following one = found(machine, {"A", "B", "C"}, 1);
+    EXPECT_EQ(one.classes, (std::vector<std::uint32_t>{none, a, b, c}));
+    EXPECT_EQ(one.first, (std::vector<bool>{true, false, false, false}));
+    EXPECT_TRUE(may(one, none, a));
+    EXPECT_FALSE(may(one, none, b));
+    for (const std::uint32_t each : {a, b, c}) EXPECT_TRUE(may(one, a, each)) << each;
+    EXPECT_TRUE(may(one, b, b));
+    EXPECT_TRUE(may(one, b, c));
+    EXPECT_TRUE(may(one, c, c));
+    for (const auto& [from, to] : {std::pair{b, a}, std::pair{c, a}, std::pair{c, b}, std::pair{c, none}})
+        EXPECT_FALSE(may(one, from, to)) << from << " " << to;
+}
+
+/// Nobody is in A three time units later, and who has not begun is in A after two.
+TEST(Following, SeveralTimeUnits) {
+    const Following two = found(machine, {"A", "B", "C"}, 2);
+    EXPECT_TRUE(may(two, none, a));
+    EXPECT_FALSE(may(two, none, b));
+    EXPECT_FALSE(may(two, a, a)) << "at least one of A's two time units has passed";
+    const Following three = found(machine, {"A", "B", "C"}, 3);
+    EXPECT_FALSE(may(three, none, a));
+    EXPECT_TRUE(may(three, none, b));
+    EXPECT_TRUE(may(three, none, c));
+    EXPECT_FALSE(may(three, a, a));
+    EXPECT_TRUE(may(three, a, c));
+    // After a thousand as after three.
+    EXPECT_FALSE(may(found(machine, {"A", "B", "C"}, 1000), b, a));
+    EXPECT_TRUE(may(found(machine, {"A", "B", "C"}, 1000), b, b));
+}
+
+/// States that are not asked for are one class.
+TEST(Following, OfSomeStates) {
+    const Following only = found(machine, {"C"}, 1);
+    EXPECT_EQ(only.classes, (std::vector<std::uint32_t>{none, 1}));
+    EXPECT_TRUE(may(only, none, 1));
+    EXPECT_FALSE(may(only, 1, none));
+    EXPECT_THROW((void)found(machine, {"Nowhere"}, 1), Wrong);
+}
+
+/// A robot in a state inside another one is in both.
+TEST(Following, StatesInside) {
+    const std::string nested =
+        "stm S { initial i state Outer { initial j state In { entry wait(1) } state Out { } transition u0 { from j to "
+        "In } "
+        "transition u1 { from In to Out } } transition t0 { from i to Outer } }";
+    const Following found_in = found(nested, {"Outer", "Outer::In"}, 1);
+    EXPECT_EQ(found_in.classes, (std::vector<std::uint32_t>{none, 1, 3}));
+    EXPECT_TRUE(may(found_in, 3, 1));
+    EXPECT_FALSE(may(found_in, 1, 3));
+    EXPECT_FALSE(may(found_in, 1, none));
+}
+
+}  // namespace
+}  // namespace robochart::probability
