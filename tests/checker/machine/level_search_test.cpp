@@ -11,6 +11,7 @@
 #include "tests/checker/machine/random_rules.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/random_cases.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -70,7 +71,7 @@ std::vector<Ask> questions(lts::TransitionSystem& specification, lts::Transition
 }
 
 TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
-    const int wanted = refine::wanted_checks(1'000) / 50 + 1;
+    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 50 + 1;
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2027);

@@ -11,6 +11,7 @@
 #include "tests/checker/machine/random_rules.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/translate.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -56,7 +57,7 @@ bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
 }
 
 TEST(Reduction, KeepsRandomRules) {
-    const int wanted = refine::wanted_checks(1'000);
+    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000)));
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2022);
@@ -111,7 +112,7 @@ refine::Limits limits_of(bool reduction, unsigned threads) {
 
 /// In every model and with several threads; the runs are the shortest ones of all states, found in the same order.
 TEST(Reduction, ChangesNoAnswerAndNoRun) {
-    const int wanted = refine::wanted_checks(1'000) / 8 + 1;
+    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 8 + 1;
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2023);

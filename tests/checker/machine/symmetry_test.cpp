@@ -8,6 +8,7 @@
 #include "checker/refine/verdict/check.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/translate.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -255,7 +256,7 @@ protected:
 };
 
 TEST_F(RandomReplicas, AnswerAsTheDefinitionsSay) {
-    const int wanted = refine::wanted_checks(60);
+    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(60)));
     refine::RandomCases cases(2019);
     for (int way = 0; compared_ < wanted; ++way) {
         refine::Case asked = cases.next().asked;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/checker/process/scripted.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -260,7 +261,7 @@ TEST_F(Checks, FaultsOfEvaluationPass) {
 
 // Sizes where a quadratic search would not end: one long tau path, and a cycle through all of it.
 TEST_F(Checks, DivergenceIsFoundInLinearTime) {
-    constexpr int length = 8000;
+    constexpr int length = static_cast<int>(tests::rounds(8000));
     TermId line = stop;
     for (int i = 0; i < length; ++i) line = either(line, line);
     process::TermSystem path = system(line);
