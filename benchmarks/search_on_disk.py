@@ -4,8 +4,8 @@
 Prints for each model the processor time as a ratio of the ordinary search, the memory at the peak above that of the
 program with its compiled components (the same run, ended after a thousand states) as such a ratio and in bytes a state,
 and, of states on disk, how often all were read through and how often the search went back. Of several rounds, which
-alternate, the least processor time counts. Exits with 1 if an answer or a number of states differs, with 77 without the
-models."""
+alternate, the least processor time counts. Exits with 1 if an answer or a number of states differs in any round, or
+the ordinary search gives no answer; with 77 without the models."""
 
 import argparse
 import json
@@ -31,6 +31,9 @@ def measure(options: argparse.Namespace, script: Path, number: int) -> bool:
     _, least = decide(options.program, script, number, "--max-states", "1000")
     base = least.rss
     whole, first = decide(options.program, script, number)
+    if whole["answer"] not in ("holds", "fails"):
+        print(f"{script.stem} {number}: the ordinary search gives no answer", file=sys.stderr)
+        return False
     states = whole["visited_states"]
     memory = max(first.rss - base, 1)
     limit = base + int(memory / options.part)
@@ -39,19 +42,19 @@ def measure(options: argparse.Namespace, script: Path, number: int) -> bool:
                 f"on disk, 1/{options.part:g} of the memory": ["--memory", str(limit)]}
     cpu = {}
     found = {}
+    agree = True
     for _ in range(options.rounds):
         for what, more in searches.items():
             with tempfile.TemporaryDirectory() as temporary:
                 where = [] if what == "ordinary" else ["--disk" if "disk" in what else "--checkpoint",
                                                        str(Path(temporary) / "kept")]
                 result, child = decide(options.program, script, number, *where, *more)
+            agree = agree and result["answer"] == whole["answer"]
+            agree = agree and (result["answer"] != "holds" or result["visited_states"] == states)
             cpu[what] = min(child.cpu, cpu.get(what, child.cpu))
             rss = max(child.rss, found[what][1] if what in found else 0)
             found[what] = result, rss, child.errors
-    agree = True
     for what, (result, rss, errors) in found.items():
-        same = result["answer"] == whole["answer"]
-        agree = agree and same and (result["answer"] != "holds" or result["visited_states"] == states)
         used = max(rss - base, 0)
         ends = re.findall(r"read through (\d+) times, and the search went back (\d+) times", errors) or [("", "")]
         print(f"| {script.stem} {number} | {what} | {result['answer']} | {result['visited_states']:,} | "

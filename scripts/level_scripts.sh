@@ -8,6 +8,11 @@ cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset release --target tests_cspm
 folders=("$@")
 [ "${#folders[@]}" -gt 0 ] || folders=("${ROBOCHART_SHARED:-../shared}/suite" tests)
+output=$(mktemp)
+trap 'rm -f "$output"' EXIT
 for folder in "${folders[@]}"; do
-  ROBOCHART_RANKED_SCRIPTS="$folder" build/release/tests/checker/cspm/tests_cspm --gtest_filter='RankedScripts.OfAFolder*'
+  ROBOCHART_RANKED_SCRIPTS="$folder" build/release/tests/checker/cspm/tests_cspm --gtest_filter='RankedScripts.OfAFolder*' |
+    tee "$output"
+  # A filter that no test has is no error of the test program.
+  grep -q '\[       OK \]' "$output" || { echo "$folder: no test has compared anything"; exit 1; }
 done

@@ -1,6 +1,7 @@
 #include "checker/lts/pages.hpp"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstring>
@@ -10,12 +11,13 @@ namespace robochart::lts {
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21U;
-constexpr std::size_t page = std::size_t{1} << 12U;
 constexpr std::size_t cache_line = 64;
 /// From here on memory is the system's, and goes back to it at once: in the heap, others would keep it from that.
 constexpr std::size_t large = std::size_t{1} << 17U;
 
+/// Pages have other sizes on other machines.
 std::size_t rounded(std::size_t bytes) {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     return (bytes + page - 1) & ~(page - 1);
 }
 

@@ -12,7 +12,8 @@ namespace {
 /// Whichever state a row of followed taus is left at, it stands for those before it: so a row may be of any length.
 constexpr std::size_t most_steps = 1000;
 /// States by which it is found out what proofs need not look at.
-constexpr std::size_t pilot_states = 3000;
+constexpr std::size_t pilot_states = 3000;    // that it expands
+constexpr std::size_t pilot_found = 200'000;  // that it finds
 
 /// Searches some of a system's states, the last found first, so that they are from all over it; of one state's
 /// successors some turn comes first, in an order that depends on the system alone.
@@ -24,7 +25,8 @@ public:
         std::vector<lts::Word> initial(system_.width());
         system_.initial(initial);
         open_.push_back(found_.insert(initial).index);
-        for (std::size_t expanded = 0; !open_.empty() && expanded < pilot_states; ++expanded) {
+        for (std::size_t expanded = 0; !open_.empty() && expanded < pilot_states && found_.size() < pilot_found;
+             ++expanded) {
             if (poll) poll();
             const lts::StateIndex state = open_.back();
             open_.pop_back();

@@ -230,7 +230,7 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
 
 namespace {
 
-/// The checkpoints of all ranks of this number; none where they do not belong together. Throws BadFile.
+/// The checkpoints of all ranks of this number. Throws BadFile.
 std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind, std::uint64_t number,
                                  std::uint32_t ranks) {
     std::vector<Checkpoint> all;
@@ -240,7 +240,6 @@ std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind,
         const Checkpoint& one = all.back();
         if (one.number != number || one.place != Place{rank, ranks})
             throw BadFile(fmt::format("{}/{}: it does not belong to the others", diagnostics::shown(folder), name));
-        if (one.levels != all.front().levels) return {};
     }
     return all;
 }
@@ -261,7 +260,8 @@ std::uint64_t complete_number(const std::string& folder, const RowKind& kind, st
         const auto [number, ranks] = at->first;
         if (ranks != wanted || at->second != ranks) continue;
         try {
-            if (!together(folder, kind, number, ranks).empty()) return number;
+            (void)together(folder, kind, number, ranks);
+            return number;
         } catch (const BadFile&) {
         }
     }
@@ -274,8 +274,7 @@ std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind) {
     const auto found = counted(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {
         const auto [number, ranks] = at->first;
-        if (at->second != ranks) continue;
-        if (std::vector<Checkpoint> all = together(folder, kind, number, ranks); !all.empty()) return all;
+        if (at->second == ranks) return together(folder, kind, number, ranks);
     }
     return {};
 }

@@ -50,9 +50,8 @@ void write(const std::string& folder, const RowKind& kind, const Checkpoint& che
 /// Reads one. Throws BadFile.
 [[nodiscard]] Checkpoint read(const std::string& folder, const RowKind& kind, const std::string& name);
 
-/// The newest complete checkpoint in a folder, that of each rank in the order of ranks; none where there is none. Those
-/// of a number do not belong together where a rank has closed more levels than another: then an older number counts.
-/// Throws BadFile.
+/// The newest complete checkpoint in a folder, that of each rank in the order of ranks; none where there is none. A
+/// rank may have closed more levels than another; those that all have closed count. Throws BadFile.
 [[nodiscard]] std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind);
 /// The greatest number of a checkpoint in a folder, complete or not; 0: there is none.
 [[nodiscard]] std::uint64_t greatest_number(const std::string& folder);

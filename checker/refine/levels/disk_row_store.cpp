@@ -20,10 +20,10 @@ constexpr std::uint64_t filter_part = 10, open_part = 3, aside_part = 3;
 
 /// How many rows of this width a store in so many bytes has: each with its place in a table, 64 bytes for twelve, that
 /// is two thirds full. Rows lie in chunks, each as large as those before together: one that would be used by less than
-/// half is not begun. A few in any case.
+/// half is not begun. A few in any case, and no more than have numbers.
 std::uint64_t rows_in(std::uint64_t bytes, std::size_t width) {
-    constexpr std::uint64_t fewest = 64, place = 8, first_chunk = 1024;
-    const std::uint64_t rows = bytes / (width * sizeof(Word) + place);
+    constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8, first_chunk = 1024;
+    const std::uint64_t rows = std::min(bytes / (width * sizeof(Word) + place), most);
     const std::uint64_t last_chunk = std::bit_floor(rows + first_chunk);
     const std::uint64_t before = last_chunk - first_chunk;
     return std::max(fewest, before > 0 && rows - before < last_chunk / 2 ? before : rows);
@@ -168,7 +168,7 @@ bool DiskRowStore::wants_to_settle() const {
     if (aside_->size() == 0) return false;
     const auto settling = static_cast<double>(kept_.files().rows());
     const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 2 * settling;  // the filter is filled anew
-    const double in_error = std::min(1.0, static_cast<double>(new_) * filter_.error());
+    const double in_error = filter_.capacity() == 0 ? 1.0 : std::min(1.0, static_cast<double>(new_) * filter_.error());
     return bounds_.reads_a_step > 0 && in_error * lost >= settling;
 }
 
@@ -178,12 +178,12 @@ Level DiskRowStore::level_of_aside(StateIndex index) const {
     return std::prev(after)->first;
 }
 
-/// Marks the rows put aside that a level before their own has. Gives how many.
+/// Marks the rows put aside that their own level has, or one before it. Gives how many.
 std::size_t DiskRowStore::mark_those_in(Level level, std::vector<bool>& found) {
     std::size_t more = 0;
     const auto mark = [&](StateView row, std::uint64_t hash) {
         const StateIndex index = aside_->find(row, hash);
-        if (index == lts::no_state || found[index] || level >= level_of_aside(index)) return;
+        if (index == lts::no_state || found[index] || level > level_of_aside(index)) return;
         found[index] = true;
         ++more;
     };

@@ -17,6 +17,9 @@ using Words = std::vector<Word>;
 KeptLevels::KeptLevels(KeptWhere where)
     : where_(std::move(where)), files_({where_.folder, where_.kind, where_.place}) {}
 
+/// A rank that was ended while it closed a level or went back has fewer or more levels than others. Those that all have
+/// are complete, but for rows that are unsure: a rank goes on to the next level when all have closed the one before.
+/// The last of them is expanded again, which finds what the later ones had, their rows that were unsure too.
 KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
     const std::vector<storage::Checkpoint> found = storage::newest(where_.folder, where_.kind);
     Unsure unsure;
@@ -31,11 +34,16 @@ KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
         return unsure;
     }
     for (const storage::Checkpoint& each : found) check(each);
+    const Level levels = std::min_element(found.begin(), found.end(), [](const auto& one, const auto& other) {
+                             return one.levels < other.levels;
+                         })->levels;
     const bool same = found.size() == where_.place.ranks;
-    if (same)
+    if (same) {
         files_.adopt(found[where_.place.rank], where_.poll);
-    else
-        redistribute(found);
+        files_.forget_from(levels);
+    } else {
+        redistribute(found, levels);
+    }
     files_.number_from(greatest);
     const std::size_t width = where_.kind.width;
     const auto each_own = [&](std::span<const Word> rows, const auto& take) {
@@ -52,12 +60,13 @@ KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
             if (level >= each.levels)
                 throw storage::BadFile(fmt::format("{}/{}: it has rows of level {}, which is not closed",
                                                    diagnostics::shown(where_.folder), each.unsure.name, level));
+            if (level >= levels) return;
             each_own(rows, [&](StateView row) { unsure.emplace_back(level, Words(row.begin(), row.end())); });
         });
         // Figures are summed up over ranks, so the first rank may have those of all.
-        record.expanded.resize(std::max(record.expanded.size(), each.expanded.size()));
+        record.expanded.resize(levels - 1);
         if (!same && where_.place.rank != 0) continue;
-        for (std::size_t level = 0; level < each.expanded.size(); ++level) {
+        for (std::size_t level = 0; level < record.expanded.size(); ++level) {
             record.expanded[level].transitions += each.expanded[level].transitions;
             record.expanded[level].chased += each.expanded[level].chased;
         }
@@ -75,7 +84,7 @@ void KeptLevels::check(const storage::Checkpoint& found) const {
 }
 
 /// The rows of this rank out of the files of all that there were.
-void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found) {
+void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
         all.emplace_back(storage::FolderOf{where_.folder, where_.kind, each.place});
@@ -83,7 +92,7 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found) {
     }
     const std::size_t width = where_.kind.width;
     Words rows;
-    for (Level level = 0; level < found.front().levels; ++level) {
+    for (Level level = 0; level < levels; ++level) {
         rows.clear();
         for (storage::LevelFiles& files : all)
             files.each_block(level, [&](std::span<const Word> block) {

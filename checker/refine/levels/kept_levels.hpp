@@ -36,8 +36,8 @@ public:
 
     /// Rows that an earlier run was unsure of, with the level that they belong to if they are none of an earlier one.
     using Unsure = std::vector<std::pair<Level, std::vector<lts::Word>>>;
-    /// Goes on from the newest checkpoint in the folder, if there is one: its levels are then in files(), the record is
-    /// that of the checkpoint. Throws storage::BadFile.
+    /// Goes on from the newest checkpoint in the folder, if there is one: the levels that all its ranks have closed are
+    /// then in files(), and the record is that of these levels. Throws storage::BadFile.
     Unsure load(SearchRecord& record);
 
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
@@ -53,7 +53,7 @@ public:
 
 private:
     void check(const storage::Checkpoint& found) const;
-    void redistribute(const std::vector<storage::Checkpoint>& found);
+    void redistribute(const std::vector<storage::Checkpoint>& found, Level levels);
 
     KeptWhere where_;
     storage::LevelFiles files_;

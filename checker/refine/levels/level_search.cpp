@@ -276,7 +276,7 @@ void LevelSearch::roll_back_to(Level level) {
     if (expanded.size() < level)
         close_level();
     else
-        store_.close_level();
+        work_.attempt([this] { store_.close_level(); });
 }
 
 /// The level that has been expanded is complete, and so is the open one.

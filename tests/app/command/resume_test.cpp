@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -14,6 +16,7 @@ namespace robochart::app::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Eight processes side by side: 4^8 states each, and one more after `last`, which all do together, after 24 steps.
 constexpr const char* script = R"(
@@ -52,6 +55,22 @@ protected:
         return results(ran);
     }
 
+    /// Whether a run that is ended now has left a checkpoint that all its threads have written.
+    [[nodiscard]] bool has_checkpoint() const {
+        std::map<std::string, unsigned> written;  // by number and threads
+        std::error_code ignored;
+        for (std::filesystem::recursive_directory_iterator at(folder_ / "kept", ignored), end; !ignored && at != end;
+             at.increment(ignored)) {
+            unsigned number = 0, rank = 0, ranks = 0;
+            const std::string name = at->path().filename();
+            if (std::sscanf(name.c_str(), "checkpoint-%u-%u-of-%u", &number, &rank, &ranks) != 3) continue;
+            const std::string of_all = fmt::format("{} {} {}", at->path().parent_path().string(), number, ranks);
+            if (name == fmt::format("checkpoint-{}-{}-of-{}", number, rank, ranks) && ++written[of_all] == ranks)
+                return true;
+        }
+        return false;
+    }
+
     Folder folder_{{{"script.csp", script}}};
 };
 
@@ -60,17 +79,23 @@ TEST_F(Resumed, AfterKillsAtRandomMoments) {
     const unsigned seed = std::random_device()();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
-    int ended = 0;
-    for (int round = 0; round < 8; ++round) {
-        const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80);
+    int ended = 0, gone_on = 0;
+    // More rounds, and longer ones, on a machine that is busy.
+    for (int round = 0; round < 8 || (gone_on == 0 && round < 40); ++round) {
+        const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80) * (1 + round / 8);
+        const bool kept = has_checkpoint();
         const Ran ran =
             decide(fmt::format("timeout --preserve-status -s {} {}", round % 2 == 0 ? "KILL" : "TERM", seconds),
                    fmt::format("--every 0.0002 --threads {} {}", 1 + random() % 3,
                                random() % 2 == 0 ? "" : "--disk " + folder_.path("kept")));
         ASSERT_NE(ran.exit, 2) << ran.err;
         if (ran.exit > 2) ++ended;
+        if (!kept) continue;
+        EXPECT_THAT(ran.err, Not(HasSubstr("begins anew")));
+        ++gone_on;
     }
     EXPECT_GT(ended, 0);
+    EXPECT_GT(gone_on, 0) << "no run has left a checkpoint";
     EXPECT_EQ(results(decide("", "--threads 2")), expected);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "kept")) << "all is decided";
 }
@@ -83,7 +108,10 @@ TEST_F(Resumed, AfterAFullDisk) {
         EXPECT_EQ(full.exit, 3) << full.err;
         EXPECT_THAT(full.out, HasSubstr("cannot write"));
         EXPECT_TRUE(std::filesystem::exists(folder_ / "kept/questions"));
-        EXPECT_EQ(results(decide("", options)), expected);
+        EXPECT_TRUE(has_checkpoint());
+        const Ran again = decide("", options);
+        EXPECT_EQ(results(again), expected);
+        EXPECT_THAT(again.err, Not(HasSubstr("begins anew")));
     }
 }
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <mutex>
 #include <random>
 #include <system_error>
 
@@ -58,14 +60,36 @@ std::vector<std::vector<lts::Word>> states_of(const Run& run) {
 
 using MakeStore = std::function<std::unique_ptr<RowStore>(const Exchange&)>;
 
-Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const MakeStore& make) {
+/// The levels that the ranks of a search have in common, when they begin and when they end.
+struct CommonLevels {
+    Level begun = std::numeric_limits<Level>::max(), ended = begun;
+    bool differ = false;  ///< at the end
+    std::mutex alone;
+    void begin(Level levels) {
+        const std::lock_guard lock(alone);
+        begun = std::min(begun, levels);
+    }
+    void end(Level levels) {
+        const std::lock_guard lock(alone);
+        if (ended != std::numeric_limits<Level>::max() && levels != ended) differ = true;
+        ended = std::min(ended, levels);
+    }
+};
+
+Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const MakeStore& make,
+              CommonLevels* levels = nullptr) {
     Answer result;
+    CommonLevels ignored;
+    CommonLevels& common = levels != nullptr ? *levels : ignored;
     as_ranks(ranks, [&](Exchange& exchange) {
         const process::EventTable table;
         lts::GraphSystem system(graph, table);
         Budget budget(limits);
         StateMonitor monitor(true);
         const std::unique_ptr<RowStore> store = make(exchange);
+        common.begin(store->levels());
+        const auto note_end = [&common](const RowStore* ended) { common.end(ended->levels()); };
+        const std::unique_ptr<const RowStore, decltype(note_end)> at_end(store.get(), note_end);
         LevelSearch search(system, monitor, *store, exchange, budget, true);
         std::optional<LevelFinding> finding = search.first_violation();
         if (!finding) finding = search.first_divergence();
@@ -161,6 +185,7 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
         const Graph graph = random_graph(random, 100 + random() % 300, round % 3 == 0, round % 2 == 0 ? 15 : 30);
         const Answer expected = in_memory(graph);
         clear();
+        Level kept = 0;
         for (int attempt = 0;; ++attempt) {
             ASSERT_LT(attempt, 1000);
             const auto ranks = static_cast<unsigned>(1 + random() % 3);
@@ -173,22 +198,98 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
             Limits limits;
             limits.max_states = 10 + static_cast<std::uint64_t>(attempt) * (1 + random() % 20);
             const int every = static_cast<int>(random() % 3);
+            CommonLevels levels;
+            const auto none_is_lost = [&] {
+                ASSERT_GE(levels.begun, kept) << round;
+                kept = levels.ended;
+            };
             try {
-                const Answer found =
-                    answer(graph, ranks, limits, [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
+                const Answer found = answer(
+                    graph, ranks, limits,
+                    [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
                         KeptWhere kept = where(exchange, 1);
                         if (every == 0) kept.every = std::chrono::milliseconds(0);
                         if (disk) return std::make_unique<DiskRowStore>(std::move(kept), bounds);
                         return std::make_unique<SavedRowStore>(std::move(kept));
-                    });
+                    },
+                    &levels);
                 ASSERT_EQ(found, expected) << round;
+                none_is_lost();
                 break;
             } catch (const LimitReached&) {
                 ++stops;
+                none_is_lost();
             }
         }
     }
     EXPECT_GT(stops, 50);
+}
+
+/// A few levels, each about ten times as wide as the one before, whose rows are met several times.
+Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
+    Graph graph;
+    for (std::size_t state = 0; state < states; ++state) {
+        for (std::size_t i = 1; i <= 11; ++i) {
+            const bool back = i == 11 || 10 * state + i >= states;
+            const std::size_t target = back ? random() % states : 10 * state + i;
+            graph.add_edge({process::tick + static_cast<Event>(i % 3), static_cast<lts::StateIndex>(target)});
+        }
+        if (divergence && state % 300 == 299) graph.add_edge({process::tau, static_cast<lts::StateIndex>(state)});
+        graph.finish_state();
+    }
+    return graph;
+}
+
+// A limit that the first rank alone meets, at any moment of its work with files: while it merges runs, reads through
+// the files, fills the filter or goes back. Others have then closed a level more, or forgotten some; what all have is
+// kept.
+TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
+    std::mt19937 random(9);
+    int differed = 0;
+    for (const unsigned ranks : {2U, 3U}) {
+        const Graph graph = growing_graph(random, 1500, ranks == 2);
+        const Answer expected = in_memory(graph);
+        DiskRowStore::Bounds bounds;
+        bounds.filter_bits = 4;
+        bool stopped = true;
+        for (int last = 1; stopped; last += last < 60 ? 1 : 7) {
+            clear();
+            stopped = false;
+            bounds.reads_a_step = last % 2 == 0 ? 0 : 8;
+            CommonLevels before, after;
+            int polls = 0;
+            try {
+                const Answer found = answer(
+                    graph, ranks, {},
+                    [&](const Exchange& exchange) {
+                        KeptWhere kept = where(exchange, 1);
+                        if (last % 3 == 0) kept.every = std::chrono::milliseconds(0);
+                        if (exchange.rank() == 0)
+                            kept.poll = [&] {
+                                if (++polls == last) throw LimitReached("no time");
+                            };
+                        return std::make_unique<DiskRowStore>(std::move(kept), bounds);
+                    },
+                    &before);
+                ASSERT_EQ(found, expected);
+            } catch (const LimitReached&) {
+                stopped = true;
+            }
+            if (before.differ) ++differed;
+            const unsigned later = last % 4 == 0 ? 5 - ranks : ranks;
+            const bool disk = last % 5 != 0;
+            const Answer found = answer(
+                graph, later, {},
+                [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
+                    if (disk) return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
+                    return std::make_unique<SavedRowStore>(where(exchange, 1));
+                },
+                &after);
+            ASSERT_EQ(found, expected) << ranks << " ranks, stopped at " << last;
+            ASSERT_EQ(after.begun, before.ended) << ranks << " ranks, stopped at " << last;
+        }
+    }
+    EXPECT_GT(differed, 5);
 }
 
 /// A system whose initial state nobody has the time for.
