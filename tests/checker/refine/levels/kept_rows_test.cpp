@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <random>
 #include <system_error>
@@ -63,7 +64,8 @@ using MakeStore = std::function<std::unique_ptr<RowStore>(const Exchange&)>;
 /// The levels that the ranks of a search have in common, when they begin and when they end.
 struct CommonLevels {
     Level begun = std::numeric_limits<Level>::max(), ended = begun;
-    bool differ = false;  ///< at the end
+    bool differ = false;    ///< at the end
+    bool searched = false;  ///< the first rank's search has ended, but for cycles of taus
     std::mutex alone;
     void begin(Level levels) {
         const std::lock_guard lock(alone);
@@ -92,6 +94,7 @@ Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const Ma
         const std::unique_ptr<const RowStore, decltype(note_end)> at_end(store.get(), note_end);
         LevelSearch search(system, monitor, *store, exchange, budget, true);
         std::optional<LevelFinding> finding = search.first_violation();
+        if (exchange.rank() == 0) common.searched = true;
         if (!finding) finding = search.first_divergence();
         if (exchange.rank() != 0) return;
         result = {{}, {}, {}, search.states(), search.transitions(), search.depth()};
@@ -240,53 +243,68 @@ Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
     return graph;
 }
 
-// A limit that the first rank alone meets, at any moment of its work with files: while it merges runs, reads through
-// the files, fills the filter or goes back. Others have then closed a level more, or forgotten some; what all have is
-// kept.
+/// Where a limit is met.
+struct Moment {
+    bool closing = false;  ///< else: in the midst of long work
+    int number = 0;        ///< of all such moments of the first rank
+};
+
+// A limit that the first rank alone meets, whenever it closes a level, and in the midst of work with files: while it
+// merges runs, reads through the files, fills the filter or goes back. Others have then closed a level more, or
+// forgotten some; what all have is kept.
 TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     std::mt19937 random(9);
     int differed = 0;
+    DiskRowStore::Bounds bounds;
+    bounds.filter_bits = 4;
+    bool stopped = false;
+    const auto stop_and_go_on = [&](const Graph& graph, const Answer& expected, unsigned ranks, Moment last) {
+        clear();
+        stopped = false;
+        bounds.reads_a_step = last.number % 2 == 0 ? 0 : 8;
+        CommonLevels before, after;
+        int passed = 0;
+        const auto pass = [&] {
+            if (++passed == last.number) throw LimitReached("no time");
+        };
+        const auto stopping = [&](const Exchange& exchange) {
+            KeptWhere kept = where(exchange, 1);
+            if (!last.closing && last.number % 6 == 0) kept.every = std::chrono::milliseconds(0);
+            if (exchange.rank() == 0 && !last.closing) kept.poll = pass;
+            if (exchange.rank() == 0 && last.closing)
+                kept.undisturbed = [&]() -> std::shared_ptr<void> {
+                    if (!before.searched) pass();
+                    return nullptr;
+                };
+            return std::make_unique<DiskRowStore>(std::move(kept), bounds);
+        };
+        try {
+            ASSERT_EQ(answer(graph, ranks, {}, stopping, &before), expected);
+            return;
+        } catch (const LimitReached&) {
+            stopped = true;
+        }
+        if (before.differ) ++differed;
+        const auto going_on = [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
+            if (last.number % 5 != 0) return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
+            return std::make_unique<SavedRowStore>(where(exchange, 1));
+        };
+        const Answer found = answer(graph, last.number % 4 == 0 ? 5 - ranks : ranks, {}, going_on, &after);
+        ASSERT_EQ(found, expected);
+        ASSERT_EQ(after.begun, before.ended);
+    };
     for (const unsigned ranks : {2U, 3U}) {
-        const Graph graph = growing_graph(random, 1500, ranks == 2);
-        const Answer expected = in_memory(graph);
-        DiskRowStore::Bounds bounds;
-        bounds.filter_bits = 4;
-        bool stopped = true;
-        for (int last = 1; stopped; last += last < 60 ? 1 : 7) {
-            clear();
-            stopped = false;
-            bounds.reads_a_step = last % 2 == 0 ? 0 : 8;
-            CommonLevels before, after;
-            int polls = 0;
-            try {
-                const Answer found = answer(
-                    graph, ranks, {},
-                    [&](const Exchange& exchange) {
-                        KeptWhere kept = where(exchange, 1);
-                        if (last % 3 == 0) kept.every = std::chrono::milliseconds(0);
-                        if (exchange.rank() == 0)
-                            kept.poll = [&] {
-                                if (++polls == last) throw LimitReached("no time");
-                            };
-                        return std::make_unique<DiskRowStore>(std::move(kept), bounds);
-                    },
-                    &before);
-                ASSERT_EQ(found, expected);
-            } catch (const LimitReached&) {
-                stopped = true;
+        for (const bool closing : {false, true}) {
+            const Graph graph =
+                closing ? random_graph(random, 150, false, 15) : growing_graph(random, 1500, ranks == 2);
+            const Answer expected = in_memory(graph);
+            stopped = true;
+            for (int number = 1; stopped; number += closing ? 1 : number < 10 ? 3 : 5) {
+                if (number > 40) break;
+                SCOPED_TRACE(std::to_string(ranks) + " ranks, moment " + std::to_string(number));
+                stop_and_go_on(graph, expected, ranks, {closing, number});
+                if (HasFatalFailure()) return;
             }
-            if (before.differ) ++differed;
-            const unsigned later = last % 4 == 0 ? 5 - ranks : ranks;
-            const bool disk = last % 5 != 0;
-            const Answer found = answer(
-                graph, later, {},
-                [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-                    if (disk) return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
-                    return std::make_unique<SavedRowStore>(where(exchange, 1));
-                },
-                &after);
-            ASSERT_EQ(found, expected) << ranks << " ranks, stopped at " << last;
-            ASSERT_EQ(after.begun, before.ended) << ranks << " ranks, stopped at " << last;
         }
     }
     EXPECT_GT(differed, 5);
