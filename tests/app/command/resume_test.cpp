@@ -104,7 +104,7 @@ TEST_F(Resumed, AfterAFullDisk) {
     const std::string expected = uninterrupted();
     const std::string disk = "--disk " + folder_.path("kept");
     for (const std::string& options : {std::string(), disk}) {
-        const Ran full = decide("trap '' XFSZ; ulimit -f 8; exec", "--every 0.0002 " + options);
+        const Ran full = decide("trap '' XFSZ; ulimit -f 8; exec", "--every 0.000001 " + options);
         EXPECT_EQ(full.exit, 3) << full.err;
         EXPECT_THAT(full.out, HasSubstr("cannot write"));
         EXPECT_TRUE(std::filesystem::exists(folder_ / "kept/questions"));
