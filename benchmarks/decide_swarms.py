@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Decides the claims of benchmarks/models/grid.swarm about robots of corpus/alpha, for numbers of robots and sizes of the
 grid. Prints a line for each claim: its answer, the states that were searched, and what the run of all claims took. Exits
-with 1 where a claim is not decided, with 3 where the program does not answer."""
+with 1 where a claim is not decided, with 3 where the program does not answer or nothing was asked."""
 
 import argparse
 import json
@@ -21,6 +21,9 @@ def decide(program: str, robots: int, side: int, claims: list[str], timeout: int
         report = json.loads(child.output)
     except json.JSONDecodeError:
         print(child.said(), file=sys.stderr)
+        return 3
+    if not report["assertions"]:
+        print(f"{robots} robots, {side}x{side}: nothing was asked", file=sys.stderr)
         return 3
     for each in report["assertions"]:
         print(f"{robots} robots, {side}x{side}: {each['answer']:<12} {each['statistics']['states']:>10,} states  "
