@@ -32,6 +32,7 @@ Options over_the_model(const Options& options, const simulation::Scenario& scena
     Options wanted = options;
     wanted.verb = verb;
     wanted.inputs = {model_of(scenario, options.inputs.front())};
+    wanted.constants = constants_of(scenario, options);
     wanted.progress = ProgressMode::never;
     wanted.seed.reset();
     return wanted;

@@ -48,20 +48,19 @@ std::string model_of(const simulation::Scenario& scenario, const std::string& pa
     return model.empty() ? "." : model.string();
 }
 
-namespace {
-
-using simulation::Name;
-
-/// Those that are not among the given ones.
-std::vector<std::string> unless_given(const std::vector<std::string>& constants,
-                                      const std::vector<std::string>& given) {
-    std::vector<std::string> result;
+std::vector<std::string> constants_of(const simulation::Scenario& scenario, const Options& options) {
+    std::vector<std::string> result = options.constants;
     const auto name = [](const std::string& constant) { return constant.substr(0, constant.find('=')); };
-    for (const std::string& each : constants)
-        if (std::none_of(given.begin(), given.end(), [&](const std::string& one) { return name(one) == name(each); }))
+    for (const std::string& each : scenario.constants)
+        if (std::none_of(options.constants.begin(), options.constants.end(),
+                         [&](const std::string& one) { return name(one) == name(each); }))
             result.push_back(each);
     return result;
 }
+
+namespace {
+
+using simulation::Name;
 
 /// "swarm::Sheep", "swarm::Sheep; 2 dog by swarm::Dog; environment sky::Sun".
 std::string controllers_text(const simulation::Scenario& scenario) {
@@ -299,8 +298,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     if (!simulation->project->diagnostics.ok()) return simulation;
     Options model = options;
     model.inputs = {model_of(simulation->scenario, options.inputs.front())};
-    const std::vector<std::string> said = unless_given(simulation->scenario.constants, options.constants);
-    model.constants.insert(model.constants.end(), said.begin(), said.end());
+    model.constants = constants_of(simulation->scenario, options);
     simulation->project = load(model);
     if (!acceptable(*simulation->project, options)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);

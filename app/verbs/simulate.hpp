@@ -51,9 +51,14 @@ void add_trials(const Simulation&, diagnostics::Hasher&);
 /// The path of a scenario's model, where the scenario has this path.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path);
 
-/// What is decided with the constants of the options, added to the evidence: the assertions of the scenario's model and
-/// the digests of its files; whether the code that drives the robots conforms; the scenario's claims, of which false is
-/// returned where the scenario cannot be run: the diagnostics of the simulation's project say why. Throw
+/// "NAME=VALUE" of the scenario's own model: those of the options, then those of the scenario (`robots N { const ...
+/// }`) that the options do not give. The robots are simulated with them, so all that is said of the model is decided
+/// with them.
+[[nodiscard]] std::vector<std::string> constants_of(const simulation::Scenario&, const Options&);
+
+/// What is decided with the constants of constants_of, added to the evidence: the assertions of the scenario's model
+/// and the digests of its files; whether the code that drives the robots conforms; the scenario's claims, of which
+/// false is returned where the scenario cannot be run: the diagnostics of the simulation's project say why. Throw
 /// diagnostics::LimitReached.
 void decide_assertions(const Options&, const simulation::Scenario&, Evidence&);
 void decide_conformance(const Options&, const simulation::Scenario&, Evidence&);

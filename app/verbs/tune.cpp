@@ -361,7 +361,11 @@ private:
             diagnostics::program_identity().empty() ? "" : content_digest(diagnostics::program_identity());
         for (std::size_t p = 0; p < parameters_.size(); ++p)
             certificate_.constants.emplace_back(parameters_[p].name, parameters_[p].value(winner[p]));
-        for (const std::string& each : options_.constants) certificate_.constants.push_back(split(each));
+        // Those of the winner are last in the options, and first in the certificate.
+        std::vector<std::string> others = constants_of(scenario_, options);
+        const auto fixed = static_cast<std::ptrdiff_t>(options_.constants.size());
+        others.erase(others.begin() + fixed, others.begin() + fixed + static_cast<std::ptrdiff_t>(parameters_.size()));
+        for (const std::string& each : others) certificate_.constants.push_back(split(each));
         certificate_.ranges = options_.ranges;
         SearchRecord& search = certificate_.search;
         search.parameters = varied_;

@@ -155,7 +155,7 @@ private:
         const auto found = command(act.on);
         if (!found) return;
         const Port& port = emission_.outputs[*found];
-        BoundAct bound{&act, false, {}};
+        BoundAct bound{&act, {}};
         if (act.kind == WorldAct::Kind::light_move && !act.to &&
             port.arguments != std::vector{Carried::real, Carried::real})
             diagnostics_.report(rules::wrong_type, act.on.span,
@@ -185,10 +185,10 @@ private:
             if (!found) continue;
             some = true;
             const Port& to = all.kinds[kind]->inputs[*found];
-            bound.argument = !valued && to.arguments.size() == 1 && to.arguments == from.arguments &&
-                             to.arguments.front() != Carried::enumeration;
-            bound.raised.back() = bound.argument
-                                      ? BoundStimulus{&stimulus, *found, to.arguments.front() == Carried::real, 0}
+            const bool argument = !valued && to.arguments.size() == 1 && to.arguments == from.arguments &&
+                                  to.arguments.front() != Carried::enumeration;
+            bound.raised.back() = argument
+                                      ? BoundStimulus{&stimulus, *found, to.arguments.front() == Carried::real, 0, true}
                                       : robots.raise(stimulus);
         }
         if (!some) (void)Binder(scenario_, scenario_.component, *all.kinds.front(), diagnostics_).input(stimulus.event);

@@ -34,7 +34,8 @@ struct BoundStimulus {
     const Stimulus* stimulus = nullptr;
     std::uint32_t input = 0;
     bool real = false;
-    double value = 0;  ///< a number; truth values: 0, 1; literals: the place in their enumeration
+    double value = 0;       ///< a number; truth values: 0, 1; literals: the place in their enumeration
+    bool argument = false;  ///< raised by the environment: the value is the argument of its command
 };
 
 struct BoundSpeeds {
@@ -53,7 +54,6 @@ struct BoundWorldFeed {
 /// What a command of the environment does.
 struct BoundAct {
     const WorldAct* act = nullptr;
-    bool argument = false;                             ///< stimulus: its value is the argument of the command
     std::vector<std::optional<BoundStimulus>> raised;  ///< stimulus: of each kind of robots that has the event
 };
 

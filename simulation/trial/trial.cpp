@@ -56,6 +56,8 @@ const char* cause_of(rc_drive_result result) {
     }
 }
 
+constexpr const char* no_finite_number = "it commanded a movement by a number that is not finite";
+
 /// A light that a trial moves and switches: where it has been since when.
 struct MovingLight {
     Light light;
@@ -155,10 +157,11 @@ private:
         stage_.set_lights(lights_now());
         stage_.sense();
         sent_ = variables_;
+        const Frame sensed = plan_.environment ? frame_now(states_are_measured()) : Frame{};
         for (std::size_t robot = 0; robot < stage_.size() && !result_.stop; ++robot)
             if (!failed_[robot].whole) cycle(robot);
         for (auto& raised : raised_) raised.clear();
-        if (!result_.stop && plan_.environment) environment_cycle();
+        if (!result_.stop && plan_.environment) environment_cycle(sensed);
         if (result_.stop) return;
         stage_.advance();
         ++result_.steps;
@@ -183,18 +186,18 @@ private:
         requests_[robot] = 0;
         const rc_drive_result result = drive(robot).step(controller(robot), signals_.data(), &actions_);
         if (options_.trace != nullptr) options_.trace->cycle(robot, result_.steps, signals_.data(), actions_, result);
-        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop(robot, result);
+        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop(robot, cause_of(result));
         const Objection* const objection = options_.trace == nullptr ? nullptr : options_.trace->objection();
         if (objection != nullptr) {
             result_.stop = Stop{robot, time(), objection->cause, objection->place};
             return;
         }
-        for (std::uint32_t a = 0; a < actions_.count; ++a) act(robot, actions_.action[a]);
-        move(robot);
+        for (std::uint32_t a = 0; a < actions_.count && !result_.stop; ++a) act(robot, actions_.action[a]);
+        if (!result_.stop) move(robot);
     }
 
-    void stop(std::size_t robot, rc_drive_result result) {
-        result_.stop = Stop{robot, time(), cause_of(result), drive(robot).place_of(controller(robot))};
+    void stop(std::size_t robot, const char* cause) {
+        result_.stop = Stop{robot, time(), cause, drive(robot).place_of(controller(robot))};
     }
 
     // ------------------------------------------------------------ kinds of robots
@@ -217,22 +220,24 @@ private:
                                : std::nullopt);
     }
 
-    /// After all robots: it reads the world as they sensed it, and what it does holds from the next cycle on.
-    void environment_cycle() {
+    /// After all robots: it reads the world and the states as they were when the robots sensed, and what it does holds
+    /// from the next cycle on.
+    void environment_cycle(const Frame& sensed) {
         for (rc_signal& signal : signals_) signal.present = 0;
-        const Frame frame = frame_now(states_are_measured());
-        const MeasureNow now = measures_now(scenario_, frame);
+        const MeasureNow now = measures_now(scenario_, sensed);
         for (const BoundWorldFeed& feed : plan_.environment->feeds) fill(feed, now);
         void* const controller = (*environment_)[0];
         const rc_drive_result result = drives_.environment->step(controller, signals_.data(), &actions_);
         if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) {
-            result_.stop =
-                Stop{stage_.size(), time(), cause_of(result), drives_.environment->place_of(controller), true};
-            return;
+            return stop_environment(cause_of(result));
         }
-        for (std::uint32_t a = 0; a < actions_.count; ++a)
+        for (std::uint32_t a = 0; a < actions_.count && !result_.stop; ++a)
             for (const BoundAct& act : plan_.environment->acts[actions_.action[a].output])
                 change_world(act, actions_.action[a]);
+    }
+
+    void stop_environment(const char* cause) {
+        result_.stop = Stop{stage_.size(), time(), cause, drives_.environment->place_of((*environment_)[0]), true};
     }
 
     void fill(const BoundWorldFeed& bound, const MeasureNow& now) {
@@ -254,10 +259,12 @@ private:
             case WorldAct::Kind::light_off:
                 lights_[act.what].on = act.kind == WorldAct::Kind::light_on;
                 return;
-            case WorldAct::Kind::light_move:
-                return move_light(
-                    lights_[act.what], act,
-                    act.to.value_or(act.factor * Vector{action.argument[0].real, action.argument[1].real}));
+            case WorldAct::Kind::light_move: {
+                const Vector to =
+                    act.to.value_or(act.factor * Vector{action.argument[0].real, action.argument[1].real});
+                if (!std::isfinite(to.x) || !std::isfinite(to.y)) return stop_environment(no_finite_number);
+                return move_light(lights_[act.what], act, to);
+            }
             case WorldAct::Kind::obstacle_appear:
             case WorldAct::Kind::obstacle_vanish:
                 obstacles_[act.what] = act.kind == WorldAct::Kind::obstacle_appear;
@@ -266,7 +273,7 @@ private:
                 return fail_some(act.failure);
             case WorldAct::Kind::stimulus:
                 for (std::size_t kind = 0; kind < bound.raised.size(); ++kind)
-                    if (bound.raised[kind]) raise_in(kind, *bound.raised[kind], bound.argument, action);
+                    if (bound.raised[kind]) raise_in(kind, *bound.raised[kind], action);
         }
     }
 
@@ -277,8 +284,8 @@ private:
         moving.since = time();
     }
 
-    void raise_in(std::size_t kind, BoundStimulus stimulus, bool argument, const rc_action& action) {
-        if (argument)
+    void raise_in(std::size_t kind, BoundStimulus stimulus, const rc_action& action) {
+        if (stimulus.argument)
             stimulus.value = stimulus.real ? action.argument[0].real : static_cast<double>(action.argument[0].whole);
         raised_[kind].push_back(stimulus);
     }
@@ -332,8 +339,10 @@ private:
         working_[robot] = false;
     }
 
-    /// Every command to the wheels: those of a robot whose motors have failed stand.
+    /// Every command to the wheels: those of a robot whose motors have failed stand. A speed that is not finite stops
+    /// the trial: the world cannot calculate with it.
     void set_wheels(std::size_t robot, Wheels wheels) {
+        if (!std::isfinite(wheels.left) || !std::isfinite(wheels.right)) return stop(robot, no_finite_number);
         stage_.set_wheels(robot, failed_[robot].motors ? Wheels{} : wheels);
     }
 
@@ -515,6 +524,7 @@ private:
     }
 
     void begin_turn(std::size_t robot, const Drive& drive, double angle) {
+        if (!std::isfinite(angle)) return stop(robot, no_finite_number);
         set_wheels(robot, {});
         turns_[robot] = {normal_angle(angle), 2 * drive.speed / scenario_.world.body.axle};
     }

@@ -58,6 +58,7 @@ constexpr const char* world = R"(scenario Aim for aim::Robot {
 )";
 
 constexpr const char* harmless = "assertion A1 : aim::Go::Driving is reachable in aim::Go\n";
+constexpr const char* reached = "assertion A1 : aim::Go::Hasty is reachable in aim::Go\n";
 constexpr const char* not_hasty = "assertion A1 : aim::Go::Hasty is not reachable in aim::Go\n";
 
 std::vector<std::pair<std::string, std::string>> project(const std::string& assertions) {
@@ -166,6 +167,29 @@ TEST(Tune, ACertificateOfWhatFailsIsNoSuccess) {
     EXPECT_EQ(json.at("differences").size(), 0U);
     EXPECT_EQ(json.at("ranges").at(0), "nat=0..2");
     EXPECT_EQ(json.at("exit"), 1);
+}
+
+/// The scenario's own constants are those of the robots, so the model is checked with them too: at 9, Hasty is reached.
+TEST(Tune, ConstantsOfTheScenarioAreThoseOfTheCertificate) {
+    std::string hasty = world;
+    hasty.replace(hasty.find("noise 5 %"), 9, "noise 5 % const speed = 9 const spinning = true");
+    const Folder folder({{"aim/aim.rct", model}, {"aim/aim.scenario", hasty}, {"aim/aim.assertions", reached}});
+    const std::string scenario = folder / "aim/aim.scenario";
+    const auto ran = run({"tune", scenario, "--const", "curve=0,0.01", "--const", "spinning=false", "--budget", "60",
+                          "--out", folder / "out", "--format", "json"});
+    ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const auto certificate = nlohmann::json::parse(ran.out).at("certificate");
+    EXPECT_EQ(certificate.at("assertions").at(0).at("answer"), "holds");
+    const auto& constants = certificate.at("constants");
+    ASSERT_EQ(constants.size(), 3U) << constants;
+    EXPECT_EQ(constants.at(0).at("name"), "curve");
+    EXPECT_EQ(constants.at(1).at("name"), "spinning");
+    EXPECT_EQ(constants.at(1).at("value"), "false") << "the option's, not the scenario's";
+    EXPECT_EQ(constants.at(2).at("name"), "speed");
+    EXPECT_EQ(constants.at(2).at("value"), "9");
+    const auto again =
+        run({"tune", scenario, "--verify-certificate", folder / "out/tuning/Aim/certificate.json", "-q"});
+    EXPECT_EQ(again.exit, 0) << again.out << again.err;
 }
 
 TEST(Tune, TheSameForAnyNumberOfThreadsAndGoesOnWhereItWas) {

@@ -297,6 +297,85 @@ TEST(WorldMachine, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(watched, "when clock >= 1 s", "when clock >= 1 s within 2 s")), "RC-M16");
 }
 
+/// Each kind takes the event as its own model has it: the first with the command's argument, the other without value.
+TEST(WorldMachine, EachKindGetsTheValueThatItsEventCarries) {
+    constexpr const char* valued = R"(
+interface Legs { run() }
+interface Ears { event shout : real }
+stm Runner {
+	requires Legs
+	uses Ears
+	var x : real = 0
+	initial i
+	state Waiting { }
+	state Running { entry run() }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Running trigger shout?x condition x > 9 }
+}
+)";
+    constexpr const char* plain = R"(
+interface Ears { event shout }
+stm Plain {
+	uses Ears
+	initial i
+	state Waiting { }
+	state Awake { }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Awake trigger shout }
+}
+)";
+    const std::string text = replaced(watched, "measure clock is time",
+                                      "robots 1 plain for Plain { place at (0 cm, 100 cm) heading 0 deg }\n"
+                                      "measure run is in_state(Running) measure awake is in_state(Awake) of plain\n"
+                                      "accept each run in 66 % to 67 % accept each awake >= 100 %\n"
+                                      "measure clock is time");
+    const std::string keeper_of_one =
+        replaced(replaced(keeper, "act(x : real, y : real)", "act(x : real)"), "act(10, 20)", "act(10)");
+    Experiment experiment(valued, replaced(text, "\t\tdrive lamp by move(cm, 10 cm/s) on act\n", ""), "model.rct",
+                          {plain, keeper_of_one});
+    ASSERT_EQ(experiment.codes(), "");
+    const RunResult result = experiment.run();
+    for (std::size_t b = 0; b < result.bands.size(); ++b)
+        EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text << ": " << result.bands[b].value;
+}
+
+/// A robot that starts to run in this cycle is not yet in that state when the robots sense.
+TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
+    std::string text = replaced(watched, "measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm)",
+                                "measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm) "
+                                "measure running is in_state(Running)");
+    text = replaced(text, "\t\tstimulus shout on act\n", "");
+    text = replaced(text, "\trecord", "\tstimulus shout at 0.5 s\n\trecord");
+    text = replaced(text, "feed late when clock >= 1 s", "feed late when running >= 100 %");
+    Experiment experiment(runner, text, "model.rct", {keeper});
+    const RunResult result = experiment.run();
+    // Running since the cycle of 0.5 s, read in that of 0.6 s, there when that step has passed.
+    EXPECT_FALSE(frame_near(result, 0.6).obstacles.at(0));
+    EXPECT_TRUE(frame_near(result, 0.7).obstacles.at(0));
+}
+
+TEST(WorldMachine, ANumberThatIsNotFiniteStopsTheTrial) {
+    // 10^160 squared is too large for a double.
+    const std::string large = "1" + std::string(160, '0') + ".0";
+    Experiment light(runner, watched, "model.rct",
+                     {replaced(keeper, "act(10, 20)", "act(" + large + " * " + large + ", 20)")});
+    ASSERT_EQ(light.codes(), "");
+    const RunResult of_light = light.run();
+    ASSERT_TRUE(of_light.trials.at(0).stop);
+    EXPECT_TRUE(of_light.trials[0].stop->environment);
+    EXPECT_THAT(light.messages(), HasSubstr("a number that is not finite"));
+
+    const std::string racer = replaced(replaced(runner, "run()", "run(v : real)"), "entry run(v : real)",
+                                       "entry run(" + large + " * " + large + ")");
+    Experiment robot(racer, replaced(watched, "by forward(10 cm/s) on run", "by turn(rad, 10 cm/s) on run"),
+                     "model.rct", {keeper});
+    ASSERT_EQ(robot.codes(), "");
+    const RunResult of_robot = robot.run();
+    ASSERT_TRUE(of_robot.trials.at(0).stop);
+    EXPECT_FALSE(of_robot.trials[0].stop->environment);
+    EXPECT_THAT(robot.messages(), HasSubstr("a number that is not finite"));
+}
+
 TEST(WorldMachine, StopsATrialByItself) {
     constexpr const char* endless = R"(
 interface Watch { event late }
