@@ -22,6 +22,7 @@
 #include "conformance/model/rules.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
+#include "simulation/chain/chain.hpp"
 #include "sleec/checks/check.hpp"
 #include "sleec/syntax/reader.hpp"
 
@@ -174,6 +175,9 @@ void run(const app::Options& given, Judgement& result) {
     if (given.verb == app::Verb::cspm) return read_script(given.inputs.front(), result);
     if (given.verb == app::Verb::simulate) {
         const auto simulation = app::load_simulation(given);
+        if (simulation->project->diagnostics.ok() && simulation->scenario.abstraction)
+            (void)simulation::chain_asked(simulation->scenario, simulation::ChainStates(simulation->scenario, {}),
+                                          simulation->project->diagnostics);
         return take(simulation->project->sources, simulation->project->diagnostics, result);
     }
     const app::Options options = app::with_swarm(given);
