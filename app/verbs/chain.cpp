@@ -57,7 +57,7 @@ private:
                 {fmt::format("a chain has at most {} states: {}", simulation::ChainStates::most_states, many.what())});
             return false;
         }
-        permitted_ = states_->permitted();
+        permitted_ = states_->permitted(&options_.run->budget());
         for (std::size_t from = 1; from < permitted_.size(); ++from)
             for (std::size_t to = 1; to < permitted_.size(); ++to) {
                 ++result_.transitions;
@@ -83,8 +83,9 @@ private:
             result_.proof = "the states of the chain are not those of the model";
             return std::nullopt;
         }
-        if (scenario_.has_others()) {
-            result_.proof = "robots of several kinds, and what an environment does to robots, have no common semantics";
+        if (scenario_.units_per_step > 1) {
+            result_.proof =
+                "several time units pass in a control step, what the code does in one is not of one of them";
             return std::nullopt;
         }
         for (const simulation::Failure& each : scenario_.failures)
@@ -109,6 +110,7 @@ private:
         const diagnostics::Budget::Phase phase(budget, "finding what robots may do between two states of the chain");
         const std::uint64_t units = scenario_.steps_apart() * scenario_.units_per_step;
         const ir::ComponentRef component = code_components(project_.system, scenario_.component.text).front();
+        probability::check_finite(project_.system, component);
         const auto process =
             probability::explore_process(project_.system, component, project_.instantiation, {}, project_.sources,
                                          {std::min(options_.max_states, most_states), most_states, &budget});
@@ -196,7 +198,6 @@ private:
     void print_text(const std::vector<std::string>& files) const {
         if (!options_.quiet) {
             print("{}\n", simulation::study_text(scenario_, *states_, result_));
-            if (!scenario_.bands.empty()) print("bands are not asked where there is a chain\n\n");
             print("answers, if robots in one state behave alike whatever was before\n{}\n",
                   simulation::answers_text(result_));
             print("in this world\n{}\n", simulation::world_text(scenario_));

@@ -87,6 +87,7 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     if (controller == nullptr || !project.diagnostics.ok()) return false;
     simulation::Scenario scenario = simulation->scenario;
     scenario.bands.clear();
+    scenario.abstraction.reset();  // no chain is made of these trials
     simulation::Plan plan = simulation->plan;
     plan.scenario = &scenario;
     simulation::RunOptions wanted;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "probability/experiments/encoding.hpp"
 #include "probability/process/seats.hpp"
@@ -41,7 +42,10 @@ public:
     Follower(const ExploredProcess& process, const std::function<void()>& poll)
         : process_(process), poll_(poll), ticks_(process.session->event_table(), process.emission.provenance) {}
 
-    Following operator()(const std::string& machine, const std::vector<std::string>& elements, std::uint64_t units) {
+    /// `leaves`: the states of the machine that no other state is inside of.
+    Following operator()(const std::string& machine, const std::vector<std::string>& elements,
+                         const std::set<std::string>& leaves, std::uint64_t units) {
+        check_time(machine, leaves);
         read_classes(machine, elements);
         const std::size_t count = result_.classes.size();
         result_.first.assign(count, false);
@@ -55,6 +59,33 @@ public:
     }
 
 private:
+    /// Generated code goes on where the model ends or time stops, and shows the source of a transition while time
+    /// passes in it: nothing follows for it there.
+    void check_time(const std::string& machine, const std::set<std::string>& leaves) {
+        const Exploration& explored = *process_.exploration;
+        for (lts::StateIndex state = 0; state < explored.size(); ++state) {
+            poll_();
+            if (explored.steps(state).empty()) throw Wrong("time may stop in it");
+            bool passes = false;
+            for (const Step& step : explored.steps(state)) {
+                if (step.event == lts::tick) throw Wrong("it may terminate");
+                passes = passes || ticks_(step.event);
+            }
+            if (passes && !is_in_leaf(state, machine, leaves))
+                throw Wrong("time may pass while a transition is taken, or in a final state");
+        }
+    }
+
+    [[nodiscard]] bool is_in_leaf(lts::StateIndex state, const std::string& machine,
+                                  const std::set<std::string>& leaves) const {
+        for (const std::size_t number : process_.reader->parts(process_.exploration->state(state)))
+            for (const runs::Call& call : process_.reader->part(number).calls)
+                if (call.definition->component == machine)
+                    for (const ir::Origin& active : call.definition->active)
+                        if (leaves.contains(active.element)) return true;
+        return false;
+    }
+
     void read_classes(const std::string& machine, const std::vector<std::string>& elements) {
         const Exploration& explored = *process_.exploration;
         std::vector<std::uint32_t> found;
@@ -150,7 +181,38 @@ private:
     Following result_;
 };
 
+bool is_whole(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (type.kind == ir::TypeKind::enumeration)
+        return std::all_of(type.literal_args.begin(), type.literal_args.end(),
+                           [](const auto& arguments) { return arguments.empty(); });
+    return type.kind == ir::TypeKind::boolean || type.kind == ir::TypeKind::unit;
+}
+
+/// A finite instantiation has all truths and literals, but not all numbers, texts, sequences: code may do with other
+/// values what the process never does.
+void check_values(const ir::System& system, const ir::Machine& machine) {
+    constexpr const char* why = "the proof would be about the values of {} in the finite instantiation alone";
+    for (const ir::Variable& each : machine.variables)
+        if (!is_whole(system, each.type)) throw Wrong(fmt::format(why, each.name));
+    for (const ir::Event& each : machine.events)
+        if (each.type && !is_whole(system, *each.type)) throw Wrong(fmt::format(why, each.name));
+}
+
+std::set<std::string> leaves_of(const ir::Machine& machine) {
+    std::set<std::string> leaves;
+    for (const ir::Node& each : machine.nodes)
+        if (each.kind == ir::NodeKind::state && !each.composite()) leaves.insert(each.origin.element);
+    return leaves;
+}
+
 }  // namespace
+
+void check_finite(const ir::System& system, const ir::ComponentRef& subject) {
+    for (const Seat& each : seats_in(system, subject)) check_values(system, *each.machine);
+    for (const ir::Machine& each : system.machines)
+        if (each.kind == ir::MachineKind::operation) check_values(system, each);
+}
 
 Following following(const ExploredProcess& process, const ir::System& system, const ir::ComponentRef& subject,
                     const std::vector<std::string>& states, std::uint64_t units, const std::function<void()>& poll) {
@@ -164,7 +226,8 @@ Following following(const ExploredProcess& process, const ir::System& system, co
         if (found == nodes.end()) throw Wrong(fmt::format("the machine has no state {}", state));
         elements.push_back(found->origin.element);
     }
-    return Follower(process, poll)(seats.front().component, elements, units);
+    check_finite(system, subject);
+    return Follower(process, poll)(seats.front().component, elements, leaves_of(*seats.front().machine), units);
 }
 
 }  // namespace robochart::probability

@@ -18,9 +18,14 @@ struct Following {
     std::vector<std::vector<bool>> after;  ///< [from][to], exactly so many time units later
 };
 
+/// Throws Wrong where a variable or event of the component's machines, or of an operation, has values that the finite
+/// instantiation leaves out.
+void check_finite(const ir::System&, const ir::ComponentRef& subject);
+
 /// `states`: of the component's first machine, by their paths in it, at most 32. A class is that of a state in which a
 /// time unit passes, taken both in front of that step and behind it, so it is that of the end of a control cycle
-/// whichever of them is meant. Throws Wrong where the machine has no such state.
+/// whichever of them is meant. Throws Wrong where the machine has no such state, and where generated code may do what
+/// the process does not: values are left out, it may terminate, time may stop, or pass while a transition is taken.
 [[nodiscard]] Following following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
                                   const std::vector<std::string>& states, std::uint64_t units,
                                   const std::function<void()>& poll);

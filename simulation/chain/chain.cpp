@@ -46,6 +46,8 @@ private:
         if (claim.property.kind != Formula::Kind::within || std::isinf(claim.property.time))
             return refuse(claim.span, "a chain answers `CONDITION within TIME`");
         if (claim.indifference > 0) return refuse(claim.span, "a chain has bounds, no test with an indifference");
+        if (!claim.estimate && claim.trials != Claim{}.trials)
+            return refuse(claim.span, "a chain is made of the scenario's trials, `at most N trials` is of none");
         const double steps = claim.property.time / scenario_.abstraction->every;
         const double whole = std::round(steps);
         if (std::abs(steps - whole) > 1e-9 * std::max(1.0, steps))

@@ -44,7 +44,7 @@ struct ChainCheck {
 struct ChainAnswer {
     ChainAsked asked;
     double low = 0;
-    double high = 0;                 ///< may be infinite: no upper bound
+    double high = 0;                 ///< may be infinite: none was found
     std::vector<ChainCheck> checks;  ///< at the times of the chain's states
 
     /// Fresh trials contradict the chain: its bounds say nothing of the swarm.

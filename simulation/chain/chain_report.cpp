@@ -50,7 +50,7 @@ std::string above(const ChainAnswer& answer) {
 }
 
 std::string bounds(const ChainAnswer& answer) {
-    if (std::isinf(answer.high)) return fmt::format("at least {}; the chain has no upper bound", below(answer));
+    if (std::isinf(answer.high)) return fmt::format("at least {}; no upper bound was found", below(answer));
     return fmt::format("between {} and {}", below(answer), above(answer));
 }
 

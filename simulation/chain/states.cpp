@@ -12,7 +12,8 @@ namespace robochart::simulation {
 namespace {
 
 bool is_share(MeasureKind kind) {
-    return kind != MeasureKind::spread && kind != MeasureKind::second_moment && kind != MeasureKind::distance;
+    return kind != MeasureKind::spread && kind != MeasureKind::second_moment && kind != MeasureKind::distance &&
+           kind != MeasureKind::time;
 }
 
 double share(std::uint32_t count, std::uint32_t robots) {
@@ -168,7 +169,9 @@ std::string ChainStates::text(std::size_t state) const {
     for (std::size_t d = 0; d < classes_.size(); ++d) {
         const Measure& measure = scenario_.measures[scenario_.abstraction->distinctions[d].measure];
         const MeasureClass& here = classes_[d][states_[state - 1][d]];
-        const char* const unit = measure.kind == MeasureKind::second_moment ? "" : " cm";
+        const char* const unit = measure.kind == MeasureKind::second_moment ? ""
+                                 : measure.kind == MeasureKind::time        ? " s"
+                                                                            : " cm";
         const std::string value = here.share && here.least == here.most
                                       ? fmt::format("{} of {}", here.least, scenario_.robots)
                                   : here.share ? fmt::format("{} to {} of {}", here.least, here.most, scenario_.robots)
@@ -259,7 +262,7 @@ bool ChainStates::admits(const Distribution& before, const Distribution& behind)
     return true;
 }
 
-statistics::Permitted ChainStates::permitted() const {
+statistics::Permitted ChainStates::permitted(diagnostics::Budget* budget) const {
     statistics::Permitted result = statistics::all_permitted(size());
     const auto number = [&](const Tuple& robots) {
         return static_cast<std::size_t>(std::lower_bound(admitted_.begin(), admitted_.end(), robots) -
@@ -268,6 +271,7 @@ statistics::Permitted ChainStates::permitted() const {
     std::vector<bool> first(admitted_.size(), !steps_);
     statistics::Permitted follows(admitted_.size(), std::vector<bool>(admitted_.size(), !steps_));
     for (std::size_t from = 0; from < distributions_.size() && steps_; ++from) {
+        if (budget != nullptr) budget->poll();
         bool begins = true;
         for (std::size_t c = 0; c < steps_->classes.size(); ++c)
             begins = begins && (distributions_[from][c] == 0 || steps_->first[c]);
@@ -278,6 +282,8 @@ statistics::Permitted ChainStates::permitted() const {
             if (!follows[source][target]) follows[source][target] = admits(distributions_[from], distributions_[to]);
         }
     }
+    for (std::vector<bool>& row : follows)
+        if (std::find(row.begin(), row.end(), true) == row.end()) row.assign(row.size(), true);
     for (std::size_t to = 0; to < size(); ++to) {
         const std::size_t target = to == start ? 0 : number(robots_in(states_[to - 1]));
         for (std::size_t from = 0; from < size(); ++from)

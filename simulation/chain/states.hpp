@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/budget.hpp"
 #include "simulation/scenario/scenario.hpp"
 #include "statistics/chains.hpp"
 
@@ -62,8 +63,9 @@ public:
     [[nodiscard]] std::optional<std::vector<bool>> holding(const Formula& condition) const;
     /// The transitions that may be: those of robots as their steps say, everything else of measures. A robot's steps
     /// admit a change of the numbers exactly if for every set of classes no more robots are in it than in its
-    /// successors afterwards (Hall's theorem for transports).
-    [[nodiscard]] statistics::Permitted permitted() const;
+    /// successors afterwards (Hall's theorem for transports). Where they admit nothing behind a state, everything may
+    /// be: a proof that time stops says nothing of code that goes on.
+    [[nodiscard]] statistics::Permitted permitted(diagnostics::Budget* = nullptr) const;
 
 private:
     /// A class of each distinction.

@@ -95,6 +95,11 @@ void ScenarioReader::check_abstraction() {
     const Abstraction& abstraction = *scenario_.abstraction;
     if (!scenario_.variations.empty())
         in_.report(rules::out_of_range, abstraction.span, {"a scenario has a chain, or something varies in it"});
+    if (scenario_.has_others())
+        in_.report(rules::out_of_range, abstraction.span,
+                   {"a chain takes a scenario with one kind of robots and without an environment"});
+    if (!scenario_.bands.empty())
+        in_.report(rules::out_of_range, abstraction.span, {"a scenario has a chain, or bands"});
     if (scenario_.world.control_step > 0 && said_.contains("step"))
         (void)divide(abstraction.every, "the time between two states of the chain", scenario_.world.control_step,
                      "the control step", "abstract");

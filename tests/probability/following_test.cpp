@@ -90,5 +90,46 @@ TEST(Following, StatesInside) {
     EXPECT_FALSE(may(found_in, 1, none));
 }
 
+std::string why_not(const std::string& model, const std::vector<std::string>& states) {
+    try {
+        (void)found(model, states, 1);
+    } catch (const Wrong& wrong) {
+        return wrong.what();
+    }
+    return "";
+}
+
+/// Code goes on where the process ends.
+TEST(Following, NothingOfWhatMayTerminate) {
+    const std::string ends =
+        "stm S { event go initial i state A { } final f transition t0 { from i to A } "
+        "transition t1 { from A to f trigger go } }";
+    EXPECT_NE(why_not(ends, {"A"}), "");
+}
+
+/// Code shows the source of a transition while time passes in its action, or in an exit action; the process has left
+/// it.
+TEST(Following, NothingWhereTimePassesInATransition) {
+    const auto model = [](const std::string& exit, const std::string& action) {
+        return "stm S { event go initial i state A { " + exit + " } state B { } transition t0 { from i to A } " +
+               "transition t1 { from A to B trigger go " + action + " } }";
+    };
+    EXPECT_EQ(why_not(model("", ""), {"A"}), "");
+    EXPECT_NE(why_not(model("", "action wait(1)"), {"A"}), "");
+    EXPECT_NE(why_not(model("exit wait(1)", ""), {"A"}), "");
+}
+
+/// No more than 2 is ever received by default.
+TEST(Following, NothingWhereValuesAreLeftOut) {
+    const auto model = [](const std::string& type, const std::string& guard) {
+        return "stm S { event far : " + type + " var d : " + type + " initial i state A { } state B { } " +
+               "transition t0 { from i to A } transition t1 { from A to A trigger far?d } " +
+               "transition t2 { from A to B condition " + guard + " } }";
+    };
+    EXPECT_NE(why_not(model("real", "d > 50"), {"A"}), "");
+    EXPECT_NE(why_not(model("nat", "d > 50"), {"A"}), "");
+    EXPECT_EQ(why_not(model("boolean", "not d"), {"A"}), "");
+}
+
 }  // namespace
 }  // namespace robochart::probability

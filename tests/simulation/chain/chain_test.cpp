@@ -84,6 +84,8 @@ TEST(Abstraction, WhatIsWrongIsSaid) {
     EXPECT_THAT(findings(std::string("abstract by near in 50 cm every 1 s") + question), HasSubstr("RC-M02"));
     EXPECT_THAT(findings(std::string("abstract by near every 1 s vary robots in 1 to 2") + question),
                 HasSubstr("RC-M03"));
+    EXPECT_THAT(findings(std::string("abstract by near every 1 s accept each near >= 50 %") + question),
+                HasSubstr("a chain, or bands"));
     EXPECT_THAT(findings("abstract by near every 1 s estimate average way with confidence 95 %"), HasSubstr("RC-M03"));
     EXPECT_THAT(findings("abstract by near every 1 s estimate time until always near >= 1 % with confidence 95 %"),
                 HasSubstr("RC-M16"));
@@ -104,6 +106,9 @@ TEST(Abstraction, StatesAnswerOrItIsSaid) {
     EXPECT_THAT(asked("estimate probability a >= 50 % within 3 s with confidence 95 %"), HasSubstr("no state at 3 s"));
     EXPECT_THAT(asked("estimate probability always a >= 50 % with confidence 95 %"), HasSubstr("RC-M17"));
     EXPECT_THAT(asked("estimate average b with confidence 95 %"), HasSubstr("RC-M17"));
+    EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %"), "");
+    EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %, at most 50 trials"),
+                HasSubstr("at most N trials"));
 }
 
 // ---------------------------------------------------------------- states and transitions
@@ -165,6 +170,36 @@ TEST(ChainStates, TransitionsAreThoseOfRobots) {
                 expected[state(from)][state(to)] = true;
         }
     EXPECT_EQ(states.permitted(), expected);
+}
+
+/// A class that nothing follows excludes nothing.
+TEST(Transitions, NothingIsExcludedWhereTimeStops) {
+    const ReadChain read("abstract by a every 1 s estimate average a with confidence 95 %", "1");
+    const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{false, true}, {false, false}}});
+    const statistics::Permitted permitted = states.permitted();
+    EXPECT_EQ(permitted[1], (std::vector<bool>{false, false, true}));
+    EXPECT_EQ(permitted[2], (std::vector<bool>{false, true, true}));
+}
+
+/// A limit that is reached ends the search for transitions.
+TEST(Transitions, ObeyLimits) {
+    const ReadChain read("abstract by a every 1 s estimate average a with confidence 95 %", "1");
+    const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{true, true}, {true, true}}});
+    diagnostics::Budget budget;
+    budget.interrupt();
+    EXPECT_THROW((void)states.permitted(&budget), diagnostics::LimitReached);
+}
+
+/// A time is no share: it has seconds, and the robots do not count it.
+TEST(States, OfATime) {
+    const ReadChain read(
+        "measure now is time abstract by now in 2 s every 1 s estimate time until now >= 1 s with confidence 95 %");
+    ASSERT_EQ(read.findings, "");
+    const ChainStates states(read.scenario, std::nullopt);
+    ASSERT_EQ(states.size(), 3U);
+    EXPECT_EQ(states.text(1), "now up to 2 s");
+    EXPECT_EQ(states.text(2), "now above 2 s");
+    EXPECT_EQ(states.of({11}), 2U);
 }
 
 // ---------------------------------------------------------------- answers
@@ -271,7 +306,7 @@ TEST(ChainReport, SaysWhatItIs) {
     answer.asked.text = "time until x";
     answer.low = 12.34;
     answer.high = std::numeric_limits<double>::infinity();
-    EXPECT_THAT(answers_text(result), HasSubstr("at least 12.3 s; the chain has no upper bound"));
+    EXPECT_THAT(answers_text(result), HasSubstr("at least 12.3 s; no upper bound was found"));
     EXPECT_FALSE(result.complete());
     EXPECT_THAT(chain_summary(result), HasSubstr("1 of 2 open"));
     answer.checks.push_back({60, {0.5, 1}, 0.3, {0.2, 0.4}, true});
