@@ -40,7 +40,7 @@ public:
         if (!project_.diagnostics.ok()) return refused();
         result_.questions = asked.size();
         run_trials();
-        if (!project_.diagnostics.ok()) return refused();
+        if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::failed;  // trials stopped
         if (!result_.interrupted && !answer(asked)) return show_diagnostics(project_, options_), Exit::failed;
         return report();
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "simulation/scenario/rules.hpp"
 
@@ -182,6 +183,17 @@ std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& me
     return states;
 }
 
+/// Whether a name may mean states of a kind, or states that are called as the kind is.
+bool is_ambiguous(const Scenario& scenario, const Measure& measure, const Machines& machines) {
+    if (measure.of) return false;
+    for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind)
+        if (scenario.kind_at(kind).kind.text == measure.state.text) return true;
+    std::set<std::string> names;
+    return std::any_of(measure.states.begin(), measure.states.end(), [&](std::uint16_t state) {
+        return !names.insert(machines.front().states[state]).second;  // of an unnamed kind, and of another
+    });
+}
+
 }  // namespace
 
 void find_states(Scenario& scenario, const Machines& machines, diagnostics::Diagnostics& diagnostics) {
@@ -191,6 +203,9 @@ void find_states(Scenario& scenario, const Machines& machines, diagnostics::Diag
         if (measure.states.empty())
             diagnostics.report(rules::unknown_part, measure.state.span,
                                {"state of the first machine named", measure.state.text});
+        else if (is_ambiguous(scenario, measure, machines))
+            diagnostics.report(rules::unknown_part, measure.state.span,
+                               {"state that is not called as a kind of robots is, named", measure.state.text});
     }
 }
 

@@ -91,6 +91,16 @@ TEST(Kinds, EachHasItsModelItsPlacesAndItsPlatform) {
     EXPECT_EQ(machines[0].state(last.state(2)), "backers::Standing");
 }
 
+TEST(Kinds, AKindThatIsCalledLikeAStateMakesItsNameMeanTwoThings) {
+    std::string text = mixed;
+    for (std::size_t at = text.find("runners"); at != std::string::npos; at = text.find("runners", at + 7))
+        text.replace(at, 7, "Running");
+    Experiment experiment(runner, text, "model.rct", {backer});
+    (void)experiment.run();
+    EXPECT_THAT(experiment.messages(), HasSubstr("there is no state that is not called as a kind of robots is, named "
+                                                 "'Running'"));
+}
+
 TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
     // The robots are too far from each other to meet: each kind moves as it does alone.
     std::string alone = mixed;
