@@ -125,7 +125,6 @@ private:
         result_.trials = scenario_.trials;
         simulation::Scenario all = scenario_;
         all.claims.clear();
-        all.bands.clear();
         all.set_trials(2 * scenario_.trials);
         simulation::Plan plan = simulation_.plan;
         plan.scenario = &all;
@@ -133,9 +132,10 @@ private:
         wanted.threads = stage_.parallel ? options_.threads : 1;
         wanted.stage = stage_.make;
         wanted.record = false;
-        wanted.interrupted = [&budget = options_.run->budget()] { return !budget.reached().empty(); };
+        wanted.interrupted = when_a_limit_is_reached(options_);
         wanted.progress = progress_reports(options_, scenario_.name.text);
-        simulation::RunResult found = simulation::run(plan, controller_->drive(), wanted, project_.diagnostics);
+        simulation::RunResult found =
+            simulation::run(plan, drives_of(simulation_, *controller_), wanted, project_.diagnostics);
         result_.cpu_seconds = found.cpu_seconds;
         result_.interrupted = found.interrupted;
         trials_ = std::move(found.trials);

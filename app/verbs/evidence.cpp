@@ -93,7 +93,7 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     simulation::RunOptions wanted;
     wanted.threads = options.threads;
     wanted.record = false;
-    wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
+    wanted.interrupted = when_a_limit_is_reached(options);
     const simulation::RunResult found =
         simulation::run(plan, drives_of(*simulation, *controller), wanted, project.diagnostics);
     if (!project.diagnostics.ok()) return false;

@@ -152,12 +152,7 @@ public:
     [[nodiscard]] Maker beside(Maker other) override {
         std::vector<Maker> makers;
         for (const auto& guard : guards_) makers.push_back(guard->beside({}));
-        return [this, makers, other = std::move(other)](std::uint32_t trial) {
-            std::vector<std::unique_ptr<simulation::Trace>> parts;
-            for (const Maker& make : makers) parts.push_back(make(trial));
-            return std::make_unique<simulation::KindTraces>(scenario_, std::move(parts),
-                                                            other ? other(trial) : nullptr);
-        };
+        return simulation::for_each_kind(scenario_, std::move(makers), std::move(other));
     }
     [[nodiscard]] std::string note() const override {
         std::string text;
@@ -204,8 +199,8 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
     std::vector<std::unique_ptr<simulation::Guard>> guards;
     for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
         Project& project = kind == 0 ? *simulation.project : *simulation.others[kind - 1].project;
-        const auto& emission = kind == 0 ? simulation.emission : simulation.others[kind - 1].emission;
-        guards.push_back(guard_of(simulation, project, emission, scenario.kind_at(kind).component.text, options));
+        guards.push_back(guard_of(simulation, project, simulation.emission_of(kind),
+                                  scenario.kind_at(kind).component.text, options));
         if (guards.back() == nullptr) return nullptr;
     }
     if (!scenario.has_others()) return std::move(guards.front());

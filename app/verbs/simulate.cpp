@@ -111,9 +111,9 @@ void emit(Simulation& simulation, const std::string& model, const Options& optio
     for (const simulation::RobotKind& kind : scenario.others)
         if (!load_other(simulation, kind, options)) return;
     if (scenario.environment && !load_other(simulation, *scenario.environment, options)) return;
-    simulation::Emissions emissions{{&simulation.emission}, nullptr};
-    for (std::size_t kind = 1; kind < scenario.kinds(); ++kind)
-        emissions.kinds.push_back(&simulation.others[kind - 1].emission);
+    simulation::Emissions emissions{{}, nullptr};
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+        emissions.kinds.push_back(&simulation.emission_of(kind));
     if (scenario.environment) emissions.environment = &simulation.others.back().emission;
     Project& project = *simulation.project;
     simulation.plan = simulation::bind(simulation.scenario, emissions, project.diagnostics);
@@ -128,6 +128,10 @@ std::string with_progress(const simulation::RunProgress& p) {
 }
 
 }  // namespace
+
+std::function<bool()> when_a_limit_is_reached(const Options& options) {
+    return [&budget = options.run->budget()] { return !budget.reached().empty(); };
+}
 
 std::function<void(const simulation::RunProgress&)> progress_reports(const Options& options,
                                                                      const std::string& subject) {
@@ -222,9 +226,8 @@ simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t 
         const std::lock_guard lock(failure.mutex);
         if (failure.text.empty()) failure.text = error;
     };
-    const cpp_emit::DriveEmission& emission = kind == 0 ? simulation.emission : simulation.others[kind - 1].emission;
-    return [&simulation, &emission, wanted](std::uint32_t trial) {
-        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, emission, trial);
+    return [&simulation, kind, wanted](std::uint32_t trial) {
+        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, simulation.emission_of(kind), trial);
     };
 }
 
@@ -233,11 +236,7 @@ simulation::Guard::Maker log_maker(const Simulation& simulation, const Options& 
     std::vector<simulation::Guard::Maker> makers;
     for (std::size_t kind = 0; kind < simulation.scenario.kinds(); ++kind)
         makers.push_back(log_maker_of(simulation, kind, options, failure));
-    return [&simulation, makers](std::uint32_t trial) {
-        std::vector<std::unique_ptr<simulation::Trace>> parts;
-        for (const simulation::Guard::Maker& make : makers) parts.push_back(make(trial));
-        return std::make_unique<simulation::KindTraces>(simulation.scenario, std::move(parts));
-    };
+    return simulation::for_each_kind(simulation.scenario, std::move(makers));
 }
 
 }  // namespace
@@ -338,7 +337,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     const auto monitors = make_guard(*simulation, options);
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
-    wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
+    wanted.interrupted = when_a_limit_is_reached(options);
     wanted.progress = progress_reports(options, simulation->scenario.name.text);
     const simulation::Drives drives = drives_of(*simulation, *controller);
     const simulation::Machines machines = simulation::machines_of(simulation->scenario, drives);

@@ -30,6 +30,11 @@ struct Simulation {
     cpp_emit::DriveEmission emission;
     std::vector<OtherController> others;  ///< of the scenario's other kinds, and of its environment
     simulation::Plan plan;                ///< refers to the scenario
+
+    /// What drives robots of a kind (Scenario::kind_at).
+    [[nodiscard]] const cpp_emit::DriveEmission& emission_of(std::size_t kind) const {
+        return kind == 0 ? emission : others[kind - 1].emission;
+    }
 };
 
 /// Reads the scenario and its model and binds them. Never null; the project's diagnostics tell whether it can run.
@@ -75,6 +80,8 @@ Exit run_simulate(const Options&, const OtherStage&);
 Exit sweep(const Options&, const OtherStage&);
 /// Of a scenario with a chain; its project has no errors so far.
 Exit study_chain(Simulation&, const Options&, const OtherStage&);
+/// Whether trials are to end: a limit is reached, or a signal has come.
+[[nodiscard]] std::function<bool()> when_a_limit_is_reached(const Options&);
 /// The progress of trials as `--progress` asks for; empty: not at all.
 [[nodiscard]] std::function<void(const simulation::RunProgress&)> progress_reports(const Options&,
                                                                                    const std::string& subject);

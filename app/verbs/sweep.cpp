@@ -178,7 +178,7 @@ private:
         wanted.record = false;
         wanted.comparisons = static_cast<std::uint32_t>(result_.points.size());
         if (prepared_.monitors != nullptr) wanted.trace = prepared_.monitors->beside({});
-        wanted.interrupted = [&budget = options_.run->budget()] { return !budget.reached().empty(); };
+        wanted.interrupted = when_a_limit_is_reached(options_);
         const std::string where = simulation::point_text(scenario_, point);
         wanted.progress = [this, where](const simulation::RunProgress& now) {
             redraw(fmt::format("{} ({} points): {} trials", where, result_.points.size(), now.trials_done));

@@ -26,11 +26,7 @@ public:
         if (at_ == rows_.size() && next_ != end_) read();
     }
     [[nodiscard]] bool before(const Reader& other) const {
-        const Word* const mine = row();
-        const Word* const others = other.row();
-        for (std::size_t i = 0; i < width_; ++i)
-            if (mine[i] != others[i]) return mine[i] < others[i];
-        return false;
+        return std::lexicographical_compare(row(), row() + width_, other.row(), other.row() + width_);
     }
 
 private:
@@ -86,27 +82,19 @@ std::uint64_t SortedRuns::longest() const {
 
 void SortedRuns::merge(const TakeRows& take) const {
     std::vector<Reader> readers;
-    std::vector<Reader*> heap;  // the one at i comes before those at 2i+1 and 2i+2
+    std::vector<Reader*> heap;  // the one whose row comes first is in front
     readers.reserve(runs_.size());
     for (const Run& run : runs_) heap.push_back(&readers.emplace_back(*file_, run, kind_.width));
-    const auto sink = [&heap](std::size_t i) {
-        for (;;) {
-            std::size_t least = i;
-            for (std::size_t child = 2 * i + 1; child <= 2 * i + 2 && child < heap.size(); ++child)
-                if (heap[child]->before(*heap[least])) least = child;
-            if (least == i) return;
-            std::swap(heap[i], heap[least]);
-            i = least;
-        }
-    };
-    for (std::size_t i = heap.size() / 2; i-- > 0;) sink(i);
+    const auto later = [](const Reader* a, const Reader* b) { return b->before(*a); };
+    std::make_heap(heap.begin(), heap.end(), later);
     const std::size_t width = kind_.width;
     const std::size_t full = RowFile::rows_of_block * width;
     std::vector<Word> rows;
     std::vector<Word> last;
     rows.reserve(full);
     while (!heap.empty()) {
-        Reader& first = *heap.front();
+        std::pop_heap(heap.begin(), heap.end(), later);
+        Reader& first = *heap.back();
         if (last.empty() || !std::equal(last.begin(), last.end(), first.row())) {
             if (rows.size() == full) {
                 take(rows);
@@ -116,11 +104,10 @@ void SortedRuns::merge(const TakeRows& take) const {
             rows.insert(rows.end(), last.begin(), last.end());
         }
         first.advance();
-        if (first.at_end()) {
-            heap.front() = heap.back();
+        if (first.at_end())
             heap.pop_back();
-        }
-        if (!heap.empty()) sink(0);
+        else
+            std::push_heap(heap.begin(), heap.end(), later);
     }
     if (!rows.empty()) take(rows);
 }

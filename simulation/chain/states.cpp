@@ -11,11 +11,6 @@ namespace robochart::simulation {
 
 namespace {
 
-bool is_share(MeasureKind kind) {
-    return kind != MeasureKind::spread && kind != MeasureKind::second_moment && kind != MeasureKind::distance &&
-           kind != MeasureKind::time;
-}
-
 double share(std::uint32_t count, std::uint32_t robots) {
     return static_cast<double>(count) / static_cast<double>(robots);
 }
@@ -57,7 +52,7 @@ bool ChainStates::is_in_state(std::size_t distinction) const {
 void ChainStates::find_classes(const Distinction& distinction) {
     std::vector<MeasureClass>& found = classes_.emplace_back();
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    if (!is_share(scenario_.measures[distinction.measure].kind)) {
+    if (dimension_of(scenario_.measures[distinction.measure].kind) != Dimension::share) {
         double low = -infinite;
         for (const double level : distinction.levels) {
             found.push_back({false, 0, 0, low, level});
@@ -169,9 +164,7 @@ std::string ChainStates::text(std::size_t state) const {
     for (std::size_t d = 0; d < classes_.size(); ++d) {
         const Measure& measure = scenario_.measures[scenario_.abstraction->distinctions[d].measure];
         const MeasureClass& here = classes_[d][states_[state - 1][d]];
-        const char* const unit = measure.kind == MeasureKind::second_moment ? ""
-                                 : measure.kind == MeasureKind::time        ? " s"
-                                                                            : " cm";
+        const std::string_view unit = printed_unit(dimension_of(measure.kind));
         const std::string value = here.share && here.least == here.most
                                       ? fmt::format("{} of {}", here.least, scenario_.robots)
                                   : here.share ? fmt::format("{} to {} of {}", here.least, here.most, scenario_.robots)

@@ -20,17 +20,7 @@ namespace {
 
 Dimension dimension_of(const Scenario& scenario, const Band& band) {
     if (band.statistic.kind == StatisticKind::first_time) return Dimension::time;
-    switch (scenario.measures[band.statistic.measure].kind) {
-        case MeasureKind::spread:
-        case MeasureKind::distance:
-            return Dimension::length;
-        case MeasureKind::second_moment:
-            return Dimension::number;
-        case MeasureKind::time:
-            return Dimension::time;
-        default:
-            return Dimension::share;
-    }
+    return dimension_of(scenario.measures[band.statistic.measure].kind);
 }
 
 /// Six significant digits; null where there is no number.
@@ -120,16 +110,7 @@ std::string value_text(const Scenario& scenario, const Band& band, double value)
     std::string number = fmt::format("{:.{}f}", factor * value, digits);
     while (digits < most_digits && !inside(value) && inside(std::strtod(number.c_str(), nullptr) / factor))
         number = fmt::format("{:.{}f}", factor * value, ++digits);
-    switch (dimension) {
-        case Dimension::time:
-            return number + " s";
-        case Dimension::share:
-            return number + " %";
-        case Dimension::length:
-            return number + " cm";
-        default:
-            return number;
-    }
+    return number.append(printed_unit(dimension));
 }
 
 std::string bands_text(const Scenario& scenario, const RunResult& result) {

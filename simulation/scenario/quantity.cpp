@@ -57,6 +57,19 @@ std::string_view described(Dimension dimension) {
     return "";
 }
 
+std::string_view printed_unit(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::time:
+            return " s";
+        case Dimension::share:
+            return " %";
+        case Dimension::length:
+            return " cm";
+        default:
+            return "";
+    }
+}
+
 std::optional<Unit> unit_named(std::string_view name) {
     const auto* row = std::find_if(units.begin(), units.end(), [&](const Row& r) { return r.name == name; });
     if (row == units.end()) return std::nullopt;

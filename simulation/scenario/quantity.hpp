@@ -13,6 +13,9 @@ enum class Dimension { number, share, length, area, time, angle, speed, turn_rat
 /// "a length (mm, cm, m)".
 [[nodiscard]] std::string_view described(Dimension);
 
+/// What is printed behind a number of a result: " s", " cm", " %"; "" of other dimensions.
+[[nodiscard]] std::string_view printed_unit(Dimension);
+
 struct Unit {
     Dimension dimension = Dimension::number;
     double factor = 1;  ///< to the unit used inside

@@ -88,10 +88,8 @@ const Rule not_in_chain{
 
 const Rule excluded{
     "RC-M18", Severity::error, "trial {} went from '{}' to '{}' at {} s, which the model excludes",
-    "By the timed semantics of the model no robots can do that between two states of the chain. Either a value from "
-    "the "
-    "world is outside of the finite instantiation that the proof is about (--range), or the generated code does not "
-    "conform."};
+    "By the timed semantics of the model no robots can do that between two states of the chain. The generated "
+    "code then does not conform, or the proof is about less than what the code does."};
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {&syntax,        &wrong_unit,   &out_of_range, &missing,  &said_twice,

@@ -21,6 +21,20 @@ bool Formula::of_trial() const {
     }
 }
 
+Dimension dimension_of(MeasureKind kind) {
+    switch (kind) {
+        case MeasureKind::spread:
+        case MeasureKind::distance:
+            return Dimension::length;
+        case MeasureKind::second_moment:
+            return Dimension::number;
+        case MeasureKind::time:
+            return Dimension::time;
+        default:
+            return Dimension::share;
+    }
+}
+
 std::uint64_t Scenario::steps() const {
     return static_cast<std::uint64_t>(std::llround(duration / world.control_step));
 }

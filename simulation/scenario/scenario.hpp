@@ -132,6 +132,8 @@ struct Placement {
 
 enum class MeasureKind { cluster, spread, second_moment, distance, reached, inside, in_state, working, time };
 
+[[nodiscard]] Dimension dimension_of(MeasureKind);
+
 /// `measure NAME is KIND(ARGUMENT) of ROBOTS`.
 struct Measure {
     Name name;

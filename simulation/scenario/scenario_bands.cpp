@@ -70,19 +70,8 @@ std::size_t ScenarioReader::light_named(const Name& name) {
 }
 
 Dimension ScenarioReader::dimension_of(std::size_t measure) const {
-    if (measure >= scenario_.measures.size()) return Dimension::number;
-    const MeasureKind kind = scenario_.measures[measure].kind;
-    switch (kind) {
-        case MeasureKind::spread:
-        case MeasureKind::distance:
-            return Dimension::length;
-        case MeasureKind::second_moment:
-            return Dimension::number;
-        case MeasureKind::time:
-            return Dimension::time;
-        default:
-            return Dimension::share;
-    }
+    return measure < scenario_.measures.size() ? simulation::dimension_of(scenario_.measures[measure].kind)
+                                               : Dimension::number;
 }
 
 std::size_t ScenarioReader::measure_named() {

@@ -30,4 +30,12 @@ bool KindTraces::decided() const {
                        [](const std::unique_ptr<Trace>& part) { return part == nullptr || part->decided(); });
 }
 
+Guard::Maker for_each_kind(const Scenario& scenario, std::vector<Guard::Maker> makers, Guard::Maker whole) {
+    return [&scenario, makers = std::move(makers), whole = std::move(whole)](std::uint32_t trial) {
+        std::vector<std::unique_ptr<Trace>> parts;
+        for (const Guard::Maker& make : makers) parts.push_back(make(trial));
+        return std::make_unique<KindTraces>(scenario, std::move(parts), whole ? whole(trial) : nullptr);
+    };
+}
+
 }  // namespace robochart::simulation

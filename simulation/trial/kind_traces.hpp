@@ -26,4 +26,8 @@ private:
     const Trace* last_ = nullptr;
 };
 
+/// Makes KindTraces of a trial: a part by each of `makers`, and the whole by `whole`, if it makes any. The scenario
+/// outlives what is returned.
+[[nodiscard]] Guard::Maker for_each_kind(const Scenario&, std::vector<Guard::Maker> makers, Guard::Maker whole = {});
+
 }  // namespace robochart::simulation

@@ -228,9 +228,7 @@ private:
         for (const BoundWorldFeed& feed : plan_.environment->feeds) fill(feed, now);
         void* const controller = (*environment_)[0];
         const rc_drive_result result = drives_.environment->step(controller, signals_.data(), &actions_);
-        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) {
-            return stop_environment(cause_of(result));
-        }
+        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop_environment(cause_of(result));
         for (std::uint32_t a = 0; a < actions_.count && !result_.stop; ++a)
             for (const BoundAct& act : plan_.environment->acts[actions_.action[a].output])
                 change_world(act, actions_.action[a]);

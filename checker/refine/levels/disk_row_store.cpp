@@ -93,10 +93,14 @@ void DiskRowStore::add_to_open(StateView row, std::uint64_t hash) {
     open_->insert(row, hash);
 }
 
+std::uint64_t DiskRowStore::rows_sorted_at_once() const {
+    return std::max<std::uint64_t>(most_open_ / 4, 64);
+}
+
 /// Piece by piece, because what is sorted exists three times.
 void DiskRowStore::write_open() {
     note_peak();
-    const auto piece = static_cast<StateIndex>(std::max<std::uint64_t>(most_open_ / 4, 64));
+    const auto piece = static_cast<StateIndex>(rows_sorted_at_once());
     const auto end = static_cast<StateIndex>(open_->size());
     for (StateIndex first = 0; first < end; first += piece)
         runs_.add(sorted_rows(*open_, first, std::min(end, first + piece)));
@@ -120,7 +124,7 @@ void DiskRowStore::put_aside(StateView row, std::uint64_t hash) {
 void DiskRowStore::close_level() {
     const std::shared_ptr<void> held = kept_.hold();
     note_peak();
-    const bool in_one_piece = runs_.empty() && open_->size() <= std::max<std::uint64_t>(most_open_ / 4, 64);
+    const bool in_one_piece = runs_.empty() && open_->size() <= rows_sorted_at_once();
     if (in_one_piece) {
         const std::vector<Word> rows = sorted_rows(*open_, 0, static_cast<StateIndex>(open_->size()));
         kept_.files().add_level(rows);

@@ -65,6 +65,7 @@ private:
 
     [[nodiscard]] Store new_store() const { return std::make_unique<lts::StateStore>(width()); }
     void add_to_open(lts::StateView row, std::uint64_t hash);
+    [[nodiscard]] std::uint64_t rows_sorted_at_once() const;
     void write_open();
     void empty_open();
     void put_aside(lts::StateView row, std::uint64_t hash);
