@@ -1,6 +1,6 @@
 # Headers of the standard library and of fmt, which nearly every source reads, are compiled once: between a seventh and a
-# third of the time of one source is theirs. For builds that compile sources one by one (without ROBOCHART_UNITY). Such a
-# build does not notice a header that a source forgets to include; the others do.
+# third of the time of one source is theirs, and one or two seconds of a group of sources (ROBOCHART_UNITY). Such a build
+# does not notice a header that a source forgets to include; those of the presets `dev` and `clang` do.
 
 set(precompiled_headers
   <algorithm> <array> <charconv> <chrono> <cmath> <cstddef> <cstdint> <deque> <filesystem> <functional> <limits> <map> <memory>

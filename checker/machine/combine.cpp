@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <tuple>
 
 #include "checker/machine/supercombinator.hpp"
 
@@ -18,15 +19,23 @@ using process::tick;
 struct Action {
     NodeId node;
     bool start;
+    auto operator<=>(const Action&) const = default;
 };
+using Actions = std::vector<Action>;
 
 struct Vector {
     Event event = tau;
     Event revealed = tau;
     std::vector<Requirement> parts;
-    std::vector<Action> actions;
+    Actions actions;
 };
 using Vectors = std::vector<Vector>;
+
+/// By actions, where a region has their assignments. Most rules share theirs with others.
+struct LessActions {
+    bool operator()(const Actions* a, const Actions* b) const { return *a < *b; }
+};
+using AssignmentRanges = std::map<const Actions*, std::pair<std::uint32_t, std::uint32_t>, LessActions>;
 
 class Combiner {
 public:
@@ -62,15 +71,16 @@ private:
     void together(std::vector<const Vectors*> who, Event event, Vectors& out);
     void charge(std::size_t vectors);
     void charge_work(std::size_t steps) const;
-    static void prepend(Vector& vector, const std::vector<Action>& first);
+    static void prepend(Vector& vector, const Actions& first);
 
     [[nodiscard]] std::vector<std::uint32_t> levels(const Node& prioritise) const;
-    [[nodiscard]] std::vector<Assignment> assignments(const std::vector<Action>& actions) const;
-    void initialise(NodeId id, std::map<std::uint32_t, Local>& values) const;
-    void turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const;
+    [[nodiscard]] std::vector<Assignment> assignments(const Actions& actions) const;
+    void initialise(NodeId id, std::vector<Assignment>& made) const;
+    void turn_off(NodeId id, std::vector<Assignment>& made) const;
     [[nodiscard]] std::vector<std::vector<double>> chances(const Region& region) const;
     void finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const;
-    void add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const;
+    void add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level,
+                  AssignmentRanges& ranges) const;
     void list_operands();
     void pack();
 
@@ -100,7 +110,7 @@ void Combiner::charge_work(std::size_t steps) const {
 }
 
 /// What happens first: an action of the vector may start again what is turned off here.
-void Combiner::prepend(Vector& vector, const std::vector<Action>& first) {
+void Combiner::prepend(Vector& vector, const Actions& first) {
     vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
 
@@ -292,7 +302,7 @@ Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands)
         for (Vector& each : operands[i]) {
             const bool first_of_interrupt = node.op == Op::interrupt && i == 0;
             const bool resolves = first_of_interrupt ? each.event == tick : each.event != tau;
-            std::vector<Action> others;
+            Actions others;
             for (std::size_t other = 0; resolves && other < operands.size(); ++other)
                 if (other != i) others.push_back({node.children[other], false});
             charge_work(1 + others.size() + (others.empty() ? 0 : each.actions.size()));
@@ -335,20 +345,20 @@ std::vector<std::uint32_t> Combiner::levels(const Node& prioritise) const {
     return process::levels_of(terms_[process::OrderId{terms_[prioritise.term].payload}]);
 }
 
-void Combiner::turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const {
+void Combiner::turn_off(NodeId id, std::vector<Assignment>& made) const {
     const Node& node = skeleton_.nodes[id];
     charge_work(node.end_slot - node.first_slot);
     for (std::uint32_t slot = node.first_slot; slot < node.end_slot; ++slot)
-        values[slot] = static_cast<Local>(result_.components[slot]->size());
+        made.push_back({slot, static_cast<Local>(result_.components[slot]->size())});
 }
 
 /// The first states below a node: operands that wait for their turn are off.
-void Combiner::initialise(NodeId id, std::map<std::uint32_t, Local>& values) const {
+void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
     const Node& node = skeleton_.nodes[id];
     charge_work(1);
-    if (node.kind == Node::Kind::again) return initialise(node.again, values);
+    if (node.kind == Node::Kind::again) return initialise(node.again, made);
     if (node.kind != Node::Kind::operation) {
-        values[node.first_slot] = 0;
+        made.push_back({node.first_slot, 0});
         return;
     }
     std::size_t running = node.children.size();
@@ -356,15 +366,19 @@ void Combiner::initialise(NodeId id, std::map<std::uint32_t, Local>& values) con
     if (node.op == Op::internal_choice || node.op == Op::prefix) running = 1;
     if (node.op == Op::sliding) running = 2;
     for (std::size_t i = 0; i < node.children.size(); ++i)
-        i < running ? initialise(node.children[i], values) : turn_off(node.children[i], values);
+        i < running ? initialise(node.children[i], made) : turn_off(node.children[i], made);
 }
 
-std::vector<Assignment> Combiner::assignments(const std::vector<Action>& actions) const {
-    std::map<std::uint32_t, Local> values;
-    for (const Action& action : actions) action.start ? initialise(action.node, values) : turn_off(action.node, values);
-    std::vector<Assignment> result;
-    for (const auto& [slot, value] : values) result.push_back({slot, value});
-    return result;
+/// By slot; of several for one slot, the last.
+std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
+    std::vector<Assignment> made;
+    for (const Action& action : actions) action.start ? initialise(action.node, made) : turn_off(action.node, made);
+    std::reverse(made.begin(), made.end());
+    std::stable_sort(made.begin(), made.end(),
+                     [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
+    const auto same = [](const Assignment& a, const Assignment& b) { return a.slot == b.slot; };
+    made.erase(std::unique(made.begin(), made.end(), same), made.end());
+    return made;
 }
 
 /// Per participant and event, in which part of its states it can do the event; for regions inside, their guess.
@@ -387,7 +401,8 @@ std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
     return result;
 }
 
-void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const {
+void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level,
+                        AssignmentRanges& ranges) const {
     charge_work(1 + vector.parts.size() + vector.actions.size());
     Rule rule{};
     rule.event = vector.event;
@@ -399,10 +414,14 @@ void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<
     rule.first_requirement = static_cast<std::uint32_t>(region.requirements.size());
     region.requirements.insert(region.requirements.end(), vector.parts.begin() + 1, vector.parts.end());
     rule.end_requirement = static_cast<std::uint32_t>(region.requirements.size());
-    rule.first_assignment = static_cast<std::uint32_t>(region.assignments.size());
-    const std::vector<Assignment> made = assignments(vector.actions);
-    region.assignments.insert(region.assignments.end(), made.begin(), made.end());
-    rule.end_assignment = static_cast<std::uint32_t>(region.assignments.size());
+    const auto [range, added] = ranges.try_emplace(&vector.actions);
+    if (added) {
+        const std::vector<Assignment> made = assignments(vector.actions);
+        const std::size_t first = region.assignments.size();
+        region.assignments.insert(region.assignments.end(), made.begin(), made.end());
+        range->second = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + made.size())};
+    }
+    std::tie(rule.first_assignment, rule.end_assignment) = range->second;
     region.by_event[rule.place].push_back(static_cast<std::uint32_t>(region.rules.size()));
     region.rules.push_back(rule);
 }
@@ -421,12 +440,13 @@ void Combiner::finish(Region& region, Vectors vectors, const std::vector<std::ui
     std::stable_sort(vectors.begin(), vectors.end(),
                      [&](const Vector& a, const Vector& b) { return lead(a) < lead(b); });
     region.first_rule.resize(region.participants.size());
+    AssignmentRanges ranges;
     auto next = vectors.begin();
     for (std::uint32_t who = 0; who < region.participants.size(); ++who)
         for (std::uint32_t event = 0; event <= region.alphabets[who].size(); ++event) {
             region.first_rule[who].push_back(static_cast<std::uint32_t>(region.rules.size()));
             for (; next != vectors.end() && lead(*next) == std::pair(who, event); ++next) {
-                add_rule(region, *next, level);
+                add_rule(region, *next, level, ranges);
                 double together = 1;
                 for (const Requirement& part : next->parts) together *= chance_of(part);
                 region.chance[region.rules.back().place] += together;

@@ -55,7 +55,7 @@ struct Rule {
     std::uint32_t level;  ///< of the event in the region's priorities, or no_level
     Requirement lead;     ///< of the first participant
     std::uint32_t first_requirement, end_requirement;  ///< of the participants after the first
-    std::uint32_t first_assignment, end_assignment;
+    std::uint32_t first_assignment, end_assignment;    ///< rules may share them
 };
 
 /// The rules between two prioritise operators: what lies above a prioritise sees only what it lets pass. A rule begins
