@@ -148,7 +148,7 @@ std::uint32_t Confluence::made(RuleNumber rule, Slots slots) {
     }
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
-    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, {}, 0, 0, {}});
+    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, 0, 0, {}});
     return static_cast<std::uint32_t>(tracked_.size() - 1);
 }
 
@@ -249,11 +249,8 @@ Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vect
 }
 
 void Confluence::keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer) {
-    if (++answers_ > most_answers) {
-        for (Tracked& each : tracked_) each.answers.clear();
-        answers_ = 1;
-    }
-    tracked_[number].answers.insert_or_assign(key, answer);
+    if (answers_.size() >= most_answers) answers_.clear();
+    answers_.keep(number, key, answer);
 }
 
 /// The states of the tracked components that other rules lead to while the rule can fire: for all of them, or for none,
@@ -342,8 +339,8 @@ bool Confluence::confluent(RuleNumber rule, Locals state) {
 
 std::uint32_t Confluence::answer(std::uint32_t number, Locals state) {
     const std::uint64_t here = key(tracked_[number], state);
-    const auto known = tracked_[number].answers.find(here);
-    return known != tracked_[number].answers.end() ? known->second : decide(number, here, state);
+    const std::optional<std::uint32_t> known = answers_.find(number, here);
+    return known ? *known : decide(number, here, state);
 }
 
 /// The answer depends on the states of the tracked components alone: so does what is asked next. Where a proof fails it

@@ -10,11 +10,11 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "checker/machine/answer_table.hpp"
 #include "checker/machine/whole_rules.hpp"
 
 namespace robochart::machine {
@@ -57,12 +57,10 @@ private:
     /// A rule with the components whose present states its proofs look at, and what these proofs gave.
     struct Tracked {
         RuleNumber rule = 0;
-        Slots slots;                         ///< ascending: the rule's parts, and components beside them
-        std::vector<std::uint64_t> weights;  ///< of each one's state in keys
-        std::vector<char> has;               ///< by slot, whether it is one of them
-        const Asking* asking = nullptr;      ///< of the slots, once a proof is tried
-        std::unordered_map<std::uint64_t, std::uint32_t>
-            answers;                                  ///< by key: `no`, `yes`, or the number of what to ask
+        Slots slots;                                  ///< ascending: the rule's parts, and components beside them
+        std::vector<std::uint64_t> weights;           ///< of each one's state in keys
+        std::vector<char> has;                        ///< by slot, whether it is one of them
+        const Asking* asking = nullptr;               ///< of the slots, once a proof is tried
         std::uint64_t proofs = 0;                     ///< that succeeded
         std::uint64_t looked = 0;                     ///< states that proofs looked at
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often which other one was asked after a proof that failed
@@ -119,7 +117,7 @@ private:
     std::map<Slots, Asking> asking_;                                 // by slots
     std::vector<std::uint32_t> first_;                               // by rule, what its proofs begin with
     std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // of what tracks these
-    std::size_t answers_ = 0;
+    AnswerTable answers_;  // by number of what is tracked, and key: `no`, `yes`, or the number of what to ask
     std::unique_ptr<Closure> closure_;  // its memory is used again
 };
 

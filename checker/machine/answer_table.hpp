@@ -1,0 +1,54 @@
+// What proofs of confluence have given: numbers by what was asked and by the states it was asked of. Open addressing
+// with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search asks several times for each
+// state, and one look-up reads one line of memory, most often.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace robochart::machine {
+
+class AnswerTable {
+public:
+    AnswerTable() : entries_(least) {}
+
+    /// `asked` is not `none`.
+    [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t asked, std::uint64_t key) const {
+        const Entry& entry = entries_[place(asked, key)];
+        if (entry.asked == none) return std::nullopt;
+        return entry.answer;
+    }
+    /// In place of an earlier answer, if there is one.
+    void keep(std::uint32_t asked, std::uint64_t key, std::uint32_t answer);
+    [[nodiscard]] std::size_t size() const { return size_; }
+    void clear();
+
+    static constexpr std::uint32_t none = UINT32_MAX;
+
+private:
+    struct Entry {
+        std::uint64_t key = 0;
+        std::uint32_t asked = none;  ///< none: the entry is free
+        std::uint32_t answer = 0;
+    };
+    static constexpr std::size_t least = 1024;  ///< entries; their number is a power of two
+
+    /// Of its entry, or of the free one where it belongs. At least a quarter of the entries is free.
+    [[nodiscard]] std::size_t place(std::uint32_t asked, std::uint64_t key) const {
+        const std::size_t mask = entries_.size() - 1;
+        std::size_t at = hash(asked, key) & mask;
+        while (entries_[at].asked != none && (entries_[at].key != key || entries_[at].asked != asked))
+            at = (at + 1) & mask;
+        return at;
+    }
+    [[nodiscard]] static std::uint64_t hash(std::uint32_t asked, std::uint64_t key) {
+        const std::uint64_t mixed = (key ^ asked * 0x9E3779B97F4A7C15ULL) * 0xBF58476D1CE4E5B9ULL;
+        return mixed ^ mixed >> 32U;
+    }
+
+    std::vector<Entry> entries_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace robochart::machine
