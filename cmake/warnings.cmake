@@ -5,7 +5,7 @@ if(ROBOCHART_WERROR)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 reports these inside its own standard library at -O2 (GCC bugs 105329, 107852).
-  add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+  add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 endif()
 if(ROBOCHART_SANITIZE)
   add_compile_options(-fsanitize=${ROBOCHART_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
