@@ -146,7 +146,7 @@ private:
         prepared_ = {constants, load_simulation(options), nullptr, nullptr};
         Project& project = *prepared_.simulation->project;
         if (!acceptable(project, options)) return refused(project);
-        if (!shown_) show_diagnostics(project, options);
+        if (!shown_) show_all_diagnostics(*prepared_.simulation, options);
         shown_ = true;
         prepared_.controller = build_controller(*prepared_.simulation, options);
         if (prepared_.controller != nullptr) prepared_.monitors = make_guard(*prepared_.simulation, options);

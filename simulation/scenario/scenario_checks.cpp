@@ -186,8 +186,10 @@ bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagno
 std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
     World world(scenario.world, scenario.seed + trial);
     for (const Obstacle& obstacle : scenario.obstacles) world.add_obstacle(obstacle.corners, obstacle.there);
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+        world.set_body(scenario.body_of(kind));
         if (!place(world, scenario, scenario.kind_at(kind), diagnostics)) return std::nullopt;
+    }
     return world;
 }
 
