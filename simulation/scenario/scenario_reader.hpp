@@ -154,6 +154,7 @@ private:
     /// `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
     void chain_question(diagnostics::Span begin);
     void check_abstraction();
+    void check_failures();
 
     // scenario_checks.cpp: what belongs together
     void check();

@@ -120,6 +120,7 @@ public:
                {"herd/leader/leader.assertions",
                 "assertion L1 : lead::Backer::Standing is reachable in lead::Leader\n"},
                {"herd/sky/sky.rct", sun},
+               {"herd/sky/sky.assertions", "assertion E1 : sky::Waits::Bright is reachable in sky::Sun\n"},
                {"herd/herd.scenario", asking(asked)}}) {}
     [[nodiscard]] std::string operator/(const std::string& name) const { return folder_ / name; }
     [[nodiscard]] Ran simulated(const std::vector<std::string>& more) const {
@@ -221,6 +222,10 @@ TEST(KindsOfRobots, ASweepVariesThem) {
     const Ran wrong = Herd(std::string(claim) + " vary const leader.pace in 3, 10").simulated({});
     EXPECT_EQ(wrong.exit, 2);
     EXPECT_THAT(wrong.err, HasSubstr("error[RC-M06]: there is no kind of robots 'leader'"));
+    const Ran unknown = Herd(std::string(claim) + " vary const leaders.paces in 3, 10").simulated({});
+    EXPECT_EQ(unknown.exit, 2) << "it is the scenario that is wrong, not the command line";
+    EXPECT_THAT(unknown.err, HasSubstr("error[RC-M06]: there is no constant of the model 'leaders.paces'"));
+    EXPECT_THAT(unknown.err, HasSubstr("herd.scenario:"));
 }
 
 /// A certificate has the files, constants and verdicts of all models, and another leader is another certificate.
@@ -238,10 +243,10 @@ TEST(KindsOfRobots, TuningCertifiesAllModels) {
     };
     EXPECT_THAT(every("constants", "name"), ::testing::ElementsAre("leaders.pace", "slow.pace", "environment.delay"));
     EXPECT_THAT(every("constants", "value"), ::testing::ElementsAre("10", "5", "5"));
-    EXPECT_THAT(
-        every("model", "file"),
-        ::testing::ElementsAre("sheep.assertions", "sheep.rct", "leaders: leader.assertions", "leaders: leader.rct",
-                               "slow: leader.assertions", "slow: leader.rct", "environment: sky.rct"));
+    EXPECT_THAT(every("model", "file"),
+                ::testing::ElementsAre("sheep.assertions", "sheep.rct", "leaders: leader.assertions",
+                                       "leaders: leader.rct", "slow: leader.assertions", "slow: leader.rct",
+                                       "environment: sky.assertions", "environment: sky.rct"));
     EXPECT_THAT(every("conformance", "subject"), ::testing::ElementsAre("herd::Sheep", "leaders: lead::Leader",
                                                                         "slow: lead::Leader", "environment: sky::Sun"));
     EXPECT_THAT(every("conformance", "answer"), ::testing::Each("conforms"));

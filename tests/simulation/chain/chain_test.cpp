@@ -309,7 +309,7 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
         return seen;
     });
     ASSERT_TRUE(lasting);
-    EXPECT_EQ(lasting->confidence, 0.95);
+    EXPECT_NEAR(lasting->confidence, 0.95, 1e-12);
     EXPECT_EQ(states.text(lasting->found.state), "near 1 of 1") << "what is next after it depends on the one before";
 
     ChainResult result;

@@ -43,7 +43,9 @@ TEST(Robust, TheModelOfPrismsManual) {
     EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::minimum)[3][0], 0.271, 1e-12);
     EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::maximum)[3][0], 0.488, 1e-12);
     EXPECT_NEAR(cost_bounds(chain, goal, {1, 0}, Direction::minimum)[0], 5, 1e-6);
-    EXPECT_NEAR(cost_bounds(chain, goal, {1, 0}, Direction::maximum)[0], 10, 1e-6);
+    const double longest = cost_bounds(chain, goal, {1, 0}, Direction::maximum)[0];
+    EXPECT_GE(longest, 10) << "a bound";
+    EXPECT_NEAR(longest, 10, 1e-4);
 }
 
 /// In interval Markov chains nature chooses anew whenever a state is visited (as PRISM's robust verification of them,
