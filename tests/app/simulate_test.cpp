@@ -131,39 +131,6 @@ TEST(Simulate, MissingFilesAndSeveralAreRefused) {
     EXPECT_EQ(run({"simulate", scenario, scenario}).exit, 4);
 }
 
-/// With few trials the claim of the corpus' chain is open, and nothing refutes it. Without the robots that say B, the
-/// start is taken for a state in which all of them do: what follows differs.
-TEST(Simulate, TheChainOfTheDecisionIsNotRefutedAndACoarserOneIs) {
-    const auto ran =
-        run({"simulate", repository("corpus/best_of_n/chain.scenario"), "--no-pictures", "--trials", "200"});
-    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("nothing shows that what follows a state depends on the one before it"));
-    EXPECT_THAT(ran.out, HasSubstr("fresh trials do not contradict the chain at 13 times"));
-    std::string text = contents(repository("corpus/best_of_n/chain.scenario"));
-    text.insert(text.find("{\n") + 1, " model \"" + repository("corpus/best_of_n") + "\"");
-    text.erase(text.find("abstract by"));
-    text += "abstract by surveys_a, says_a, surveys_b every 10 s estimate average says_a with confidence 95 % }\n";
-    const testing::TemporaryFile coarser("coarser.scenario", text);
-    const auto refuted = run({"simulate", coarser.path(), "--no-pictures", "--trials", "400", "--format", "json"});
-    EXPECT_EQ(refuted.exit, 1) << refuted.out << refuted.err;
-    const auto json = nlohmann::json::parse(refuted.out);
-    EXPECT_EQ(json.at("answers")[0].at("verdict"), "refuted");
-    const auto& order = json.at("order");
-    EXPECT_TRUE(order.at("less").at("before") == "start" || order.at("more").at("before") == "start") << order;
-    EXPECT_LT(order.at("less").at("high"), order.at("more").at("low"));
-}
-
-/// What the code does in several time units at once is not excluded by what one of them admits.
-TEST(Simulate, SeveralTimeUnitsInAStepExcludeNothing) {
-    std::string text = contents(repository("corpus/foraging/chain.scenario"));
-    text.replace(text.find("unit 1 s"), 8, "unit 0.5 s");
-    text.insert(text.find("{\n") + 1, " model \"" + repository("corpus/foraging") + "\"");
-    const testing::TemporaryFile halves("halves.scenario", text);
-    const auto ran = run({"simulate", halves.path(), "--no-pictures", "--trials", "30"});
-    EXPECT_NE(ran.exit, 2) << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr(" 0 excluded: several time units pass in a control step"));
-}
-
 /// Errors in assertions keep back nothing that follows from the model alone; what they are is `check`'s answer.
 TEST(Simulate, AssertionsWithErrorsAreLeftOut) {
     const auto after = [](const std::string& command) {
