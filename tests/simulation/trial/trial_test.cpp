@@ -352,7 +352,7 @@ TEST(Controller, StatesLieSideBySideAndAligned) {
 /// The square of the square ... of ten leaves what a number can be after nine squares; the difference of two such is
 /// none at all. The world cannot calculate with either, so the trial stops, with the element of the model.
 TEST(Trial, CommandsThatAreNoFiniteNumbersStopIt) {
-    constexpr const char* model = R"(
+    constexpr const char* squares = R"(
 interface Speeds { var linear : real = 0 var angular : real = 0 turn(by : real) }
 stm Grows {
 	requires Speeds
@@ -363,7 +363,7 @@ stm Grows {
 	transition t1 { from Growing to Growing action x = x * x; wait(1) }
 }
 )";
-    constexpr const char* world = R"(
+    constexpr const char* plane = R"(
 scenario World for Grows {
 	step 0.1 s physics 0.01 s unit 0.1 s duration 2 s trials 1
 	arena 400 cm by 400 cm
@@ -375,7 +375,7 @@ scenario World for Grows {
 }
 )";
     const auto stopped = [&](const std::string& entry, const std::string& drive) {
-        Experiment experiment(replaced(model, "ENTRY", entry), replaced(world, "DRIVE", drive));
+        Experiment experiment(replaced(squares, "ENTRY", entry), replaced(plane, "DRIVE", drive));
         EXPECT_EQ(experiment.codes(), "");
         const RunResult result = experiment.run();
         EXPECT_TRUE(result.stopped());
