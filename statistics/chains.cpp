@@ -68,6 +68,66 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
     return result;
 }
 
+namespace {
+
+/// Visits of a state from another: what came next, now and at the last look.
+struct PairVisits {
+    std::uint64_t visits = 0, looked_visits = 0;
+    std::uint64_t next = TransitionCounts::looks(1).next(0).value();
+    std::map<std::size_t, std::uint64_t> counts, looked;
+
+    void add(std::size_t to) {
+        ++counts[to];
+        if (++visits < next) return;
+        looked = counts;
+        looked_visits = visits;
+        next = TransitionCounts::looks(1).next(visits).value();
+    }
+};
+
+/// How many triples of states are permitted whose last is not the only one.
+double triples(const Permitted& permitted) {
+    double count = 0;
+    for (std::size_t state = 0; state < permitted.size(); ++state) {
+        const std::size_t next = permitted_of(permitted[state]);
+        std::size_t before = 0;
+        for (const std::vector<bool>& row : permitted) before += row[state] ? 1U : 0U;
+        if (next > 1) count += static_cast<double>(before) * static_cast<double>(next);
+    }
+    return std::max(count, 1.0);
+}
+
+}  // namespace
+
+std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>& sequences,
+                                                      const Permitted& permitted, double error) {
+    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by the middle state, then by the one before
+    for (const StateSequence& each : sequences)
+        for (std::size_t at = 2; at < each.size(); ++at) pairs[each[at - 1]][each[at - 2]].add(each[at]);
+    const Looks looks = TransitionCounts::looks(error / triples(permitted));
+    std::optional<OrderContradiction> worst;
+    for (const auto& [state, befores] : pairs) {
+        if (befores.size() < 2) continue;
+        std::map<std::size_t, OrderContradiction> by_next;
+        for (const auto& [before, visits] : befores)
+            for (std::size_t next = 0; next < permitted.size(); ++next) {
+                if (!permitted[state][next] || visits.looked_visits == 0) continue;
+                const auto seen = visits.looked.find(next);
+                const Interval here = *looks.at(seen == visits.looked.end() ? 0 : seen->second, visits.looked_visits);
+                OrderContradiction& both =
+                    by_next.try_emplace(next, OrderContradiction{state, next, before, before, here, here})
+                        .first->second;
+                if (here.high < both.after_less.high) both.less = before, both.after_less = here;
+                if (here.low > both.after_more.low) both.more = before, both.after_more = here;
+            }
+        for (const auto& [next, both] : by_next) {
+            const double apart = both.after_more.low - both.after_less.high;
+            if (apart > (worst ? worst->after_more.low - worst->after_less.high : 0)) worst = both;
+        }
+    }
+    return worst;
+}
+
 double weissman_radius(std::size_t values, std::uint64_t draws, double error) {
     if (values < 2) return 0;
     if (draws == 0) return 2;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "statistics/binomial.hpp"
@@ -57,6 +58,21 @@ using Permitted = std::vector<std::vector<bool>>;
 /// many values with a chance of at most `error` after so many draws (Weissman, Ordentlich, Seroussi, Verdu and
 /// Weinberger, HPL-2003-97): sqrt(2 ln((2^values - 2) / error) / draws), at most 2. 0 for one value.
 [[nodiscard]] double weissman_radius(std::size_t values, std::uint64_t draws, double error);
+
+/// Two states before the same one after which the next differs: their intervals for it have no point in common.
+struct OrderContradiction {
+    std::size_t state = 0, next = 0;
+    std::size_t less = 0, more = 0;  ///< the states before it
+    Interval after_less, after_more;
+};
+
+/// Whether sequences contradict a chain of order 1 (Anderson and Goodman, "Statistical inference about Markov chains",
+/// Annals of Mathematical Statistics 28, 1957, test it by chi-squared, for many visits). Of each two states one after
+/// the other, the intervals for what comes next, at their last look, hold jointly, the error divided among all
+/// permitted triples; in a chain of order 1 those of one middle state have a point in common. So one is contradicted
+/// with a chance of at most `error`, however few its visits are. The one whose intervals are farthest apart.
+[[nodiscard]] std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>&, const Permitted&,
+                                                                    double error);
 
 /// Whether a number of fresh successes contradicts what was predicted: their interval at this error has no point in
 /// common with the prediction.

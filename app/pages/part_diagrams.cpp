@@ -49,8 +49,25 @@ PartDiagrams::PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& 
         if (part.project->model && !part.again) add(*part.project);
 }
 
-PartDiagrams::PartDiagrams(Project& project, diagnostics::Budget& budget) : budget_(budget) {
-    if (project.model) add(project);
+namespace {
+
+/// The paths of a project's texts.
+std::set<std::string> paths_of(const Project& project) {
+    std::set<std::string> paths;
+    for (std::size_t i = 0; i < project.sources.size(); ++i)
+        if (project.model &&
+            std::any_of(project.model->files.begin(), project.model->files.end(),
+                        [&](const auto& file) { return file->source == static_cast<diagnostics::SourceId>(i); }))
+            paths.emplace(project.sources.path(static_cast<diagnostics::SourceId>(i)));
+    return paths;
+}
+
+}  // namespace
+
+PartDiagrams::PartDiagrams(const std::vector<Project*>& projects, diagnostics::Budget& budget) : budget_(budget) {
+    std::set<std::set<std::string>> known;
+    for (Project* const project : projects)
+        if (project->model && known.insert(paths_of(*project)).second) add(*project);
 }
 
 void PartDiagrams::add(Project& project) {

@@ -31,8 +31,9 @@ class PartDiagrams {
 public:
     /// Parts that could not be read and those that come a second time have none.
     PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget);
-    /// Of one project.
-    PartDiagrams(Project& project, diagnostics::Budget& budget);
+    /// Of projects of which each is loaded by itself. Of two with the same texts the first has the diagrams, and places
+    /// of the second are found in them.
+    PartDiagrams(const std::vector<Project*>& projects, diagnostics::Budget& budget);
 
     /// In the order of the text.
     [[nodiscard]] const std::vector<PartSubject>& subjects() const { return subjects_; }

@@ -50,7 +50,7 @@ public:
           machines_(run.machines),
           shown_(shown_trials(run.scenario, run.result, machines_.size())),
           charts_(simulation::charts_of(run.scenario, run.result.trials, machines_, most_times)),
-          diagrams_(run.project, options.run->budget()) {}
+          diagrams_(projects_of(run), options.run->budget()) {}
 
     std::string write() {
         out_ = fmt::format("<style>{}</style>\n<style>{}</style>\n", simulation::picture_style(),
@@ -67,8 +67,20 @@ public:
     }
 
 private:
-    static const ir::Machine& machine(const SimulationRun& run, const cpp_emit::DriveMachine& each) {
-        return run.project.system.machines[each.machine.index];
+    static std::vector<Project*> projects_of(const SimulationRun& run) {
+        std::vector<Project*> projects;
+        for (const KindModel& kind : run.kinds) projects.push_back(kind.project);
+        return projects;
+    }
+    static const ir::Machine& machine(const KindModel& kind, const cpp_emit::DriveMachine& each) {
+        return kind.project->system.machines[each.machine.index];
+    }
+    [[nodiscard]] bool several() const { return run_.kinds.size() > 1; }
+    /// "state of rig::go"; of a number where each kind has machines of its own.
+    [[nodiscard]] std::string title_of(std::size_t number) const {
+        const std::string& name = machines_[number].name;
+        if (several()) return machines_.size() == 1 ? "state" : fmt::format("state of machine {}", number + 1);
+        return name.empty() ? "state" : "state of " + xml_text(name);
     }
 
     void head();
@@ -83,7 +95,8 @@ private:
     void robots_at_the_end(const simulation::TrialResult& trial);
     [[nodiscard]] Json data() const;
     [[nodiscard]] Json elements(std::size_t machine) const;
-    [[nodiscard]] Json elements(const cpp_emit::DriveMachine&) const;
+    [[nodiscard]] Json elements(const KindModel&, const cpp_emit::DriveMachine&) const;
+    void diagram(std::size_t kind, std::size_t number);
     [[nodiscard]] simulation::View view() const;
     void plots();
     void trials();
@@ -296,20 +309,33 @@ void SimulationPage::robot() {
     out_ +=
         "</select></p>\n<table id=\"pose\" hidden><tbody><tr><th scope=\"row\">x</th><td></td></tr>"
         "<tr><th scope=\"row\">y</th><td></td></tr><tr><th scope=\"row\">heading</th><td></td></tr>";
-    for (const simulation::MachineStates& machine : machines_)
-        out_ += fmt::format("<tr><th scope=\"row\">{}</th><td></td></tr>",
-                            machine.name.empty() ? "state" : "state of " + xml_text(machine.name));
+    for (std::size_t m = 0; m < machines_.size(); ++m)
+        out_ += fmt::format("<tr><th scope=\"row\">{}</th><td></td></tr>", title_of(m));
     out_ += "</tbody></table>\n";
-    for (std::size_t m = 0; m < machines_.size(); ++m) {
-        const ir::Machine& definition = machine(run_, run_.emission.machines[m]);
-        const std::string name =
-            definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
-        const std::string svg = diagrams_.drawn(name, fmt::format("m{}-", m));
-        if (svg.empty()) continue;
-        out_ += fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", m,
-                            xml_text(machines_[m].name.empty() ? name : machines_[m].name + ": " + name), svg);
-    }
+    for (std::size_t kind = 0; kind < run_.kinds.size(); ++kind)
+        for (std::size_t m = 0; m < run_.kinds[kind].emission->machines.size(); ++m) diagram(kind, m);
     out_ += "</div>\n";
+}
+
+/// Of a machine of a kind; shown while a robot of that kind is chosen.
+void SimulationPage::diagram(std::size_t kind, std::size_t number) {
+    const cpp_emit::DriveMachine& drive = run_.kinds[kind].emission->machines[number];
+    const ir::Machine& definition = machine(run_.kinds[kind], drive);
+    const std::string name = definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
+    const diagnostics::SourceManager& sources = run_.kinds[kind].project->sources;
+    // Two models may have components of one name.
+    const auto is_of = [&](const PartSubject& each) {
+        return each.subject.component != nullptr && each.subject.name == name && !definition.nodes.empty() &&
+               each.project->sources.path(each.subject.component->span.source) ==
+                   sources.path(definition.nodes.front().origin.span.source);
+    };
+    const auto subject = std::find_if(diagrams_.subjects().begin(), diagrams_.subjects().end(), is_of);
+    if (subject == diagrams_.subjects().end()) return;
+    const std::string svg =
+        diagrams_.drawn(*subject, several() ? fmt::format("k{}m{}-", kind, number) : fmt::format("m{}-", number));
+    const std::string called = several() ? scenario_.controller_name(kind) : machines_[number].name;
+    out_ += fmt::format("<figure data-machine=\"{}\" data-kind=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n",
+                        number, kind, xml_text(called.empty() ? name : called + ": " + name), svg);
 }
 
 void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
@@ -319,8 +345,9 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
         "scope=\"col\">robot</th><th scope=\"col\">x [cm]</th><th scope=\"col\">y [cm]</th><th "
         "scope=\"col\">heading [°]</th>",
         shown_.trials.front() + 1, last.time);
-    for (const simulation::MachineStates& machine : machines_)
-        out_ += fmt::format("<th scope=\"col\">{}</th>", machine.name.empty() ? "state" : xml_text(machine.name));
+    for (std::size_t m = 0; m < machines_.size(); ++m)
+        out_ += fmt::format("<th scope=\"col\">{}</th>",
+                            several() || machines_[m].name.empty() ? title_of(m) : xml_text(machines_[m].name));
     out_ += "</tr></thead>\n<tbody>\n";
     for (std::size_t r = 0; r < std::min(last.poses.size(), most_rows); ++r) {
         const simulation::Pose& pose = last.poses[r];
@@ -335,21 +362,23 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
     out_ += "</tbody></table></details>\n";
 }
 
-/// The elements of the diagram that are active in each state of a machine: the state and those around it.
+/// The elements of the diagram that are active in each state of a machine, kind after kind: the state and those around
+/// it.
 Json SimulationPage::elements(std::size_t number) const {
     Json states = Json::array();
-    if (number < run_.emission.machines.size()) states = elements(run_.emission.machines[number]);
-    while (states.size() < machines_[number].states.size()) states.push_back(Json::array());
+    for (const KindModel& kind : run_.kinds)
+        if (number < kind.emission->machines.size())
+            for (Json& state : elements(kind, kind.emission->machines[number])) states.push_back(std::move(state));
     return states;
 }
 
-Json SimulationPage::elements(const cpp_emit::DriveMachine& drive) const {
-    const ir::Machine& definition = machine(run_, drive);
+Json SimulationPage::elements(const KindModel& kind, const cpp_emit::DriveMachine& drive) const {
+    const ir::Machine& definition = machine(kind, drive);
     Json states = Json::array();
     for (const ir::NodeId state : drive.states) {
         Json ids = Json::array();
         for (ir::NodeId node = state; node.valid(); node = definition.nodes[node.index].parent)
-            if (std::string id = diagrams_.at(run_.project.sources, definition.nodes[node.index].origin.span);
+            if (std::string id = diagrams_.at(kind.project->sources, definition.nodes[node.index].origin.span);
                 !id.empty())
                 ids.push_back(std::move(id));
         states.push_back(std::move(ids));
@@ -360,6 +389,8 @@ Json SimulationPage::elements(const cpp_emit::DriveMachine& drive) const {
 Json SimulationPage::data() const {
     Json json = trials_json(view(), result_, shown_, machines_.size());
     json["link"] = scenario_.all_robots() <= most_linked ? simulation::link_of(scenario_) : 0;
+    json["kinds"] = Json::array();  // the first robot of each
+    for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind) json["kinds"].push_back(scenario_.first_robot(kind));
     json["states"] = Json::array();
     for (std::size_t m = 0; m < machines_.size(); ++m)
         json["states"].push_back({{"names", machines_[m].states}, {"elements", elements(m)}});
@@ -450,8 +481,8 @@ std::vector<std::string> SimulationPage::left_out() const {
     if (shown_.robots < scenario_.all_robots())
         list.push_back(fmt::format("the first {} of {} robots are drawn; the plots are of all", shown_.robots,
                                    scenario_.all_robots()));
-    if (scenario_.has_others())
-        list.push_back("the diagrams are those of the first kind of robots; lights and obstacles are as at the end");
+    if (scenario_.environment)
+        list.push_back("the states of the environment were not recorded; lights and obstacles are as at the end");
     if (simulation::page_world(scenario_, view(), "w").radius() > scenario_.world.body.radius)
         list.push_back("robots are drawn larger than they are, so that they can be seen");
     if (charts_.every > 1) list.push_back(fmt::format("the plots have one in {} of the recorded times", charts_.every));

@@ -12,12 +12,17 @@
 
 namespace robochart::app {
 
+/// What drives a kind of robots; the diagrams are those of its model.
+struct KindModel {
+    Project* project = nullptr;
+    const cpp_emit::DriveEmission* emission = nullptr;
+};
+
 /// What the page is about.
 struct SimulationRun {
-    Project& project;
+    const std::vector<KindModel>& kinds;  ///< in the scenario's order
     const simulation::Scenario& scenario;
-    const cpp_emit::DriveEmission& emission;
-    const simulation::Machines& machines;  ///< of all kinds of robots; the diagrams are those of the first
+    const simulation::Machines& machines;  ///< of all kinds of robots
     const simulation::RunResult& result;
     std::string simulator;           ///< "" for the embedded world
     std::string monitors;            ///< what they watched, in a line; "" without

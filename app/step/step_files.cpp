@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "conformance/traces/trace_text.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 
 namespace robochart::app {
@@ -187,6 +188,14 @@ bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped
     return false;
 }
 
+/// Whether the model is stepped with this "NAME=VALUE".
+bool has_constant(const Stepped& stepped, const std::string& constant) {
+    if (stepped.project == nullptr) return false;
+    const auto& asked = stepped.project->asked.constants;
+    const auto found = asked.find(constant.substr(0, constant.find('=')));
+    return found != asked.end() && constant == found->first + "=" + found->second;
+}
+
 /// The cycles of the first run; what cannot be read is thrown as Unsayable.
 std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     std::ifstream in(path);
@@ -233,6 +242,10 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     }
     if (!header.component.empty() && header.component != stepped.name)
         throw Unsayable{fmt::format("{}: is a log of {}", path, header.component)};
+    for (const std::string& each : header.constants)
+        if (!has_constant(stepped, each))
+            throw Unsayable{fmt::format("{}: is a log of the model with {} (--const {})", path,
+                                        diagnostics::shown(each), diagnostics::shown(each))};
     return cycles;
 }
 
@@ -284,7 +297,11 @@ std::optional<std::string> log_word(const runs::Event& event, std::string name, 
 }
 
 std::string log_head(const Stepped& stepped) {
-    return fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\nrun by hand\n", stepped.name);
+    std::string constants;
+    if (stepped.project != nullptr)
+        for (const auto& [name, value] : stepped.project->asked.constants)
+            constants += fmt::format("const {}={}\n", name, value);
+    return fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\n{}run by hand\n", stepped.name, constants);
 }
 
 std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {

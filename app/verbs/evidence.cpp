@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <tuple>
 
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
@@ -28,24 +30,32 @@ Evidence::Files files_of(const Project& project) {
     return files;
 }
 
-Options over_the_model(const Options& options, const simulation::Scenario& scenario, Verb verb) {
+Options over_the_model(const Options& options, const simulation::Scenario& scenario, std::size_t controller,
+                       Verb verb) {
     Options wanted = options;
     wanted.verb = verb;
-    wanted.inputs = {model_of(scenario, options.inputs.front())};
-    wanted.constants = constants_of(scenario, options);
+    wanted.inputs = {model_of(scenario, options.inputs.front(), controller)};
+    wanted.constants = constants_of(scenario, options, controller);
     wanted.progress = ProgressMode::never;
     wanted.seed.reset();
     return wanted;
 }
 
-}  // namespace
+/// "leaders: ", "" of the first.
+std::string in_front(const simulation::Scenario& scenario, std::size_t controller) {
+    return controller == 0 ? "" : scenario.controller_name(controller) + ": ";
+}
 
-void decide_assertions(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
-    const Options wanted = over_the_model(options, scenario, Verb::check);
+void decide_assertions_of(const Options& wanted, const std::string& name, Evidence& evidence) {
     const std::vector<Part> parts = load_parts(wanted);
+    if (!parts.empty())  // they share their sources
+        for (const auto& [file, digest] : files_of(*parts.front().project))
+            evidence.model.emplace_back(name + file, digest);
+    const auto add = [&](const std::string& subject, std::string answer) {
+        evidence.assertions.push_back({name + subject, std::move(answer)});
+    };
     for (const Part& part : parts) {
         Project& project = *part.project;
-        evidence.model = files_of(project);  // parts share their sources
         Report report;
         Options asked = wanted;
         asked.core = core_wanted(part, wanted);
@@ -53,30 +63,46 @@ void decide_assertions(const Options& options, const simulation::Scenario& scena
         if (!acceptable(project, wanted)) {
             for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
                 if (each.rule->severity == diagnostics::Severity::error)
-                    evidence.assertions.push_back({fmt::format("{}: {}", project.name, each.message()), "error"});
+                    add(fmt::format("{}: {}", project.name, each.message()), "error");
         }
         for (const AssertionReport& each : report.assertions) {
             if (each.core && each.core->information) continue;
             std::string subject = each.title;
             if (each.core) subject = fmt::format("{} of {}", each.core->property, each.core->component);
-            evidence.assertions.push_back({std::move(subject), std::string(name_of(each.answer))});
+            add(subject, std::string(name_of(each.answer)));
         }
     }
 }
 
+}  // namespace
+
+void decide_assertions(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
+    std::set<std::pair<std::string, std::vector<std::string>>> done;
+    for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
+        const Options wanted = over_the_model(options, scenario, controller, Verb::check);
+        if (done.emplace(wanted.inputs.front(), wanted.constants).second)
+            decide_assertions_of(wanted, in_front(scenario, controller), evidence);
+    }
+}
+
 void decide_conformance(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
-    Options wanted = over_the_model(options, scenario, Verb::conform);
-    wanted.component = scenario.component.text;
-    wanted.cycle = scenario.units_per_step;
-    wanted.cycle_given = true;
-    Report report;
-    for (const Part& part : load_parts(wanted))
-        if (acceptable(*part.project, wanted) && !part.again &&
-            !code_components(part.project->system, wanted.component).empty())
-            check_conformance(*part.project, wanted, report);
-    for (const ConformanceReport& each : report.conformance)
-        evidence.conformance.push_back({each.component, std::string(name_of(each.result.outcome))});
-    if (report.conformance.empty()) evidence.conformance.push_back({scenario.component.text, "error"});
+    std::set<std::tuple<std::string, std::string, std::vector<std::string>>> done;
+    for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
+        Options wanted = over_the_model(options, scenario, controller, Verb::conform);
+        wanted.component = scenario.controller_at(controller).component.text;
+        wanted.cycle = scenario.units_per_step;
+        wanted.cycle_given = true;
+        if (!done.emplace(wanted.inputs.front(), wanted.component, wanted.constants).second) continue;
+        Report report;
+        for (const Part& part : load_parts(wanted))
+            if (acceptable(*part.project, wanted) && !part.again &&
+                !code_components(part.project->system, wanted.component).empty())
+                check_conformance(*part.project, wanted, report);
+        const std::string name = in_front(scenario, controller);
+        for (const ConformanceReport& each : report.conformance)
+            evidence.conformance.push_back({name + each.component, std::string(name_of(each.result.outcome))});
+        if (report.conformance.empty()) evidence.conformance.push_back({name + wanted.component, "error"});
+    }
 }
 
 bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<Simulation>& simulation) {

@@ -2,12 +2,14 @@
 #include "app/verbs/simulate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <set>
 
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
@@ -19,6 +21,7 @@
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/json.hpp"
+#include "diagnostics/spelling.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/scenario/read_scenario.hpp"
@@ -42,19 +45,66 @@ simulation::Scenario read_scenario_of(Project& project, const Options& options) 
     return scenario;
 }
 
-std::string model_of(const simulation::Scenario& scenario, const std::string& path) {
+std::string model_of(const simulation::Scenario& scenario, const std::string& path, std::size_t controller) {
     const fs::path folder = fs::path(path).parent_path();
-    const fs::path model = scenario.model.empty() ? folder : folder / scenario.model;
+    const std::string& own = scenario.controller_at(controller).model;
+    const std::string& said = own.empty() ? scenario.model : own;
+    const fs::path model = said.empty() ? folder : folder / said;
     return model.empty() ? "." : model.string();
 }
 
+namespace {
+
+std::string name_in(const std::string& constant) {
+    return constant.substr(0, constant.find('='));
+}
+
+/// Whose constant it is: a controller's number, and its name there.
+simulation::AddressedConstant address_of(const simulation::Scenario& scenario, const std::string& constant) {
+    return simulation::addressed(scenario, name_in(constant)).value_or(simulation::AddressedConstant{});
+}
+
+/// What `--const` names and is no controller of the scenario.
+void check_addresses(Project& project, const simulation::Scenario& scenario, const Options& options) {
+    for (const std::string& each : options.constants) {
+        if (simulation::addressed(scenario, name_in(each))) continue;
+        const std::vector<std::string> known = simulation::controller_names(scenario);
+        const std::string given = each.substr(0, each.find('.'));
+        const std::string meant = diagnostics::nearest(given, known);
+        project.diagnostics.report(
+            rules::bad_option, {},
+            {fmt::format("--const {}: there is no kind of robots called {} in the scenario{}", diagnostics::shown(each),
+                         diagnostics::shown(given),
+                         !meant.empty()  ? fmt::format(", did you mean {}?", meant)
+                         : known.empty() ? ""
+                                         : fmt::format("; there is {}", fmt::join(known, ", ")))});
+    }
+}
+
+}  // namespace
+
 std::vector<std::string> constants_of(const simulation::Scenario& scenario, const Options& options) {
     std::vector<std::string> result = options.constants;
-    const auto name = [](const std::string& constant) { return constant.substr(0, constant.find('=')); };
-    for (const std::string& each : scenario.constants)
-        if (std::none_of(options.constants.begin(), options.constants.end(),
-                         [&](const std::string& one) { return name(one) == name(each); }))
-            result.push_back(each);
+    for (std::size_t number = 0; number < scenario.controllers(); ++number)
+        for (const std::string& each : scenario.controller_at(number).constants) {
+            const auto same = [&](const std::string& one) {
+                const simulation::AddressedConstant address = address_of(scenario, one);
+                return address.controller == number && address.constant == name_in(each);
+            };
+            if (std::none_of(options.constants.begin(), options.constants.end(), same))
+                result.push_back(number == 0 ? each : fmt::format("{}.{}", scenario.controller_name(number), each));
+        }
+    return result;
+}
+
+std::vector<std::string> constants_of(const simulation::Scenario& scenario, const Options& options,
+                                      std::size_t controller) {
+    std::vector<std::string> result;
+    for (const std::string& each : constants_of(scenario, options)) {
+        const simulation::AddressedConstant address = address_of(scenario, each);
+        if (address.controller == controller)
+            result.push_back(address.constant + each.substr(std::min(each.find('='), each.size())));
+    }
     return result;
 }
 
@@ -87,30 +137,30 @@ cpp_emit::DriveEmission emitted(Simulation& simulation, Project& project, const 
                                 project.diagnostics);
 }
 
-/// The project of another controller takes the place of the simulation's where it has errors, so that they are shown.
-bool load_other(Simulation& simulation, const simulation::Controlled& controlled, const Options& options) {
-    const std::string& scenario = options.inputs.front();
+/// The project of another controller takes the place of the simulation's where it is not acceptable, so that what is
+/// wrong with it is shown.
+bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
-    other.model = controlled.model.empty() ? model_of(simulation.scenario, scenario)
-                                           : (fs::path(scenario).parent_path() / controlled.model).string();
+    other.model = model_of(simulation.scenario, options.inputs.front(), number);
     Options wanted = options;
     wanted.inputs = {other.model};
-    wanted.constants = controlled.constants;
+    wanted.constants = constants_of(simulation.scenario, options, number);
     other.project = load(wanted);
     if (acceptable(*other.project, wanted))
-        other.emission = emitted(simulation, *other.project, controlled.component, other.model);
-    if (!acceptable(*other.project, wanted)) simulation.project = std::move(other.project);
+        other.emission =
+            emitted(simulation, *other.project, simulation.scenario.controller_at(number).component, other.model);
+    const bool good = acceptable(*other.project, wanted);
+    if (!good) simulation.project = std::move(other.project);
     simulation.others.push_back(std::move(other));
-    return simulation.project->diagnostics.ok();
+    return good && simulation.project->diagnostics.ok();
 }
 
 void emit(Simulation& simulation, const std::string& model, const Options& options) {
     simulation.emission = emitted(simulation, *simulation.project, simulation.scenario.component, model);
     if (!simulation.project->diagnostics.ok()) return;
     const simulation::Scenario& scenario = simulation.scenario;
-    for (const simulation::RobotKind& kind : scenario.others)
-        if (!load_other(simulation, kind, options)) return;
-    if (scenario.environment && !load_other(simulation, *scenario.environment, options)) return;
+    for (std::size_t number = 1; number < scenario.controllers(); ++number)
+        if (!load_other(simulation, number, options)) return;
     simulation::Emissions emissions{{}, nullptr};
     for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
         emissions.kinds.push_back(&simulation.emission_of(kind));
@@ -217,8 +267,8 @@ simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t 
     simulation::TraceLogOptions wanted;
     wanted.folder = options.log;
     wanted.component = simulation.scenario.kind_at(kind).component.text;
-    wanted.model =
-        kind == 0 ? model_of(simulation.scenario, options.inputs.front()) : simulation.others[kind - 1].model;
+    wanted.model = model_of(simulation.scenario, options.inputs.front(), kind);
+    wanted.constants = constants_of(simulation.scenario, options, kind);
     wanted.first = simulation.scenario.first_robot(kind);
     wanted.scenario = simulation.scenario.name.text;
     wanted.budget = &options.run->budget();
@@ -277,9 +327,7 @@ std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation,
     auto controller = build(simulation.emission, scenario.component);
     for (std::size_t i = 0; controller != nullptr && i < simulation.others.size(); ++i) {
         OtherController& other = simulation.others[i];
-        const Name& component =
-            i < scenario.others.size() ? scenario.others[i].component : scenario.environment->component;
-        other.controller = build(other.emission, component);
+        other.controller = build(other.emission, scenario.controller_at(i + 1).component);
         if (other.controller == nullptr) return nullptr;
     }
     if (controller != nullptr)
@@ -288,16 +336,36 @@ std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation,
     return controller;
 }
 
+void show_all_diagnostics(const Simulation& simulation, const Options& options) {
+    (void)show_diagnostics(*simulation.project, options);
+    std::set<std::string> shown;
+    // What two kinds of one model have in common is shown once.
+    const auto is_new = [&](const Project& project) {
+        bool found = false;
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted()) {
+            const std::string path = each.span.known() ? std::string(project.sources.path(each.span.source)) : "";
+            found = shown.insert(fmt::format("{}:{}:{}:{}", path, each.span.begin, each.rule->code, each.message()))
+                        .second ||
+                    found;
+        }
+        return found;
+    };
+    (void)is_new(*simulation.project);
+    for (const OtherController& other : simulation.others)
+        if (other.project != nullptr && is_new(*other.project)) (void)show_diagnostics(*other.project, options);
+}
+
 std::unique_ptr<Simulation> load_simulation(const Options& options) {
     auto simulation = std::make_unique<Simulation>();
     simulation->project = std::make_unique<Project>();
     simulation->scenario = read_scenario_of(*simulation->project, options);
     if (options.inputs.size() != 1)
         simulation->project->diagnostics.report(rules::bad_option, {}, {"one scenario at a time"});
+    if (simulation->project->diagnostics.ok()) check_addresses(*simulation->project, simulation->scenario, options);
     if (!simulation->project->diagnostics.ok()) return simulation;
     Options model = options;
-    model.inputs = {model_of(simulation->scenario, options.inputs.front())};
-    model.constants = constants_of(simulation->scenario, options);
+    model.inputs = {model_of(simulation->scenario, options.inputs.front(), 0)};
+    model.constants = constants_of(simulation->scenario, options, 0);
     simulation->project = load(model);
     if (!acceptable(*simulation->project, options)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);
@@ -311,9 +379,11 @@ namespace {
 void write_page(Simulation& simulation, const simulation::RunResult& result, const simulation::Machines& machines,
                 const std::string& simulator, const std::string& monitors, const std::string& notes,
                 const std::vector<std::string>& files, const Options& options) {
-    const std::string page = render_simulation_html({*simulation.project, simulation.scenario, simulation.emission,
-                                                     machines, result, simulator, monitors, notes, files},
-                                                    options);
+    std::vector<KindModel> kinds{{simulation.project.get(), &simulation.emission}};
+    for (std::size_t kind = 1; kind < simulation.scenario.kinds(); ++kind)
+        kinds.push_back({simulation.others[kind - 1].project.get(), &simulation.emission_of(kind)});
+    const std::string page = render_simulation_html(
+        {kinds, simulation.scenario, machines, result, simulator, monitors, notes, files}, options);
     const std::string error = diagnostics::replace_file(options.html, page, &options.run->budget());
     if (!error.empty()) simulation.project->diagnostics.report(rules::unwritable, {}, {error});
 }
@@ -362,7 +432,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
                                             static_cast<int>(exit)));
         return exit;
     }
-    show_diagnostics(project, options);
+    show_all_diagnostics(*simulation, options);
     print_text(*simulation, result, options, stage, files, notes);
     return exit;
 }

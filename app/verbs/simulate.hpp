@@ -53,18 +53,26 @@ struct Simulation {
 /// program itself is in the cache's own keys.
 void add_trials(const Simulation&, diagnostics::Hasher&);
 
-/// The path of a scenario's model, where the scenario has this path.
-[[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path);
+/// The path of the model of one of a scenario's controllers (Scenario::controller_at), where the scenario has this
+/// path.
+[[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
-/// "NAME=VALUE" of the scenario's own model: those of the options, then those of the scenario (`robots N { const ...
-/// }`) that the options do not give. The robots are simulated with them, so all that is said of the model is decided
-/// with them.
+/// "NAME=VALUE", or "KIND.NAME=VALUE" of models of other controllers, for all of a scenario's models: those of the
+/// options in their order, then those of the scenario (`const ...` in `robots` and `environment`) that the options do
+/// not give. The robots are simulated with them, so all that is said of the models is decided with them.
 [[nodiscard]] std::vector<std::string> constants_of(const simulation::Scenario&, const Options&);
+/// Of the model of one controller alone, without the name of its kind.
+[[nodiscard]] std::vector<std::string> constants_of(const simulation::Scenario&, const Options&,
+                                                    std::size_t controller);
 
-/// What is decided with the constants of constants_of, added to the evidence: the assertions of the scenario's model
-/// and the digests of its files; whether the code that drives the robots conforms; the scenario's claims, of which
-/// false is returned where the scenario cannot be run: the diagnostics of the simulation's project say why. Throw
-/// diagnostics::LimitReached.
+/// What was found in the scenario and its model, and what in the models of the other controllers.
+void show_all_diagnostics(const Simulation&, const Options&);
+
+/// What is decided with the constants of constants_of, added to the evidence: the assertions of the scenario's models
+/// and the digests of their files; whether the code of each controller conforms; the scenario's claims, of which
+/// false is returned where the scenario cannot be run: the diagnostics of the simulation's project say why. In what is
+/// said of other controllers than the first its name stands in front, "leaders: A1"; two with one model and the same
+/// constants are decided once. Throw diagnostics::LimitReached.
 void decide_assertions(const Options&, const simulation::Scenario&, Evidence&);
 void decide_conformance(const Options&, const simulation::Scenario&, Evidence&);
 [[nodiscard]] bool decide_claims(const Options&, Evidence&, std::unique_ptr<Simulation>&);

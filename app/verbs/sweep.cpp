@@ -15,6 +15,7 @@
 #include "app/verbs/simulate.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "semantics/rules.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "simulation/sweep/comparison.hpp"
@@ -139,14 +140,30 @@ private:
         return std::nullopt;
     }
 
+    /// A constant that varies and that the model does not have is the scenario's mistake, at its place.
+    void find_unknown(const Project& refused) {
+        for (const simulation::Variation& each : scenario_.variations) {
+            if (each.what != simulation::Varied::constant) continue;
+            const auto address = simulation::addressed(scenario_, each.constant);
+            for (const diagnostics::Diagnostic& finding : refused.diagnostics.sorted())
+                if (address && finding.rule == &ir::rules::unknown_constant_option &&
+                    finding.arguments.front() == address->constant)
+                    project_->diagnostics.report(simulation::rules::unknown_part, each.span,
+                                                 {"constant of the model", each.constant});
+        }
+    }
+
     std::optional<Exit> prepare(const std::vector<std::string>& constants) {
         if (prepared_.controller != nullptr && prepared_.constants == constants) return std::nullopt;
         Options options = options_;
         options.constants.insert(options.constants.end(), constants.begin(), constants.end());
         prepared_ = {constants, load_simulation(options), nullptr, nullptr};
         Project& project = *prepared_.simulation->project;
-        if (!acceptable(project, options)) return refused(project);
-        if (!shown_) show_diagnostics(project, options);
+        if (!acceptable(project, options)) {
+            find_unknown(project);
+            return refused(project_->diagnostics.ok() ? project : *project_);
+        }
+        if (!shown_) show_all_diagnostics(*prepared_.simulation, options);
         shown_ = true;
         prepared_.controller = build_controller(*prepared_.simulation, options);
         if (prepared_.controller != nullptr) prepared_.monitors = make_guard(*prepared_.simulation, options);

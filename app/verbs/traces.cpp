@@ -1,5 +1,6 @@
 // `conform MODEL --traces FILE`: logs of runs against the model (docs/traces.md).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -87,18 +88,21 @@ public:
     /// Nothing, with a finding, where there is none.
     std::optional<Found> of(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
-        std::vector<Candidate> all = found(wanted);
-        if (all.empty()) all = found("");
+        const std::vector<Part>* const parts = with(constants_of(header));
+        if (parts == nullptr) return std::nullopt;
+        std::vector<Candidate> all = found(*parts, wanted);
+        if (all.empty()) all = found(*parts, "");
         if (all.empty()) return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted});
         const auto& [part, component] = all.front();
         if (!wanted.empty() && all.size() > 1 && all[1].first != part)
-            return refuse(*part, rules::bad_option,
+            return refuse(parts_.front(), rules::bad_option,
                           {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
                                        part->project->name, all[1].first->project->name, wanted)});
         const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
         Entry& entry = entries_[{part, ir::qualified(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
-        if (!entry.error.empty()) return refuse(*part, rules::no_monitor, {ir::qualified(component), entry.error});
+        if (!entry.error.empty())
+            return refuse(parts_.front(), rules::no_monitor, {ir::qualified(component), entry.error});
         return Found{part->project.get(), ir::qualified(component), entry.checker.get()};
     }
 
@@ -110,10 +114,40 @@ private:
         std::string error;
     };
 
+    /// Those that the options do not give: as `--component` and `--cycle`, `--const` is stronger than the log.
+    [[nodiscard]] std::vector<std::string> constants_of(const conformance::TraceHeader& header) const {
+        std::vector<std::string> result;
+        const auto name = [](const std::string& constant) { return constant.substr(0, constant.find('=')); };
+        for (const std::string& each : header.constants)
+            if (std::none_of(options_.constants.begin(), options_.constants.end(),
+                             [&](const std::string& one) { return name(one) == name(each); }))
+                result.push_back(each);
+        return result;
+    }
+    /// The model with these constants. Null, with a finding, where it cannot be read with them.
+    const std::vector<Part>* with(const std::vector<std::string>& constants) {
+        if (constants.empty()) return &parts_;
+        auto [known, fresh] = others_.try_emplace(constants);
+        std::vector<Part>& parts = known->second;
+        if (fresh) {
+            Options wanted = options_;
+            wanted.constants.insert(wanted.constants.end(), constants.begin(), constants.end());
+            parts = load_parts(wanted);
+        }
+        for (const Part& part : parts)
+            for (const diagnostics::Diagnostic& each : part.project->diagnostics.sorted())
+                if (each.rule->severity == diagnostics::Severity::error) {
+                    (void)refuse(parts_.front(), conformance::rules::log_of_other,
+                                 {fmt::format("a model with {}", fmt::join(constants, ", ")),
+                                  fmt::format("one that has no such constants: {}", each.message())});
+                    return nullptr;
+                }
+        return &parts;
+    }
     /// The first component of this name in each part.
-    [[nodiscard]] std::vector<Candidate> found(const std::string& wanted) const {
+    [[nodiscard]] static std::vector<Candidate> found(const std::vector<Part>& parts, const std::string& wanted) {
         std::vector<Candidate> result;
-        for (const Part& part : parts_)
+        for (const Part& part : parts)
             if (const auto components = code_components(part.project->system, wanted);
                 !part.again && !components.empty())
                 result.emplace_back(&part, components.front());
@@ -134,6 +168,7 @@ private:
     const std::vector<Part>& parts_;
     const Options& options_;
     refine::Limits limits_;
+    std::map<std::vector<std::string>, std::vector<Part>> others_;  ///< the model with constants of logs
     std::map<std::tuple<const Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 

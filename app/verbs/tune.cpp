@@ -99,12 +99,15 @@ public:
         Project& project = *built.simulation->project;
         if (acceptable(project, options)) built.controller = build_controller(*built.simulation, options);
         const bool good = built.controller != nullptr && project.diagnostics.ok();
-        if (good && !shown_) show_diagnostics(project, options_);
+        if (good && !shown_) show_all_diagnostics(*built.simulation, options_);
         shown_ = shown_ || good;
         if (!good) note(candidate, project);
         if (good) built.digest = digest_of(*built.simulation);
+        if (good) built.drives.emplace(drives_of(*built.simulation, *built.controller));
         // All that is needed from now on is the plan: models would take much memory.
         if (good) built.simulation->project.reset();
+        for (OtherController& other : built.simulation->others)
+            if (good) other.project.reset();
         built_.push_back(good ? std::move(built) : Built{});
         return good;
     }
@@ -133,7 +136,7 @@ public:
             }
             const Built& built = built_.at(wanted[t].candidate);
             missing.push_back(t);
-            trials.push_back({&built.simulation->plan, &built.controller->drive(), seed_of(wanted[t])});
+            trials.push_back({&built.simulation->plan, &*built.drives, seed_of(wanted[t])});
         }
         // In portions, so that an interrupted search keeps what it has.
         constexpr std::size_t portion = 64;
@@ -171,6 +174,7 @@ private:
     struct Built {
         std::unique_ptr<Simulation> simulation;
         std::unique_ptr<simulation::Controller> controller;
+        std::optional<simulation::Drives> drives;
         diagnostics::Digest digest{};
     };
 
@@ -272,14 +276,6 @@ private:
 
     Exit refused() const { return show_diagnostics(*project_, options_), refusal(*project_); }
 
-    /// A certificate is about one controller.
-    void refuse_others() {
-        if (scenario_.has_others())
-            report(
-                "tune takes a scenario with one kind of robots and without an environment: a certificate is about "
-                "one controller");
-    }
-
     void report(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
 
     /// Reads everything but the candidates; false with diagnostics where something is wrong.
@@ -293,14 +289,15 @@ private:
         auto simulation = load_simulation(first);
         scenario_ = simulation->scenario;
         project_ = std::move(simulation->project);
+        others_ = std::move(simulation->others);
         if (!project_->diagnostics.ok()) return false;
         if (varied_.empty()) report("tune takes constants with values to try: --const NAME=LOW..HIGH or NAME=A,B,C");
-        std::set<std::string> names;
+        std::set<std::pair<std::size_t, std::string>> names;
         for (const std::string& each : asked_.constants)
-            if (!names.insert(split(each).first).second)
+            if (const auto address = simulation::addressed(scenario_, split(each).first);
+                address && !names.emplace(address->controller, address->constant).second)
                 report(fmt::format("--const {} is given twice", diagnostics::shown(split(each).first)));
         if (!scenario_.variations.empty()) report("tune takes a scenario in which nothing varies");
-        refuse_others();
         if (scenario_.claims.empty())
             project_->diagnostics.report(simulation::rules::missing, scenario_.name.span,
                                          {"what is claimed (accept probability) or estimated (estimate probability)"});
@@ -319,9 +316,13 @@ private:
 
     [[nodiscard]] simulation::ParameterKind kind_of(const std::string& name) const {
         using simulation::ParameterKind;
-        for (const ir::NamedConstant& each : ir::named_constants(project_->system)) {
-            if (each.path != name && !each.path.ends_with("::" + name)) continue;
-            const ir::TypeKind kind = project_->system.type(each.type).kind;
+        const auto address = simulation::addressed(scenario_, name);
+        if (!address) return ParameterKind::other;
+        const ir::System& system =
+            address->controller == 0 ? project_->system : others_.at(address->controller - 1).project->system;
+        for (const ir::NamedConstant& each : ir::named_constants(system)) {
+            if (each.path != address->constant && !each.path.ends_with("::" + address->constant)) continue;
+            const ir::TypeKind kind = system.type(each.type).kind;
             return kind == ir::TypeKind::real                                   ? ParameterKind::real
                    : kind == ir::TypeKind::nat || kind == ir::TypeKind::integer ? ParameterKind::whole
                                                                                 : ParameterKind::other;
@@ -504,7 +505,6 @@ private:
         if (!asked_.constants.empty()) report("the constants are those of the certificate: no --const beside it");
         if (!asked_.ranges.empty()) report("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
-        refuse_others();
         if (!project_->diagnostics.ok()) return refused();
         for (const auto& [name, value] : certified->constants)
             options_.constants.push_back(fmt::format("{}={}", name, value));
@@ -554,6 +554,7 @@ private:
     Options options_;  ///< without the constants that vary
     Pairs varied_;
     std::unique_ptr<Project> project_;
+    std::vector<OtherController> others_;  ///< of the scenario's other controllers
     simulation::Scenario scenario_;
     std::vector<Parameter> parameters_;
     Certificate certificate_;

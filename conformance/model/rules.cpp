@@ -22,8 +22,9 @@ const Rule log_value{
     "with parts `(1,true)`, `<1,2>`, `{Red,Green}`."};
 const Rule log_of_other{
     "RC-L04", Severity::error, "the log is of {}, the model is read as {}",
-    "A log says which component it comes from and how many time units a control cycle has. It is compared with that "
-    "component of the model, in cycles of that length (`--component`, `--cycle`)."};
+    "A log says which component it comes from, how many time units a control cycle has, and which constants the model "
+    "had. It is compared with that component of the model, in cycles of that length, with these constants "
+    "(`--component`, `--cycle`, `--const` are stronger)."};
 
 const Rule endless_steps{"RC-K01", Severity::error, "{}",
                          "The model does infinitely many steps while no time passes, so the control cycle never ends: "

@@ -50,6 +50,13 @@ std::uint32_t cycle_of(const std::vector<TraceToken>& tokens) {
                      5};
 }
 
+std::string constant_of(const std::vector<TraceToken>& tokens) {
+    std::string text = rest_of(tokens);
+    const std::size_t equals = text.find('=');
+    if (tokens.size() == 2 && equals != std::string::npos && equals > 0 && equals + 1 < text.size()) return text;
+    throw TraceFault{&rules::log_syntax, {"`const NAME=VALUE`", fmt::format("`const {}`", text)}, tokens[0].column, 5};
+}
+
 }  // namespace
 
 void split_line(std::string_view line, std::vector<TraceToken>& tokens) {
@@ -74,6 +81,8 @@ bool read_header_line(const std::vector<TraceToken>& tokens, TraceHeader& header
         header.component = rest_of(tokens);
     } else if (key == "robot") {
         header.robot = rest_of(tokens);
+    } else if (key == "const") {
+        header.constants.push_back(constant_of(tokens));
     } else if (key == "cycle") {
         header.cycle = cycle_of(tokens);
     } else if (key == "unobserved") {

@@ -33,6 +33,7 @@ struct TraceHeader {
     std::string model;
     std::string component;
     std::string robot;
+    std::vector<std::string> constants;          ///< "pace=3": the model's, where it was run
     std::uint32_t cycle = 1;                     ///< time units of one control cycle
     std::vector<std::string> unobserved;         ///< "seeRobot?", "Move!"
     std::vector<std::uint32_t> unobserved_line;  ///< of each, for faults

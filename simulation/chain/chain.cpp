@@ -46,7 +46,7 @@ private:
         if (claim.property.kind != Formula::Kind::within || std::isinf(claim.property.time))
             return refuse(claim.span, "a chain answers `CONDITION within TIME`");
         if (claim.indifference > 0) return refuse(claim.span, "a chain has bounds, no test with an indifference");
-        if (!claim.estimate && claim.trials != Claim{}.trials)
+        if (claim.limited)
             return refuse(claim.span, "a chain is made of the scenario's trials, `at most N trials` is of none");
         const double steps = claim.property.time / scenario_.abstraction->every;
         const double whole = std::round(steps);
@@ -105,7 +105,8 @@ std::vector<ChainAsked> chain_asked(const Scenario& scenario, const ChainStates&
 }
 
 bool ChainAnswer::refuted() const {
-    return std::any_of(checks.begin(), checks.end(), [](const ChainCheck& each) { return each.contradicts; });
+    return of_no_chain ||
+           std::any_of(checks.begin(), checks.end(), [](const ChainCheck& each) { return each.contradicts; });
 }
 
 ClaimVerdict ChainAnswer::verdict() const {
@@ -138,6 +139,15 @@ std::vector<statistics::StateSequence> sequences_of(const Scenario& scenario, co
         }
     }
     return result;
+}
+
+std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>& asked, const statistics::Permitted& permitted,
+                                          const std::vector<statistics::StateSequence>& sequences) {
+    if (asked.empty()) return std::nullopt;
+    const double confidence = asked.front().confidence;
+    const auto found = statistics::order_contradiction(sequences, permitted, 1 - confidence);
+    if (!found) return std::nullopt;
+    return OrderFinding{confidence, *found};
 }
 
 namespace {

@@ -46,12 +46,24 @@ struct ChainAnswer {
     double low = 0;
     double high = 0;                 ///< may be infinite: none was found
     std::vector<ChainCheck> checks;  ///< at the times of the chain's states
+    bool of_no_chain = false;        ///< the order of the chain is refuted, whatever is asked
 
-    /// Fresh trials contradict the chain: its bounds say nothing of the swarm.
+    /// Trials contradict the chain: its bounds say nothing of the swarm.
     [[nodiscard]] bool refuted() const;
     /// Of what is claimed, `estimated` where nothing is. Not asked of what is refuted.
     [[nodiscard]] ClaimVerdict verdict() const;
 };
+
+/// What follows a state depends on the state before it: the swarm is no chain over these states.
+struct OrderFinding {
+    double confidence = 0;
+    statistics::OrderContradiction found;
+};
+
+/// Looks for that in all sequences, at the confidence of the first question, by intervals that hold jointly; none: they
+/// do not tell (statistics::order_contradiction).
+[[nodiscard]] std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>&, const statistics::Permitted&,
+                                                        const std::vector<statistics::StateSequence>&);
 
 /// A transition that trials took although the robots' steps exclude it.
 struct Excluded {

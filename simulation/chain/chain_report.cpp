@@ -15,7 +15,7 @@ namespace robochart::simulation {
 using diagnostics::Json;
 
 bool ChainResult::refuted() const {
-    return std::any_of(answers.begin(), answers.end(), [](const ChainAnswer& each) { return each.refuted(); });
+    return order || std::any_of(answers.begin(), answers.end(), [](const ChainAnswer& each) { return each.refuted(); });
 }
 
 bool ChainResult::fails() const {
@@ -64,6 +64,7 @@ std::string contradiction(const ChainAnswer& answer) {
                                     [](const ChainCheck& each) { return each.contradicts; });
     const auto all = std::count_if(answer.checks.begin(), answer.checks.end(),
                                    [](const ChainCheck& each) { return each.contradicts; });
+    if (all == 0) return "the chain is no abstraction here: its order is refuted";
     return fmt::format("the chain is no abstraction here: at {:g} s it says {}, fresh trials {}; so at {} of {} times",
                        found->time, interval(found->predicted), interval(found->by_trials), all, answer.checks.size());
 }
@@ -86,12 +87,26 @@ std::string answers_text(const ChainResult& result) {
 
 std::string study_text(const Scenario& scenario, const ChainStates& states, const ChainResult& result) {
     return fmt::format(
-        "chain of {}: {} states, {:g} s apart; controller {}\n"
-        "estimated from {}, checked on {}; {:.1f} CPU seconds\n"
-        "{} transitions, {} of them seen, {} excluded: {}\n",
-        scenario.name.text, states.size() - 1, scenario.abstraction->every, scenario.component.text,
-        trials_of(0, result.trials, scenario.seed), trials_of(result.trials, result.trials, scenario.seed),
-        result.cpu_seconds, result.transitions, result.seen, result.excluded, result.proof);
+               "chain of {}: {} states, {:g} s apart; controller {}\n"
+               "estimated from {}, checked on {}; {:.1f} CPU seconds\n"
+               "{} transitions, {} of them seen, {} excluded: {}\n",
+               scenario.name.text, states.size() - 1, scenario.abstraction->every, scenario.component.text,
+               trials_of(0, result.trials, scenario.seed), trials_of(result.trials, result.trials, scenario.seed),
+               result.cpu_seconds, result.transitions, result.seen, result.excluded, result.proof) +
+           order_text(states, result);
+}
+
+std::string order_text(const ChainStates& states, const ChainResult& result) {
+    if (!result.order) return "nothing shows that what follows a state depends on the one before it\n";
+    const statistics::OrderContradiction& found = result.order->found;
+    const auto after = [&](std::size_t before, const statistics::Interval& each) {
+        return fmt::format("after \"{}\" {}", states.text(before), interval(each));
+    };
+    return fmt::format(
+        "REFUTED with confidence {}: what follows a state depends on the one before it; on \"{}\" follows \"{}\" {}, "
+        "{}\n",
+        percent(result.order->confidence), states.text(found.state), states.text(found.next),
+        after(found.less, found.after_less), after(found.more, found.after_more));
 }
 
 std::string chain_summary(const ChainResult& result) {
@@ -104,7 +119,9 @@ std::string chain_summary(const ChainResult& result) {
         return !each.refuted() && each.verdict() == ClaimVerdict::open;
     });
     std::string out;
-    if (refuted > 0)
+    if (result.order)
+        out = "refuted: the chain is no abstraction here (what follows a state depends on the one before it)";
+    else if (refuted > 0)
         out = fmt::format("refuted: the chain is no abstraction here ({} of {} answers)", refuted, result.questions);
     const auto add = [&](std::ptrdiff_t count, const char* what) {
         if (count > 0) out += fmt::format("{}{} of {} {}", out.empty() ? "" : ", ", count, result.questions, what);
@@ -183,6 +200,24 @@ Json answer_json(const ChainAnswer& answer) {
 
 }  // namespace
 
+namespace {
+
+/// Null where nothing contradicts.
+Json order_json(const ChainStates& states, const ChainResult& result) {
+    if (!result.order) return nullptr;
+    const statistics::OrderContradiction& found = result.order->found;
+    const auto after = [&](std::size_t before, const statistics::Interval& each) {
+        return Json{{"before", states.text(before)}, {"low", each.low}, {"high", each.high}};
+    };
+    return {{"confidence", result.order->confidence},
+            {"state", states.text(found.state)},
+            {"next", states.text(found.next)},
+            {"less", after(found.less, found.after_less)},
+            {"more", after(found.more, found.after_more)}};
+}
+
+}  // namespace
+
 std::string chain_json(const Scenario& scenario, const ChainStates& states, const ChainResult& result,
                        const std::vector<std::string>& files, int exit) {
     Json answers = Json::array();
@@ -199,6 +234,7 @@ std::string chain_json(const Scenario& scenario, const ChainStates& states, cons
                     {"seen", result.seen},
                     {"excluded", result.excluded},
                     {"proof", result.proof},
+                    {"order", order_json(states, result)},
                     {"interrupted", result.interrupted},
                     {"cpuSeconds", diagnostics::rounded(result.cpu_seconds, 3)},
                     {"answers", std::move(answers)},

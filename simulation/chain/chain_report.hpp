@@ -14,11 +14,12 @@ namespace robochart::simulation {
 struct ChainResult {
     std::vector<ChainAnswer> answers;  ///< of each question, in order; fewer where the run was interrupted
     std::size_t questions = 0;
-    std::string proof;            ///< what excludes transitions, or why nothing does
-    std::size_t transitions = 0;  ///< between states of the chain
-    std::size_t excluded = 0;     ///< of them
-    std::size_t seen = 0;         ///< of them, in the trials that estimate
-    std::uint32_t trials = 0;     ///< that estimate; as many check
+    std::string proof;                  ///< what excludes transitions, or why nothing does
+    std::size_t transitions = 0;        ///< between states of the chain
+    std::size_t excluded = 0;           ///< of them
+    std::size_t seen = 0;               ///< of them, in the trials that estimate
+    std::uint32_t trials = 0;           ///< that estimate; as many check
+    std::optional<OrderFinding> order;  ///< what refutes the chain whatever it is asked
     bool interrupted = false;
     double cpu_seconds = 0;
 
@@ -31,6 +32,8 @@ struct ChainResult {
 
 /// "holds", "FAILS", "open", "estimated", "REFUTED".
 [[nodiscard]] std::string answer_word(const ChainAnswer&);
+/// What is known of the order of the chain, in a line.
+[[nodiscard]] std::string order_text(const ChainStates&, const ChainResult&);
 /// Of each question: the answer, its bounds, what fresh trials say.
 [[nodiscard]] std::string answers_text(const ChainResult&);
 /// How it was estimated, in lines.

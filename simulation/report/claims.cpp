@@ -216,6 +216,16 @@ std::string environment_line(const Scenario& scenario) {
         environment.component.text, fmt::join(parts, "; "));
 }
 
+/// What robots of a kind have that those of the first have not: ", axle of 8 cm, wheels to 6 cm/s, without noise".
+std::string own_drive(const Scenario& scenario, std::size_t kind) {
+    const OwnDrive& own = scenario.kind_at(kind).own;
+    std::string text;
+    if (own.axle) text += fmt::format(", axle of {:g} cm", *own.axle);
+    if (own.max_wheel) text += fmt::format(", wheels to {:g} cm/s", *own.max_wheel);
+    if (own.noise) text += *own.noise > 0 ? fmt::format(", {} noise of each", percent(*own.noise)) : ", without noise";
+    return text;
+}
+
 }  // namespace
 
 std::string claims_text(const Scenario& scenario, const std::vector<ClaimResult>& results) {
@@ -242,8 +252,8 @@ std::vector<std::string> world_lines(const Scenario& scenario) {
                                 arena.walls.empty() ? "" : fmt::format(", {} inside", arena.walls.size())));
     for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind) {
         const RobotKind& robots = scenario.kind_at(kind);
-        lines.push_back(fmt::format("{}: {} robots by {}", robots.kind.text.empty() ? "first kind" : robots.kind.text,
-                                    robots.robots, robots.component.text));
+        lines.push_back(fmt::format("{}: {} robots by {}{}", robots.kind.text.empty() ? "first kind" : robots.kind.text,
+                                    robots.robots, robots.component.text, own_drive(scenario, kind)));
     }
     for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
         lines.push_back(placements_line(scenario, scenario.kind_at(kind)));

@@ -86,10 +86,44 @@ std::uint32_t Scenario::first_robot(std::size_t number) const {
     return before;
 }
 
+Body Scenario::body_of(std::size_t number) const {
+    const OwnDrive& own = kind_at(number).own;
+    Body body = world.body;
+    body.axle = own.axle.value_or(body.axle);
+    body.max_wheel = own.max_wheel.value_or(body.max_wheel);
+    body.noise = own.noise.value_or(body.noise);
+    return body;
+}
+
+std::string Scenario::controller_name(std::size_t number) const {
+    return number < kinds() ? kind_at(number).kind.text : "environment";
+}
+
 std::optional<std::size_t> kind_named(const Scenario& scenario, std::string_view name) {
     for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
         if (!name.empty() && scenario.kind_at(kind).kind.text == name) return kind;
     return std::nullopt;
+}
+
+std::optional<std::size_t> controller_named(const Scenario& scenario, std::string_view name) {
+    for (std::size_t number = 0; number < scenario.controllers(); ++number)
+        if (!name.empty() && scenario.controller_name(number) == name) return number;
+    return std::nullopt;
+}
+
+std::vector<std::string> controller_names(const Scenario& scenario) {
+    std::vector<std::string> names;
+    for (std::size_t number = 0; number < scenario.controllers(); ++number)
+        if (!scenario.controller_name(number).empty()) names.push_back(scenario.controller_name(number));
+    return names;
+}
+
+std::optional<AddressedConstant> addressed(const Scenario& scenario, const std::string& name) {
+    const std::size_t point = name.find('.');
+    if (point == std::string::npos) return AddressedConstant{0, name};
+    const auto controller = controller_named(scenario, std::string_view(name).substr(0, point));
+    if (!controller) return std::nullopt;
+    return AddressedConstant{*controller, name.substr(point + 1)};
 }
 
 }  // namespace robochart::simulation

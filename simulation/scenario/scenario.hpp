@@ -210,6 +210,7 @@ struct Claim {
     double confidence = 0;
     double indifference = 0;        ///< 0: by intervals; else by a test that does not tell probabilities so close apart
     std::uint32_t trials = 10'000;  ///< at most; of an estimate exactly
+    bool limited = false;           ///< `at most N trials` is said
     std::string text;               ///< as written
     diagnostics::Span span;
 };
@@ -283,10 +284,16 @@ struct Controlled {
     std::vector<std::string> constants;  ///< NAME=VALUE
 };
 
+/// Where robots of another kind drive otherwise than those of the first; none: the same. All disks are of one size.
+struct OwnDrive {
+    std::optional<double> axle, max_wheel, noise;
+};
+
 /// Robots with one controller: how many, where they begin, and what their platform consists of.
 struct RobotKind : Controlled {
     Name kind;  ///< "" where there is no other
     std::uint32_t robots = 0;
+    OwnDrive own;  ///< of the first kind: nothing, its body is that of the world's options
     std::vector<Placement> placements;
     std::vector<Feed> feeds;
     std::vector<Drive> drives;
@@ -340,6 +347,15 @@ struct Scenario : RobotKind {
     [[nodiscard]] const RobotKind& kind_at(std::size_t number) const {
         return number == 0 ? static_cast<const RobotKind&>(*this) : others[number - 1];
     }
+    /// The body of robots of a kind.
+    [[nodiscard]] Body body_of(std::size_t number) const;
+    /// How many controllers there are: one for each kind of robots, and behind them that of the environment.
+    [[nodiscard]] std::size_t controllers() const { return kinds() + (environment ? 1 : 0); }
+    [[nodiscard]] const Controlled& controller_at(std::size_t number) const {
+        return number < kinds() ? static_cast<const Controlled&>(kind_at(number)) : *environment;
+    }
+    /// "leaders" of the kind that is called so, "environment"; "" of a first kind without a name.
+    [[nodiscard]] std::string controller_name(std::size_t number) const;
     /// Robots of all kinds.
     [[nodiscard]] std::uint32_t all_robots() const;
     /// The number of the first robot of a kind.
@@ -350,5 +366,18 @@ struct Scenario : RobotKind {
 
 /// The number of a kind by its name.
 [[nodiscard]] std::optional<std::size_t> kind_named(const Scenario&, std::string_view name);
+/// The number of a controller: by the name of its kind, or "environment".
+[[nodiscard]] std::optional<std::size_t> controller_named(const Scenario&, std::string_view name);
+/// The names of all controllers that have one.
+[[nodiscard]] std::vector<std::string> controller_names(const Scenario&);
+
+/// A constant of one of a scenario's models, as `--const` and `vary const` name it: "pace" of the first kind of robots,
+/// "leaders.pace" of those that are called leaders, "environment.pace".
+struct AddressedConstant {
+    std::size_t controller = 0;
+    std::string constant;  ///< "pace", "Keep::pace"
+};
+/// None where there is no controller of the name in front of the point.
+[[nodiscard]] std::optional<AddressedConstant> addressed(const Scenario&, const std::string& name);
 
 }  // namespace robochart::simulation

@@ -26,6 +26,7 @@ void ScenarioReader::check() {
     check_places();
     check_lights();
     check_abstraction();
+    check_failures();
     for (const Variation& each : scenario_.variations) {
         const auto varies = [&](const Failure& failure) {
             return (failure.mean_time > 0) == (each.what == Varied::mean_time);
@@ -40,6 +41,25 @@ void ScenarioReader::check() {
         if (said_.contains("duration") && time > scenario_.duration)
             in_.report(rules::out_of_range, span,
                        {fmt::format("{} s is after the end, {} s", time, scenario_.duration)});
+}
+
+/// No more robots fail than there are; where their number varies, each point takes what it has.
+void ScenarioReader::check_failures() {
+    const auto varied = [&](Varied what) {
+        return std::find_if(scenario_.variations.begin(), scenario_.variations.end(),
+                            [&](const Variation& each) { return each.what == what; });
+    };
+    const auto none = scenario_.variations.end();
+    const auto refuse = [&](diagnostics::Span span, double failing, std::uint32_t robots) {
+        if (failing > robots)
+            in_.report(rules::out_of_range, span, {fmt::format("{:g} robots fail of {}", failing, robots)});
+    };
+    if (varied(Varied::robots) == none && varied(Varied::failed) != none)
+        refuse(varied(Varied::failed)->span, varied(Varied::failed)->values.back(), scenario_.robots);
+    for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind)
+        for (const Failure& each : scenario_.kind_at(kind).failures)
+            if (kind > 0 || (varied(Varied::robots) == none && varied(Varied::failed) == none))
+                refuse(each.span, each.robots, scenario_.kind_at(kind).robots);
 }
 
 diagnostics::Span ScenarioReader::said(std::string_view word) const {
@@ -75,9 +95,13 @@ void ScenarioReader::check_steps() {
 void ScenarioReader::check_places() {
     const Arena& arena = scenario_.world.arena;
     if (!said_.contains("arena")) return;
-    for (const Inside& place : inside_)
-        if (arena.walled && (std::abs(place.at.x) > arena.width / 2 || std::abs(place.at.y) > arena.height / 2))
-            in_.report(rules::out_of_range, place.span, {fmt::format("{} lies outside the arena", place.what)});
+    diagnostics::Span last;  // corners of one obstacle are reported once
+    for (const Inside& place : inside_) {
+        const bool outside = std::abs(place.at.x) > arena.width / 2 || std::abs(place.at.y) > arena.height / 2;
+        if (!arena.walled || !outside || place.span == last) continue;
+        in_.report(rules::out_of_range, place.span, {fmt::format("{} lies outside the arena", place.what)});
+        last = place.span;
+    }
 }
 
 void ScenarioReader::check_lights() {
@@ -164,6 +188,13 @@ bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagno
         left -= here;
         --regions;
         if (placement.kind == Placement::Kind::linked) {
+            const double least = 2 * scenario.world.body.radius;
+            if (placement.link < least) {
+                diagnostics.report(
+                    rules::out_of_range, placement.span,
+                    {fmt::format("robots that are linked are at least a diameter apart, {:g} cm", least)});
+                return false;
+            }
             if (!world.place_linked(here, placement.pose.at, placement.link)) return refuse(here, placement.span);
             continue;
         }
@@ -186,8 +217,10 @@ bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagno
 std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
     World world(scenario.world, scenario.seed + trial);
     for (const Obstacle& obstacle : scenario.obstacles) world.add_obstacle(obstacle.corners, obstacle.there);
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+        world.set_body(scenario.body_of(kind));
         if (!place(world, scenario, scenario.kind_at(kind), diagnostics)) return std::nullopt;
+    }
     return world;
 }
 

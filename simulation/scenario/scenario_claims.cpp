@@ -54,6 +54,7 @@ void ScenarioReader::claim(diagnostics::Span begin, bool estimate) {
             in_.expect("most");
             claim.trials = static_cast<std::uint32_t>(in_.count(1, most_claim_trials, "the number of trials"));
             in_.expect("trials");
+            claim.limited = true;
         }
     }
     claim.span = diagnostics::join(begin, in_.last_span());

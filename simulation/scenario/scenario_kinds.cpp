@@ -24,22 +24,41 @@ void ScenarioReader::robots() {
     in_.expect("}");
 }
 
-void ScenarioReader::robot_option() {
-    Body& body = scenario_.world.body;
-    if (in_.take("radius"))
-        body.radius = in_.positive(Dimension::length, "the radius");
-    else if (in_.take("axle"))
-        body.axle = in_.positive(Dimension::length, "the axle");
+bool ScenarioReader::drive_option(OwnDrive& own) {
+    if (in_.take("axle"))
+        own.axle = in_.positive(Dimension::length, "the axle");
     else if (in_.take("wheel"))
-        body.max_wheel = in_.positive(Dimension::speed, "the speed of the wheels");
+        own.max_wheel = in_.positive(Dimension::speed, "the speed of the wheels");
     else if (in_.take("noise"))
-        body.noise = in_.not_negative(Dimension::share, "the noise of the wheels");
-    else if (in_.take("place"))
-        place();
-    else if (in_.take("const"))
-        constant(scenario_);
+        own.noise = in_.not_negative(Dimension::share, "the noise of the wheels");
     else
+        return false;
+    return true;
+}
+
+void ScenarioReader::robot_option() {
+    if (drive_option(scenario_.own)) {
+        scenario_.world.body = scenario_.body_of(0);
+        scenario_.own = {};
+    } else if (in_.take("radius")) {
+        scenario_.world.body.radius = in_.positive(Dimension::length, "the radius");
+    } else if (in_.take("place")) {
+        place();
+    } else if (in_.take("const")) {
+        constant(scenario_);
+    } else {
         in_.fail("'radius', 'axle', 'wheel', 'noise', 'place', 'const' or '}'");
+    }
+}
+
+/// The world's disks are of one size.
+void ScenarioReader::other_radius() {
+    const diagnostics::Span begin = in_.last_span();
+    (void)in_.positive(Dimension::length, "the radius");
+    in_.report(
+        rules::out_of_range, diagnostics::join(begin, in_.last_span()),
+        {"robots of all kinds have the radius of the first: another kind has an 'axle', a 'wheel' and 'noise' of "
+         "its own"});
 }
 
 void ScenarioReader::other_kind(RobotKind kind, diagnostics::Span begin) {
@@ -54,6 +73,10 @@ void ScenarioReader::other_kind(RobotKind kind, diagnostics::Span begin) {
             kind.model = in_.quoted("the path of the model in quotes");
         else if (in_.take("const"))
             constant(kind);
+        else if (in_.take("radius"))
+            other_radius();
+        else if (drive_option(kind.own))
+            continue;
         else if (in_.take("place"))
             place();
         else if (in_.take("feed"))
@@ -65,7 +88,9 @@ void ScenarioReader::other_kind(RobotKind kind, diagnostics::Span begin) {
         else if (in_.take("failure"))
             failure();
         else
-            in_.fail("'model', 'const', 'place', 'feed', 'drive', 'stimulus', 'failure' or '}'");
+            in_.fail(
+                "'model', 'const', 'axle', 'wheel', 'noise', 'place', 'feed', 'drive', 'stimulus', "
+                "'failure' or '}'");
     }
     kind_ = &scenario_;
     in_.expect("}");

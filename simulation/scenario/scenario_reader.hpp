@@ -63,6 +63,9 @@ private:
     // scenario_kinds.cpp: kinds of robots and the environment
     void robots();
     void robot_option();
+    /// `axle`, `wheel` or `noise`; false if it is none of these.
+    bool drive_option(OwnDrive&);
+    void other_radius();
     /// `for COMPONENT { ... }`, behind the name of a further kind.
     void other_kind(RobotKind kind, diagnostics::Span begin);
     void constant(Controlled& controlled);
@@ -138,6 +141,7 @@ private:
 
     // scenario_variations.cpp: what a sweep varies
     void vary();
+    std::string constant_named();
     void values(Variation& variation);
     double value_of(Varied what);
     /// `SENSOR.OPTION`.
@@ -150,6 +154,7 @@ private:
     /// `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
     void chain_question(diagnostics::Span begin);
     void check_abstraction();
+    void check_failures();
 
     // scenario_checks.cpp: what belongs together
     void check();

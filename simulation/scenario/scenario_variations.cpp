@@ -21,7 +21,7 @@ void ScenarioReader::vary() {
     const diagnostics::Span begin = in_.token().span;
     if (in_.take("const")) {
         variation.what = Varied::constant;
-        variation.constant = in_.qualified_name("a constant of the model").text;
+        variation.constant = constant_named();
     } else if (in_.take("noise")) {
         variation.what = Varied::noise;
     } else if (in_.take("failures")) {
@@ -50,6 +50,14 @@ void ScenarioReader::vary() {
         in_.report(rules::out_of_range, variation.span, {fmt::format("at most {} things vary", most_variations)});
     else
         scenario_.variations.push_back(std::move(variation));
+}
+
+/// `pace` of the scenario's own component, `leaders.pace`, `environment.pace`.
+std::string ScenarioReader::constant_named() {
+    const Name first = in_.qualified_name("a constant of the model");
+    if (!in_.take(".")) return first.text;
+    if (!controller_named(scenario_, first.text)) unknown_part("kind of robots", first, controller_names(scenario_));
+    return first.text + "." + in_.qualified_name("a constant of the model of these robots").text;
 }
 
 void ScenarioReader::sensor_option(Variation& variation) {

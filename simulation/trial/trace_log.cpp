@@ -48,6 +48,7 @@ void TraceLog::begin(std::size_t robot) {
     std::string& text = robots_[robot].text;
     text = fmt::format("robochart-trace {}\n", cpp_emit::trace_version);
     if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::shown(options_.model));
+    for (const std::string& each : options_.constants) text += fmt::format("const {}\n", diagnostics::shown(each));
     text += fmt::format("component {}\ncycle {}\nunit {} s\nrobot {}\nscenario {} seed {} trial {}\n",
                         options_.component, scenario_.units_per_step, scenario_.time_unit, options_.first + robot,
                         diagnostics::shown(options_.scenario), scenario_.seed, trial_ + 1);

@@ -17,6 +17,7 @@ struct TraceLogOptions {
     std::string folder;     ///< FOLDER/trial-01/robot-00.trace
     std::string component;  ///< as the log's header names it
     std::string model;
+    std::vector<std::string> constants;  ///< NAME=VALUE, as the model has them where it was run
     std::string scenario;
     std::size_t first = 0;  ///< the number of the first robot: others are of another kind
     diagnostics::Budget* budget = nullptr;

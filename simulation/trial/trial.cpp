@@ -102,6 +102,7 @@ public:
             const std::size_t first = kind_of_.size();
             controllers_.emplace_back(*drives_.kinds.at(kind), robots.robots, seed_of(options.seed, kind));
             first_robot_.push_back(first);
+            axles_.push_back(scenario_.body_of(kind).axle);
             const Plan& bound = plan_.of_kind(kind);
             for (std::size_t robot = 0; robot < robots.robots; ++robot) {
                 kind_of_.push_back(kind);
@@ -204,6 +205,7 @@ private:
 
     [[nodiscard]] const Plan& plan(std::size_t robot) const { return plan_.of_kind(kind_of_[robot]); }
     [[nodiscard]] const rc_drive& drive(std::size_t robot) const { return *drives_.kinds[kind_of_[robot]]; }
+    [[nodiscard]] double axle(std::size_t robot) const { return axles_[kind_of_[robot]]; }
     [[nodiscard]] void* controller(std::size_t robot) {
         const std::size_t kind = kind_of_[robot];
         return controllers_[kind][robot - first_robot_[kind]];
@@ -501,7 +503,7 @@ private:
         if (!speeds || (slot != speeds->linear && slot != speeds->angular)) return;
         const Drive& drive = *speeds->drive;
         set_wheels(robot, wheels_for(variables[speeds->linear] * drive.linear_factor,
-                                     variables[speeds->angular] * drive.angular_factor, scenario_.world.body.axle));
+                                     variables[speeds->angular] * drive.angular_factor, axle(robot)));
     }
 
     void steer(std::size_t robot, const Drive& drive, const rc_action& action) {
@@ -524,7 +526,7 @@ private:
     void begin_turn(std::size_t robot, const Drive& drive, double angle) {
         if (!std::isfinite(angle)) return stop(robot, no_finite_number);
         set_wheels(robot, {});
-        turns_[robot] = {normal_angle(angle), 2 * drive.speed / scenario_.world.body.axle};
+        turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle(robot)};
     }
 
     /// A turn by dead reckoning: full rate while a whole step is to go, then what is left.
@@ -539,20 +541,20 @@ private:
         const double step = scenario_.world.control_step;
         const double most = turn.rate * step;
         const double now = std::clamp(turn.left, -most, most);
-        set_wheels(robot, wheels_for(0, now / step, scenario_.world.body.axle));
+        set_wheels(robot, wheels_for(0, now / step, axle(robot)));
         turn.left = std::abs(turn.left) <= most ? 0 : turn.left - now;
     }
 
     /// A correlated random walk: a rate of turning for each second. Seeking: the faster round the more it is off, and
     /// forward by as much as it is directed at the light.
     void follow(std::size_t robot, Course& course) {
-        const double axle = scenario_.world.body.axle;
+        const double between = axle(robot);
         const double speed = course.drive->speed;
         if (course.drive->motion == Motion::wander) {
             const auto second = static_cast<std::uint64_t>(std::llround(1 / scenario_.world.control_step));
             if (result_.steps % std::max<std::uint64_t>(1, second) == 0)
                 course.rate = draws_.uniform(-wandering, wandering);
-            return set_wheels(robot, wheels_for(speed, course.rate, axle));
+            return set_wheels(robot, wheels_for(speed, course.rate, between));
         }
         const Pose pose = stage_.pose(robot);
         const MovingLight& light = lights_[course.drive->light];
@@ -560,7 +562,7 @@ private:
         const Vector way = light.position(time()) - pose.at;
         const double step = scenario_.world.control_step;
         const double off = normal_angle(std::atan2(way.y, way.x) - pose.heading);
-        set_wheels(robot, wheels_for(speed * std::max(0.0, std::cos(off)), off * std::min(seeking, 1 / step), axle));
+        set_wheels(robot, wheels_for(speed * std::max(0.0, std::cos(off)), off * std::min(seeking, 1 / step), between));
     }
 
     // ------------------------------------------------------------ observing
@@ -623,6 +625,7 @@ private:
     const TrialOptions& options_;
     std::vector<ControllerArray> controllers_;  ///< of each kind
     std::vector<std::size_t> first_robot_;      ///< of each kind
+    std::vector<double> axles_;                 ///< of each kind
     std::vector<std::size_t> kind_of_;          ///< of each robot
     std::vector<std::size_t> first_variable_;   ///< of each robot, in `variables_`
     rc_actions actions_{};

@@ -64,7 +64,7 @@ private:
         options.awaited = &awaited;
         options.seed = trial.seed;
         options.interrupted = &stop_;
-        return trial_cost(scenario, run_trial(plan, *trial.drive, *stage, options).answers);
+        return trial_cost(scenario, run_trial(plan, *trial.drives, *stage, options).answers);
     }
 
     const std::vector<TuningTrial>& trials_;

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "cpp_emit/runtime/drive_abi.h"
 #include "simulation/scenario/plan.hpp"
+#include "simulation/trial/controller.hpp"
 #include "simulation/trial/formulas.hpp"
 
 namespace robochart::simulation {
@@ -13,7 +13,7 @@ namespace robochart::simulation {
 /// One trial to be run; refers to all it is given.
 struct TuningTrial {
     const Plan* plan = nullptr;
-    const rc_drive* drive = nullptr;
+    const Drives* drives = nullptr;
     std::uint64_t seed = 0;
 };
 

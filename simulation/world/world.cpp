@@ -56,7 +56,8 @@ World::World(WorldOptions options, std::uint64_t seed)
     : options_(std::move(options)),
       fixed_walls_(options_.arena.walls.size()),
       fixed_obstacles_(options_.arena.obstacles.size()),
-      random_(seed) {}
+      random_(seed),
+      body_(options_.body) {}
 
 void World::add_obstacle(std::vector<Vector> corners, bool there) {
     changing_.push_back({std::move(corners), there});
@@ -87,6 +88,9 @@ void World::place(const Pose& pose) {
     heading_.push_back(normal_angle(pose.heading));
     cosine_.push_back(std::cos(pose.heading));
     sine_.push_back(std::sin(pose.heading));
+    axle_.push_back(body_.axle);
+    max_wheel_.push_back(body_.max_wheel);
+    noise_.push_back(body_.noise);
     for (auto* zero : {&left_, &right_, &step_x_, &step_y_, &turn_cos_, &turn_sin_, &turn_}) zero->push_back(0);
     listed_x_.clear();
 }
@@ -169,7 +173,7 @@ bool World::place_linked(std::size_t count, Vector first, double link) {
 }
 
 void World::set_wheels(std::size_t robot, Wheels wheels) {
-    const double most = options_.body.max_wheel;
+    const double most = max_wheel_[robot];
     left_[robot] = std::clamp(wheels.left, -most, most);
     right_[robot] = std::clamp(wheels.right, -most, most);
 }
@@ -190,8 +194,8 @@ void World::advance() {
 /// turned.
 void World::begin_step() {
     const double h = options_.control_step / options_.physics_steps;
-    const double noise = options_.body.noise;
     for (std::size_t i = 0; i < size(); ++i) {
+        const double noise = noise_[i];
         double left = left_[i];
         double right = right_[i];
         if (noise > 0) {
@@ -199,7 +203,7 @@ void World::begin_step() {
             right *= random_.uniform(1 - noise, 1 + noise);
         }
         const double way = (left + right) / 2 * h;
-        const double turn = (right - left) / options_.body.axle * h;
+        const double turn = (right - left) / axle_[i] * h;
         const double half_cos = std::cos(turn / 2);
         const double half_sin = std::sin(turn / 2);
         turn_[i] = turn * options_.physics_steps;

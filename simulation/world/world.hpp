@@ -63,6 +63,8 @@ public:
     /// It comes or goes. Robots that its sides touch are pushed off them; one deeper inside is shut in.
     void set_obstacle(std::size_t obstacle, bool there);
 
+    /// Robots that are placed from now on have this axle, these wheels and their noise; the radius is that of all.
+    void set_body(const Body& body) { body_ = body; }
     /// Puts a robot somewhere; overlaps are resolved as time passes.
     void place(const Pose&);
     /// Puts robots at random places of a region, without overlap, with random headings. False if no free place was
@@ -121,6 +123,8 @@ private:
     Random random_;
     std::uint64_t steps_ = 0;
     std::vector<double> x_, y_, heading_, cosine_, sine_;
+    Body body_;                                       ///< of the next robot
+    std::vector<double> axle_, max_wheel_, noise_;    ///< of each robot
     std::vector<double> left_, right_;                ///< wheel speeds asked for
     std::vector<double> step_x_, step_y_;             ///< displacement of the next physics step
     std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step

@@ -107,6 +107,16 @@ TEST(Following, NothingOfWhatMayTerminate) {
     EXPECT_NE(why_not(ends, {"A"}), "");
 }
 
+/// Nothing follows where time stops: what takes two time units has to end within one.
+TEST(Following, NothingWhereTimeStops) {
+    const auto model = [](const std::string& entry) {
+        return "stm S { event go initial i state A { } state B { entry " + entry + " } " +
+               "transition t0 { from i to A } transition t1 { from A to B trigger go } }";
+    };
+    EXPECT_EQ(why_not(model("wait(1)"), {"A"}), "");
+    EXPECT_NE(why_not(model("wait(2) <{ 1 }"), {"A"}), "");
+}
+
 /// Code shows the source of a transition while time passes in its action, or in an exit action; the process has left
 /// it.
 TEST(Following, NothingWhereTimePassesInATransition) {

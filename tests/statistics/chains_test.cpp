@@ -92,5 +92,52 @@ TEST(Validation, CanFail) {
     EXPECT_FALSE(contradicts(40, 100, 0.01, {0, 1}));
 }
 
+// ---------------------------------------------------------------- the order of a chain
+
+/// A state that is kept with these chances: after an equal one, and after another.
+StateSequence remembering(double after_equal, double after_other, std::mt19937_64& random) {
+    std::uniform_real_distribution<double> draw(0, 1);
+    StateSequence sequence{0, 0};
+    while (sequence.size() < 40) {
+        const std::size_t last = sequence.back();
+        const bool equal = last == sequence[sequence.size() - 2];
+        sequence.push_back(draw(random) < (equal ? after_equal : after_other) ? last : 1 - last);
+    }
+    return sequence;
+}
+
+/// Of 200 repetitions with a chain of order 1 at most a tenth is contradicted, and each of order 2.
+TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
+    std::mt19937_64 random(7);
+    int wrong = 0;
+    for (int repetition = 0; repetition < 200; ++repetition) {
+        std::vector<StateSequence> first, second;
+        for (int i = 0; i < 20; ++i) first.push_back(remembering(0.7, 0.7, random));
+        for (int i = 0; i < 20; ++i) second.push_back(remembering(0.9, 0.3, random));
+        if (order_contradiction(first, all_permitted(2), 0.1)) ++wrong;
+        const auto found = order_contradiction(second, all_permitted(2), 0.1);
+        ASSERT_TRUE(found);
+        EXPECT_LT(found->after_less.high, found->after_more.low);
+        EXPECT_NE(found->less, found->more);
+        // It stays after an equal one more often than after another.
+        EXPECT_EQ(found->more == found->state, found->next == found->state);
+    }
+    EXPECT_LE(wrong, 20);
+}
+
+/// Before sixteen visits of two pairs with one middle state nothing is said.
+TEST(Order, IsNotContradictedByFewVisits) {
+    const std::vector<StateSequence> few(15, {0, 2, 0});
+    std::vector<StateSequence> all = few;
+    for (int i = 0; i < 100; ++i) all.push_back({1, 2, 1});
+    EXPECT_FALSE(order_contradiction(all, all_permitted(3), 0.1));
+    all.push_back({0, 2, 0});
+    const auto found = order_contradiction(all, all_permitted(3), 0.1);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->state, 2U);
+    EXPECT_FALSE(order_contradiction({}, all_permitted(3), 0.1));
+    EXPECT_FALSE(order_contradiction({{0}, {0, 1}}, all_permitted(3), 0.1));
+}
+
 }  // namespace
 }  // namespace robochart::statistics

@@ -81,9 +81,11 @@
     const texts = [fixed(robot.x) + " cm", fixed(robot.y) + " cm", (turn(robot.heading) * 180 / Math.PI).toFixed(0) + "°"];
     robot.states.forEach((state, machine) => texts.push(name(machine, state)));
     rows.forEach((cell, i) => { cell.textContent = texts[i]; });
-    if (shownStates === robot.states.join()) return;
-    shownStates = robot.states.join();
+    const kind = data.kinds.filter((first) => first <= chosen).length - 1;
+    if (shownStates === kind + ":" + robot.states.join()) return;
+    shownStates = kind + ":" + robot.states.join();
     for (const figure of figures) {
+      figure.hidden = Number(figure.dataset.kind) !== kind;
       for (const part of figure.querySelectorAll(".on")) part.classList.remove("on");
       const machine = Number(figure.dataset.machine);
       for (const id of data.states[machine].elements[robot.states[machine]] || [])

@@ -69,6 +69,40 @@ TEST(Chain, IsRefutedWhereTheStateSaysTooLittle) {
     EXPECT_THAT(ran.out, HasSubstr("refuted: the chain is no abstraction here"));
 }
 
+/// What the code does in several time units at once is not excluded by what one of them admits.
+TEST(Chain, SeveralTimeUnitsInAStepExcludeNothing) {
+    const Folder folder = folder_with(replaced(scenario(), "unit 1 s", "unit 0.5 s"));
+    const Ran ran = run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "30"});
+    EXPECT_NE(ran.exit, 2) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr(" 0 excluded: several time units pass in a control step"));
+}
+
+/// With few trials the claim of the corpus' decision is open, and nothing refutes it.
+TEST(Chain, OfTheDecisionIsNotRefuted) {
+    const Ran ran =
+        run({"simulate", repository("corpus/best_of_n/chain.scenario"), "--no-pictures", "--trials", "200"});
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("nothing shows that what follows a state depends on the one before it"));
+    EXPECT_THAT(ran.out, HasSubstr("fresh trials do not contradict the chain at 13 times"));
+}
+
+/// Without the robots that say B, the start is taken for a state in which all of them do: what follows differs.
+TEST(Chain, OfTheDecisionIsRefutedByItsOrderWhereItTellsLessApart) {
+    std::string text = tests::contents(repository("corpus/best_of_n/chain.scenario"));
+    text.erase(text.find("abstract by"));
+    text += "abstract by surveys_a, says_a, surveys_b every 10 s estimate average says_a with confidence 95 % }\n";
+    const Folder folder({{"m/best_of_n.rct", tests::contents(repository("corpus/best_of_n/best_of_n.rct"))},
+                         {"m/chain.scenario", text}});
+    const Ran ran =
+        run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "400", "--format", "json"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    const json found = json::parse(ran.out);
+    EXPECT_EQ(found.at("answers")[0].at("verdict"), "refuted");
+    const json& order = found.at("order");
+    EXPECT_TRUE(order.at("less").at("before") == "start" || order.at("more").at("before") == "start") << order;
+    EXPECT_LT(order.at("less").at("high"), order.at("more").at("low"));
+}
+
 TEST(Chain, OptionsOfTrialsThatAreWatchedAreRefused) {
     const Folder folder = folder_with(scenario());
     for (const std::vector<std::string>& option :

@@ -61,6 +61,11 @@ TEST(Step, FollowsALogOfARobot) {
     EXPECT_EQ(bad.exit, 1);
     EXPECT_THAT(bad.err, HasSubstr("log.trace:8: cycle 4 cannot be followed from here"));
     EXPECT_THAT(bad.out, HasSubstr("p::S, t=3")) << "it stays where the log could be followed";
+    const Ran other = run_shell("cat > m.rct <<'EOT'\n" + model +
+                                "EOT\nprintf 'robochart-trace 1\\ncomponent p::S\\nconst pace=3\\nrun a\\ntock\\n' > "
+                                "log.trace; printf 'load log.trace\\n' | \"$verify\" step m.rct S ");
+    EXPECT_EQ(other.exit, 1);
+    EXPECT_THAT(other.err, HasSubstr("log.trace: is a log of the model with pace=3 (--const pace=3)"));
 }
 
 TEST(Step, AnAssertionOfAWayHoldsUntilTheModelChanges) {

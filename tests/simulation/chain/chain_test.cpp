@@ -107,8 +107,10 @@ TEST(Abstraction, StatesAnswerOrItIsSaid) {
     EXPECT_THAT(asked("estimate probability always a >= 50 % with confidence 95 %"), HasSubstr("RC-M17"));
     EXPECT_THAT(asked("estimate average b with confidence 95 %"), HasSubstr("RC-M17"));
     EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %"), "");
-    EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %, at most 50 trials"),
-                HasSubstr("at most N trials"));
+    for (const char* number : {"50", "10000"})
+        EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %, at most " +
+                          std::string(number) + " trials"),
+                    HasSubstr("at most N trials"));
 }
 
 // ---------------------------------------------------------------- states and transitions
@@ -278,6 +280,48 @@ TEST(ChainAnswer, WhatIsLockedIsRefuted) {
         const auto answers = answered(read.scenario, locked, seed);
         for (std::size_t q = 0; q < 2; ++q) EXPECT_TRUE(answers[q].refuted()) << seed;
     }
+}
+
+/// It leaves after two seconds near: where it has been for one is not in its state. Fresh trials of the share near may
+/// well agree; the order does not.
+TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
+    const ReadChain read("abstract by near every 1 s estimate average near with confidence 95 %", "1");
+    const ChainStates states(read.scenario, std::nullopt);
+    diagnostics::Diagnostics found;
+    const auto asked = chain_asked(read.scenario, states, found);
+    const auto finding = [&](const Draw& draw) {
+        std::mt19937_64 random(3);
+        std::vector<TrialResult> trials(600);
+        for (TrialResult& trial : trials)
+            for (const double each : draw(random)) trial.samples.push_back({each});
+        std::vector<Excluded> excluded;
+        const auto permitted = states.permitted();
+        return order_finding(asked, permitted, sequences_of(read.scenario, states, permitted, trials, excluded));
+    };
+    EXPECT_FALSE(finding(wanders));
+    const auto lasting = finding([](std::mt19937_64& random) {
+        std::uniform_real_distribution<double> draw(0, 1);
+        std::vector<double> seen{0};
+        while (seen.size() < 13) {
+            const bool begun = seen.back() == 1 && (seen.size() < 2 || seen[seen.size() - 2] == 0);
+            seen.push_back(begun || (seen.back() == 0 && draw(random) < 0.3) ? 1 : 0);
+        }
+        return seen;
+    });
+    ASSERT_TRUE(lasting);
+    EXPECT_NEAR(lasting->confidence, 0.95, 1e-12);
+    EXPECT_EQ(states.text(lasting->found.state), "near 1 of 1") << "what is next after it depends on the one before";
+
+    ChainResult result;
+    result.questions = 1;
+    result.order = lasting;
+    EXPECT_TRUE(result.fails());
+    EXPECT_THAT(order_text(states, result), HasSubstr("REFUTED with confidence 95 %"));
+    EXPECT_THAT(chain_summary(result), HasSubstr("what follows a state depends on the one before it"));
+    ChainAnswer& answer = result.answers.emplace_back();
+    answer.of_no_chain = true;
+    EXPECT_EQ(answer_word(answer), "REFUTED");
+    EXPECT_THAT(answers_text(result), HasSubstr("its order is refuted"));
 }
 
 /// A trial that did what is excluded (RC-M18) is found, with its place.

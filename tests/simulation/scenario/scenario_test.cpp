@@ -249,6 +249,34 @@ TEST(Start, SquaresGrowWithTheRobots) {
               "3:20 RC-M02 the area of a robot takes an area (cm2, m2)\n");
 }
 
+/// A chain of links shorter than a robot is wide cannot be; corners of one obstacle are reported once.
+TEST(Start, SaysWhatCannotBe) {
+    const std::string linked = replaced(good, "place random in (40 cm, 40 cm) to (-40 cm, -40 cm)",
+                                        "place linked around (0 cm, 0 cm) within 5 cm");
+    Read close(linked);
+    EXPECT_FALSE(start(close.scenario, 0, close.diagnostics));
+    EXPECT_THAT(close.findings(), HasSubstr("10:3 RC-M03 robots that are linked are at least a diameter apart, 7 cm"));
+    const std::string outside = replaced(replaced(good, " open", ""), "light lamp",
+                                         "obstacle (200 cm, 0 cm), (210 cm, 0 cm), (200 cm, 9 cm) light lamp");
+    EXPECT_EQ(Read(outside).findings(), "7:11 RC-M03 the obstacle lies outside the arena\n");
+}
+
+/// Twelve robots: all of them can fail, thirteen cannot. Where their number varies, each point takes what it has.
+TEST(Scenario, NoMoreRobotsFailThanThereAre) {
+    const auto findings = [](const std::string& items) {
+        std::string text = replaced(good, "	pictures at 0 s, 1 s\n", "	" + items + "\n");
+        for (std::size_t at = text.find("\taccept"); at != std::string::npos; at = text.find("\taccept"))
+            text.erase(at, text.find('\n', at) - at);
+        return Read(text).findings();
+    };
+    EXPECT_EQ(findings("failure of all at 1 s in 12 robots"), "");
+    EXPECT_THAT(findings("failure of all at 1 s in 13 robots"), HasSubstr("RC-M03 13 robots fail of 12"));
+    EXPECT_EQ(findings("failure of all at 1 s in 2 robots vary failures in 0 to 12"), "");
+    EXPECT_THAT(findings("failure of all at 1 s in 2 robots vary failures in 0 to 13"),
+                HasSubstr("RC-M03 13 robots fail of 12"));
+    EXPECT_EQ(findings("failure of all at 1 s in 13 robots vary robots in 1 to 20"), "");
+}
+
 TEST(Start, TrialsDifferAndRepeat) {
     Read read(good);
     const auto first = start(read.scenario, 0, read.diagnostics);

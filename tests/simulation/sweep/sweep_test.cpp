@@ -64,14 +64,14 @@ TEST(Vary, ReadsValues) {
 
 TEST(Vary, Failures) {
     const std::string failing =
-        "failure of motors at 1 s in 2 robots failure of all with mean time 9 s vary failures in 0 to 3 "
+        "failure of motors at 1 s in 2 robots failure of all with mean time 9 s vary failures in 0 to 2 "
         "vary mean time in 5 s, 60 s";
     std::string text = with(failing);
     text.erase(text.find("\tvary const"), text.rfind('}') - text.find("\tvary const"));
     const ReadScenario read(text);
     EXPECT_EQ(read.findings, "");
-    const Scenario at = scenario_at(read.scenario, {3, 60});
-    EXPECT_EQ(at.failures.at(0).robots, 3U);
+    const Scenario at = scenario_at(read.scenario, {2, 60});
+    EXPECT_EQ(at.failures.at(0).robots, 2U);
     EXPECT_EQ(at.failures[0].mean_time, 0);
     EXPECT_EQ(at.failures.at(1).mean_time, 60);
     EXPECT_EQ(point_text(read.scenario, {0, 5}), "failures 0, mean time 5");

@@ -116,6 +116,25 @@ TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
             EXPECT_EQ(a.trials[0].frames[f].poses[robot].at, b.trials[0].frames[f].poses[robot].at);
 }
 
+/// Wheels, axle and noise are those of the first kind where nothing else is said; a fifth of the speed is a fifth of
+/// the way.
+TEST(Kinds, DriveByWheelsOfTheirOwn) {
+    const auto at_end = [](const std::string& own) {
+        std::string text = replaced(mixed, "place at (0 cm, 100 cm)", own + " place at (0 cm, 100 cm)");
+        text.erase(text.find("\tmeasure all"));
+        Experiment experiment(runner, text + "}\n", "model.rct", {backer});
+        return experiment.run().trials.at(0).frames.back().poses;
+    };
+    const auto slow = at_end("wheel 2 cm/s");
+    EXPECT_NEAR(slow[2].at.x, -0.6, 1e-9);
+    EXPECT_NEAR(slow[0].at.x, 15, 1e-9) << "of the others nothing changes";
+    EXPECT_GT(std::abs(at_end("noise 20 % axle 2.5 cm")[2].at.x + 3), 1e-6);
+    Experiment other(runner, replaced(mixed, "place at (0 cm, 100 cm)", "radius 4 cm place at (0 cm, 100 cm)"),
+                     "model.rct", {backer});
+    EXPECT_THAT(other.codes(), HasSubstr("RC-M03"));
+    EXPECT_THAT(other.messages(), HasSubstr("robots of all kinds have the radius of the first"));
+}
+
 TEST(Kinds, FailuresAreOfOneKind) {
     const std::string failing = replaced(replaced(mixed, "drive motors by stop on halt",
                                                   "drive motors by stop on halt failure of all at 0 s in 1 robots"),

@@ -349,5 +349,47 @@ TEST(Controller, StatesLieSideBySideAndAligned) {
     EXPECT_GE(address(1) - address(0), controller->drive().state_size);
 }
 
+/// The square of the square ... of ten leaves what a number can be after nine squares; the difference of two such is
+/// none at all. The world cannot calculate with either, so the trial stops, with the element of the model.
+TEST(Trial, CommandsThatAreNoFiniteNumbersStopIt) {
+    constexpr const char* squares = R"(
+interface Speeds { var linear : real = 0 var angular : real = 0 turn(by : real) }
+stm Grows {
+	requires Speeds
+	var x : real = 10
+	initial i
+	state Growing { entry ENTRY }
+	transition t0 { from i to Growing }
+	transition t1 { from Growing to Growing action x = x * x; wait(1) }
+}
+)";
+    constexpr const char* plane = R"(
+scenario World for Grows {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 2 s trials 1
+	arena 400 cm by 400 cm
+	robots 1 { place at (0 cm, 0 cm) heading 0 deg }
+	actuator motors is differential_drive
+	DRIVE
+	measure out is spread
+	accept each out <= 1 cm
+}
+)";
+    const auto stopped = [&](const std::string& entry, const std::string& drive) {
+        Experiment experiment(replaced(squares, "ENTRY", entry), replaced(plane, "DRIVE", drive));
+        EXPECT_EQ(experiment.codes(), "");
+        const RunResult result = experiment.run();
+        EXPECT_TRUE(result.stopped());
+        EXPECT_FALSE(result.holds());
+        EXPECT_THAT(experiment.codes(), HasSubstr("RC-M12"));
+        EXPECT_THAT(experiment.messages(), HasSubstr("a number that is not finite"));
+        return result.trials.empty() || !result.trials[0].stop ? -1 : result.trials[0].stop->time;
+    };
+    const std::string speeds = "drive motors by speeds(linear in cm/s, angular in rad/s)";
+    // 10^512 is none: squared nine times, in the cycles of 0.0 s to 0.8 s or from 0.1 s to 0.9 s.
+    EXPECT_NEAR(stopped("linear = x", speeds), 0.85, 0.06);
+    EXPECT_NEAR(stopped("linear = x - x", speeds), 0.85, 0.06) << "0 at first";
+    EXPECT_NEAR(stopped("turn(x - x)", "drive motors by turn(12 cm/s, rad) on turn"), 0.85, 0.06);
+}
+
 }  // namespace
 }  // namespace robochart::simulation

@@ -34,6 +34,44 @@ TEST(Robust, ByHand) {
     EXPECT_EQ(greatest[3][1], 1);
 }
 
+/// The model of PRISM's manual (The PRISM Language, Uncertain Models): from x=0, [0.8,0.9] to itself and [0.1,0.2] to
+/// x=1. Pmin and Pmax of F<=3 x=1 are 1 - 0.9^3 and 1 - 0.8^3, Rmin and Rmax of the steps to x=1 are 1 / 0.2 and 1 /
+/// 0.1.
+TEST(Robust, TheModelOfPrismsManual) {
+    const UncertainChain chain{{{{0, 0.8, 0.9}, {1, 0.1, 0.2}}, {}, 2}, {{{1, 1, 1}}, {}, 2}};
+    const StateSet goal{false, true};
+    EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::minimum)[3][0], 0.271, 1e-12);
+    EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::maximum)[3][0], 0.488, 1e-12);
+    EXPECT_NEAR(cost_bounds(chain, goal, {1, 0}, Direction::minimum)[0], 5, 1e-6);
+    const double longest = cost_bounds(chain, goal, {1, 0}, Direction::maximum)[0];
+    EXPECT_GE(longest, 10) << "a bound";
+    EXPECT_NEAR(longest, 10, 1e-4);
+}
+
+/// In interval Markov chains nature chooses anew whenever a state is visited (as PRISM's robust verification of them,
+/// which is that of interval MDPs): with two steps left the quick way is better, half of which is lost, with three the
+/// sure one. Every single chain reaches the goal within three steps with 0.375 + 0.125 l at most, where it takes the
+/// sure way with a chance of l: 0.5; nature with 0.5 (0.5 0.5) + 0.5.
+TEST(Robust, NatureChoosesAnewInEachStep) {
+    constexpr State quick = 1, sure = 2, surer = 3, there = 4, lost = 5;
+    const UncertainChain chain{
+        {{{0, 0.5, 0.5}, {quick, 0, 0.5}, {sure, 0, 0.5}}, {}, 2},
+        {{{there, 0.5, 0.5}, {lost, 0.5, 0.5}}, {}, 2},
+        {{{surer, 1, 1}}, {}, 2},
+        {{{there, 1, 1}}, {}, 2},
+        {{{there, 1, 1}}, {}, 2},
+        {{{lost, 1, 1}}, {}, 2},
+    };
+    const StateSet goal{false, false, false, false, true, false};
+    const auto most = reach_bounds(chain, goal, 4, Direction::maximum);
+    EXPECT_NEAR(most[1][0], 0, 1e-12);
+    EXPECT_NEAR(most[2][0], 0.25, 1e-12);
+    EXPECT_NEAR(most[3][0], 0.625, 1e-12);
+    EXPECT_NEAR(most[4][0], 0.8125, 1e-12);
+    // The least: with three steps left the quick way, with two the sure one.
+    EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::minimum)[3][0], 0.5 * 0 + 0.5 * 0.5, 1e-12);
+}
+
 /// Three successors with values 1, 0.5 and 0 after one step each; the bounds do not bind where mass is short.
 TEST(Robust, MassGoesWhereItCounts) {
     const UncertainChain chain{

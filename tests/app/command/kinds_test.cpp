@@ -1,0 +1,306 @@
+// Scenarios with several kinds of robots and an environment, as a user runs them: findings, constants, logs, monitors,
+// sweeps, tuning, the page.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "diagnostics/files.hpp"
+#include "tests/app/command.hpp"
+#include "tests/app/command/page.hpp"
+#include "tests/contents.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using tests::contents;
+
+constexpr const char* sheep = R"(package herd
+interface Legs { run() }
+interface Ears { event shout }
+robotic platform Body { provides Legs uses Ears }
+stm Runner {
+	requires Legs
+	uses Ears
+	initial i
+	state Waiting { }
+	state Running { entry run() }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Running trigger shout }
+}
+controller Brain { requires Legs uses Ears sref runner = Runner connection Brain on shout to runner on shout }
+module Sheep { rref body = Body cref brain = Brain connection body on shout to brain on shout (_async) }
+)";
+
+/// Drives back for so many time units; what it never uses is worth a warning.
+constexpr const char* leader = R"(package lead
+interface Wheels { const pace : nat back() halt() }
+robotic platform Body { provides Wheels }
+stm Backer {
+	requires Wheels
+	clock T
+	var unused : nat
+	initial i
+	state Backing { entry back() }
+	state Standing { entry halt() }
+	transition t0 { from i to Backing action # T }
+	transition t1 { from Backing to Standing condition since(T) >= pace }
+}
+stm Idle { initial i state Here { } transition t0 { from i to Here } }
+controller Brain { requires Wheels sref b = Backer sref idle = Idle }
+module Leader { rref body = Body cref brain = Brain }
+)";
+
+/// Calls after so many time units.
+constexpr const char* sun = R"(package sky
+interface Calls { const delay : nat call() }
+robotic platform Sky { provides Calls }
+stm Waits {
+	requires Calls
+	initial i
+	state Dark { entry wait(delay) }
+	state Bright { entry call() }
+	transition t0 { from i to Dark }
+	transition t1 { from Dark to Bright }
+}
+controller Brain { requires Calls sref waits = Waits }
+module Sun { rref sky = Sky cref brain = Brain }
+)";
+
+/// Leaders start 10 cm from the goal, and drive back 1 cm in each time unit.
+constexpr const char* world = R"(scenario Herd for herd::Sheep {
+	model "sheep"
+	step 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 1 seed 1
+	arena 400 cm by 400 cm
+	light goal at (-10 cm, 100 cm)
+	robots 2 sheep { radius 3 cm axle 5 cm wheel 10 cm/s
+		place at (0 cm, 0 cm) heading 0 deg
+		place at (0 cm, 50 cm) heading 0 deg }
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on run
+	robots 1 leaders for lead::Leader {
+		model "leader"
+		const pace = 3
+		place at (0 cm, 100 cm) heading 0 deg
+		drive motors by forward(-10 cm/s) on back
+		drive motors by stop on halt
+	}
+	robots 1 slow for lead::Leader {
+		model "leader"
+		const pace = 5
+		place at (0 cm, 150 cm) heading 0 deg
+		drive motors by forward(-10 cm/s) on back
+		drive motors by stop on halt
+	}
+	environment sky::Sun {
+		model "sky"
+		const delay = 5
+		stimulus shout on call
+	}
+	measure way is distance(goal) of leaders
+	measure running is in_state(Running)
+	record 0.5 s
+	CLAIMS
+}
+)";
+
+const char* const bands = "accept each way in 5.5 cm to 8 cm accept each running >= 50 %";
+const char* const claim = "accept probability way <= 0.5 cm at end >= 90 % with confidence 90 %";
+
+class Herd {
+public:
+    explicit Herd(const std::string& asked)
+        : folder_(
+              {{"herd/sheep/sheep.rct", sheep},
+               {"herd/sheep/sheep.assertions", "assertion S1 : herd::Runner::Running is reachable in herd::Sheep\n"},
+               {"herd/leader/leader.rct", leader},
+               {"herd/leader/leader.assertions",
+                "assertion L1 : lead::Backer::Standing is reachable in lead::Leader\n"},
+               {"herd/sky/sky.rct", sun},
+               {"herd/sky/sky.assertions", "assertion E1 : sky::Waits::Bright is reachable in sky::Sun\n"},
+               {"herd/herd.scenario", asking(asked)}}) {}
+    [[nodiscard]] std::string operator/(const std::string& name) const { return folder_ / name; }
+    [[nodiscard]] Ran simulated(const std::vector<std::string>& more) const {
+        std::vector<std::string> words{"simulate", folder_ / "herd/herd.scenario", "--no-pictures"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+
+private:
+    static std::string asking(const std::string& asked) {
+        std::string text = world;
+        text.replace(text.find("CLAIMS"), 6, asked);
+        return text;
+    }
+    Folder folder_;
+};
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+}
+
+/// Two kinds of one model do not say it twice; denied warnings of any model end the run.
+TEST(KindsOfRobots, WarningsOfEachModelAreShownOnce) {
+    const Herd herd(bands);
+    const Ran ran = herd.simulated({});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_EQ(count(ran.err, "variable `unused` is never used"), 1U) << ran.err;
+    const Ran denied = herd.simulated({"--deny-warnings"});
+    EXPECT_EQ(denied.exit, 2);
+    EXPECT_THAT(denied.err, HasSubstr("variable `unused` is never used"));
+    EXPECT_THAT(denied.err, HasSubstr("warnings are denied"));
+}
+
+/// Each log has the constants that its controller was made with, and is compared with the model that has them, unless
+/// the command line says others.
+TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
+    const Herd herd(bands);
+    const Ran ran = herd.simulated({"--log", herd / "logs", "--monitor"});
+    ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("2 robots watched"));
+    EXPECT_THAT(ran.out, HasSubstr("the environment is not watched"));
+    const auto log = [&](const std::string& robot) { return herd / ("logs/trial-01/robot-0" + robot + ".trace"); };
+    EXPECT_THAT(contents(log("0")), Not(HasSubstr("const ")));
+    EXPECT_THAT(contents(log("2")), HasSubstr("\nconst pace=3\ncomponent lead::Leader\n"));
+    EXPECT_THAT(contents(log("3")), HasSubstr("\nconst pace=5\ncomponent lead::Leader\n"));
+    const std::vector<std::string> compare{"conform", herd / "herd/leader", "--traces", log("2"), "--traces", log("3")};
+    const Ran both = run(compare);
+    EXPECT_EQ(both.exit, 0) << both.out << both.err;
+    EXPECT_THAT(both.out, HasSubstr("2 runs in 2 logs, 60 cycles: 2 accepted"));
+    auto with = compare;
+    with.insert(with.end(), {"--const", "pace=3"});
+    const Ran one = run(with);
+    EXPECT_EQ(one.exit, 1) << one.out << one.err;
+    EXPECT_THAT(one.out, HasSubstr("1 accepted, 1 rejected"));
+
+    const auto changed = [&](const std::string& line) {
+        std::string text = contents(log("2"));
+        text.replace(text.find("const pace=3"), 12, line);
+        EXPECT_EQ(diagnostics::replace_file(herd / "changed.trace", text), "");
+        const Ran refused = run({"conform", herd / "herd/leader", "--traces", herd / "changed.trace"});
+        EXPECT_EQ(refused.exit, 2) << refused.out;
+        return refused.err;
+    };
+    EXPECT_THAT(changed("const paces=3"), HasSubstr("error[RC-L04]: the log is of a model with paces=3"));
+    EXPECT_THAT(changed("const pace 3"), HasSubstr("error[RC-L01]: expected `const NAME=VALUE`"));
+    EXPECT_THAT(changed("const pace="), HasSubstr("error[RC-L01]"));
+    EXPECT_THAT(changed("const pace=-1"), HasSubstr("error[RC-L04]"));
+}
+
+/// After ten time units at the goal, 3 cm on the way after three.
+TEST(KindsOfRobots, TheirConstantsHaveTheKindsNameInFront) {
+    const Herd herd(bands);
+    const auto with = [&](const std::string& constant) { return herd.simulated({"--const", constant}); };
+    EXPECT_EQ(with("leaders.pace=4").exit, 0) << "6 cm are left";
+    EXPECT_EQ(with("leaders.pace=10").exit, 1);
+    EXPECT_EQ(with("slow.pace=10").exit, 0);
+    EXPECT_EQ(with("environment.delay=40").exit, 1) << "nobody runs by then";
+    const auto refused = [&](const std::string& constant, int exit) {
+        const Ran ran = with(constant);
+        EXPECT_EQ(ran.exit, exit) << ran.err;
+        return ran.err;
+    };
+    EXPECT_THAT(refused("leader.pace=4", 4), HasSubstr("no kind of robots called leader in the scenario, did you mean "
+                                                       "leaders?"));
+    EXPECT_THAT(refused("leaders.paces=4", 4), HasSubstr("error[RC-S10]: --const paces"));
+    EXPECT_THAT(refused("pace=4", 4), HasSubstr("error[RC-S10]: --const pace")) << "that of the first kind";
+}
+
+TEST(KindsOfRobots, ASweepVariesThem) {
+    const Herd herd(std::string(claim) + " vary const leaders.pace in 3, 10");
+    const Ran ran = herd.simulated({"--format", "json", "--no-cache"});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    ASSERT_EQ(json.at("points").size(), 2U);
+    EXPECT_EQ(json.at("points")[0].at("claims")[0].at("answer"), "refuted");
+    EXPECT_EQ(json.at("points")[1].at("claims")[0].at("answer"), "proved");
+    const Ran wrong = Herd(std::string(claim) + " vary const leader.pace in 3, 10").simulated({});
+    EXPECT_EQ(wrong.exit, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("error[RC-M06]: there is no kind of robots 'leader'"));
+    const Ran unknown = Herd(std::string(claim) + " vary const leaders.paces in 3, 10").simulated({});
+    EXPECT_EQ(unknown.exit, 2) << "it is the scenario that is wrong, not the command line";
+    EXPECT_THAT(unknown.err, HasSubstr("error[RC-M06]: there is no constant of the model 'leaders.paces'"));
+    EXPECT_THAT(unknown.err, HasSubstr("herd.scenario:"));
+}
+
+/// A certificate has the files, constants and verdicts of all models, and another leader is another certificate.
+TEST(KindsOfRobots, TuningCertifiesAllModels) {
+    const Herd herd(claim);
+    const std::string scenario = herd / "herd/herd.scenario";
+    const Ran ran = run({"tune", scenario, "--const", "leaders.pace=2,10", "--budget", "40", "--out", herd / "out",
+                         "--format", "json"});
+    ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const auto certificate = nlohmann::json::parse(ran.out).at("certificate");
+    const auto every = [&](const char* list, const char* field) {
+        std::vector<std::string> values;
+        for (const auto& each : certificate.at(list)) values.push_back(each.at(field));
+        return values;
+    };
+    EXPECT_THAT(every("constants", "name"), ::testing::ElementsAre("leaders.pace", "slow.pace", "environment.delay"));
+    EXPECT_THAT(every("constants", "value"), ::testing::ElementsAre("10", "5", "5"));
+    EXPECT_THAT(every("model", "file"),
+                ::testing::ElementsAre("sheep.assertions", "sheep.rct", "leaders: leader.assertions",
+                                       "leaders: leader.rct", "slow: leader.assertions", "slow: leader.rct",
+                                       "environment: sky.assertions", "environment: sky.rct"));
+    EXPECT_THAT(every("conformance", "subject"), ::testing::ElementsAre("herd::Sheep", "leaders: lead::Leader",
+                                                                        "slow: lead::Leader", "environment: sky::Sun"));
+    EXPECT_THAT(every("conformance", "answer"), ::testing::Each("conforms"));
+    EXPECT_THAT(every("assertions", "subject"),
+                ::testing::Contains(HasSubstr("leaders: L1 [timed] lead::Backer::Standing is reachable")));
+    const std::vector<std::string> verify{"tune", scenario, "--verify-certificate",
+                                          herd / "out/tuning/Herd/certificate.json"};
+    const Ran again = run(verify);
+    EXPECT_EQ(again.exit, 0) << again.out << again.err;
+    EXPECT_THAT(again.out, HasSubstr("the certificate says what is decided here"));
+    EXPECT_EQ(diagnostics::replace_file(herd / "herd/sky/sky.rct", std::string(sun) + "// another\n"), "");
+    const Ran other = run(verify);
+    EXPECT_EQ(other.exit, 1) << other.err;
+    EXPECT_THAT(other.out, HasSubstr("model: environment: sky.rct is not the one that is certified"));
+    EXPECT_THAT(run({"tune", scenario, "--const", "leaders.pace=2,10", "--const", "sheep.pace=2"}).err,
+                HasSubstr("RC-S10"));
+}
+
+/// A robot's diagrams are those of its kind, in which its state is marked; the others are hidden.
+TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
+    const Herd herd(bands);
+    const Ran ran = herd.simulated({"--html", herd / "page.html"});
+    ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const std::string page = contents(herd / "page.html");
+    const auto data =
+        nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"data\">", "</script>").at(0));
+    EXPECT_EQ(data.at("kinds"), nlohmann::json::parse("[0, 2, 3]"));
+    EXPECT_EQ(data.at("machines"), 2) << "the leaders have one more";
+    EXPECT_THAT(page, HasSubstr("<figcaption>sheep: herd::Runner</figcaption>"));
+    EXPECT_THAT(page, HasSubstr("<figcaption>leaders: lead::Idle</figcaption>"));
+    EXPECT_THAT(page, HasSubstr("<figcaption>slow: lead::Backer</figcaption>"));
+    // Of each state of the first machine, kind after kind, an element of its own model's diagram.
+    const auto& states = data.at("states")[0];
+    EXPECT_EQ(states.at("names"), nlohmann::json::parse(R"(["sheep::Waiting", "sheep::Running", "leaders::Backing",
+        "leaders::Standing", "slow::Backing", "slow::Standing"])"));
+    ASSERT_EQ(states.at("elements").size(), 6U);
+    const std::string figure = between(page, "<figure data-machine=\"0\" data-kind=\"1\"", "</figure>").at(0);
+    const std::string standing = all(figure, "data-element=\"(e[0-9]+)\"><title>state Standing</title>").at(0);
+    EXPECT_EQ(states.at("elements")[3], nlohmann::json::array({standing}));
+    EXPECT_EQ(states.at("elements")[5], nlohmann::json::array({standing})) << "one model, one diagram";
+
+    if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not on PATH";
+    const Ran seen = run_shell(
+        "timeout 200 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
+        "--user-data-dir=profile --dump-dom \"file://" +
+        (herd / "page.html") + "#trial/1/frame/6/robot/2\"");
+    EXPECT_THAT(seen.err, Not(HasSubstr("CONSOLE")));
+    EXPECT_THAT(seen.out, HasSubstr("robot 2 in leaders::Standing, leaders::Here"));
+    EXPECT_THAT(between(seen.out, "<figure data-machine=\"0\" data-kind=\"0\"", ">").at(0), HasSubstr("hidden"));
+    const auto shown = between(seen.out, "<figure data-machine=\"0\" data-kind=\"1\"", "</figure>").at(0);
+    EXPECT_THAT(shown.substr(0, shown.find('>')), Not(HasSubstr("hidden")));
+    EXPECT_THAT(all(shown, "class=\"node on\"[^>]*><title>state ([A-Za-z]+)</title>"),
+                ::testing::ElementsAre("Standing"));
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
