@@ -18,11 +18,8 @@ namespace {
 
 constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// Files of searches are those of one program, and a search by ranks has one thread at each.
+/// Files of searches are those of one program.
 void refuse_what_ranks_have_not(const Options& options) {
-    const bool of_trials = options.verb == Verb::simulate || options.verb == Verb::tune || options.verb == Verb::prism;
-    if (options.threads > 1 && !of_trials)
-        throw UsageError("a rank searches with one thread: leave out --threads, and start one rank a core");
     for (const std::string& folder : {options.checkpoint, options.resume, options.disk})
         if (!folder.empty())
             throw UsageError(

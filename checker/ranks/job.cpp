@@ -14,7 +14,7 @@ using refine::NormalTable;
 
 namespace {
 
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 
 void write(const NormalTable& table, ByteWriter& out) {
     out.number(table.nodes.size());
@@ -60,7 +60,7 @@ std::shared_ptr<const NormalTable> read_table(ByteReader& in) {
 }  // namespace
 
 std::optional<std::string> encode(const lts::TransitionSystem& system, const LevelQuestion& question,
-                                  const refine::Limits& limits) {
+                                  const refine::Limits& limits, unsigned threads) {
     ByteWriter out;
     out.number(version);
     if (!machine::write(system, out)) return std::nullopt;
@@ -71,6 +71,7 @@ std::optional<std::string> encode(const lts::TransitionSystem& system, const Lev
     if (question.kind == LevelQuestion::Kind::refinement) write(*question.specification, out);
     out.number(limits.max_states);
     out.number(limits.memory_bytes);
+    out.number(threads);
     return out.bytes();
 }
 
@@ -86,6 +87,8 @@ Job decode(std::string_view bytes, process::TermStore& terms) {
     if (job.question.kind == LevelQuestion::Kind::refinement) job.question.specification = read_table(in);
     job.max_states = in.number();
     job.memory_bytes = in.number();
+    job.threads = in.word();
+    if (job.threads == 0) throw BadBytes("a program has no threads");
     in.finish();
     return job;
 }

@@ -167,8 +167,9 @@ void LevelSearch::expand_level(Level level) {
 
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
-    // What waits takes little beside what is kept.
-    const std::uint64_t most_waiting = std::max<std::uint64_t>(std::uint64_t{1} << 13U, store_.bytes() / 32);
+    // What waits takes little beside what is kept, and that of all threads of a program together fits a message.
+    const std::uint64_t most_waiting =
+        std::clamp(store_.bytes() / 32, std::uint64_t{1} << 13U, std::uint64_t{1} << 26U);
     for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
         block_.clear();
         const std::size_t count = store_.read(level, next, rows_a_block, block_);
@@ -292,7 +293,8 @@ void LevelSearch::close_level() {
 
 std::uint64_t LevelSearch::bytes() const {
     const lts::StateStore& marks = store_.record().marks;
-    return store_.bytes() + batches_.bytes() + sent_.bytes() + marks.size() * marks.width() * sizeof(lts::Word);
+    return store_.bytes() + batches_.bytes() + exchange_.bytes() + sent_.bytes() +
+           marks.size() * marks.width() * sizeof(lts::Word);
 }
 
 LevelFigures LevelSearch::figures_until(std::size_t levels) const {

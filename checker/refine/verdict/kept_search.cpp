@@ -291,7 +291,7 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
             if (exchange.rank() == 0) where.poll = [&budget] { budget.charge(256); };
             if (!settings_.disk) return std::make_unique<SavedRowStore>(std::move(where));
             DiskRowStore::Bounds own = bounds;
-            own.most_bytes /= exchange.ranks();
+            own.most_bytes /= exchange.ranks_here();
             return std::make_unique<DiskRowStore>(std::move(where), own);
         };
     }

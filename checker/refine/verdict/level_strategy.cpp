@@ -1,6 +1,9 @@
 #include "checker/refine/verdict/level_strategy.hpp"
 
+#include <stdexcept>
+
 #include "checker/refine/levels/memory_row_store.hpp"
+#include "checker/refine/levels/shared_work.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
 #include "checker/refine/verdict/monitors.hpp"
@@ -65,29 +68,41 @@ std::optional<Violation> OneRank::search(lts::TransitionSystem& system, const Le
     return search_as_rank(system, question, *store, exchange, budget, statistics);
 }
 
-/// The first rank is the caller's thread; the others have limits of their own, but for their memory.
-std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, const LevelQuestion& question,
-                                             Budget& budget, Statistics& statistics) {
-    std::vector<std::unique_ptr<lts::TransitionSystem>> systems(ranks_);
-    for (unsigned rank = 1; rank < ranks_; ++rank) {
-        systems[rank] = system.another();
-        if (!systems[rank]) return OneRank(make_store_).search(system, question, budget, statistics);
-    }
+unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
+    return wanted > 1 && system.another() ? wanted : 1;
+}
+
+std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
+                                           const LevelQuestion& question, const MakeRowStore& make_store,
+                                           Budget& budget, Statistics& statistics) {
     Limits quiet = budget.limits();
     quiet.progress = {};
     std::optional<Violation> violation;
-    as_ranks(ranks_, [&](Exchange& exchange) {
-        const bool first = exchange.rank() == 0;
-        lts::TransitionSystem& searched = first ? system : *systems[exchange.rank()];
+    as_ranks(programs, threads, [&](Exchange& exchange) {
+        const bool first = exchange.rank() % threads == 0;
+        std::unique_ptr<lts::TransitionSystem> another;
+        std::unique_ptr<RowStore> store;
+        SharedWork ready(exchange);
+        ready.attempt([&] {
+            if (!first) another = system.another();
+            if (!first && !another) throw std::logic_error("the system serves one thread only");
+            store = make_store(question, first ? system : *another, exchange);
+        });
+        ready.sum({});
         Budget own(quiet);
-        const PollGuard guard({systems[exchange.rank()].get()}, own);
+        const PollGuard guard({another.get()}, own);
         Statistics ignored;
-        const std::unique_ptr<RowStore> store = make_store_(question, searched, exchange);
-        std::optional<Violation> found =
-            search_as_rank(searched, question, *store, exchange, first ? budget : own, first ? statistics : ignored);
+        std::optional<Violation> found = search_as_rank(first ? system : *another, question, *store, exchange,
+                                                        first ? budget : own, first ? statistics : ignored);
         if (first) violation = std::move(found);
     });
     return violation;
+}
+
+std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, const LevelQuestion& question,
+                                             Budget& budget, Statistics& statistics) {
+    LoneExchange alone;
+    return search_by_threads(alone, threads_for(system, ranks_), system, question, make_store_, budget, statistics);
 }
 
 }  // namespace robochart::refine

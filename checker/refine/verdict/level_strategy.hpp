@@ -41,6 +41,16 @@ using MakeRowStore =
 std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
 
+/// How many threads of a program can search the system, of so many wanted: one where it serves one thread only.
+[[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted);
+
+/// One program's part of a search, by so many threads as ranks, of which the first is the caller's (as_ranks);
+/// collective of `programs`. Each thread has a store of its own. The budget and the statistics are the first thread's;
+/// the others have the same limits, without progress.
+std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
+                                           const LevelQuestion& question, const MakeRowStore& make_store,
+                                           Budget& budget, Statistics& statistics);
+
 /// How the searches of a check go by levels.
 class LevelStrategy {
 public:
@@ -76,7 +86,7 @@ private:
     MakeRowStore make_store_;
 };
 
-/// Threads of this program as ranks. A system that serves one thread only is searched by one.
+/// Threads of this program as ranks.
 class ThreadRanks final : public LevelStrategy {
 public:
     explicit ThreadRanks(unsigned ranks, MakeRowStore make_store = memory_row_store)

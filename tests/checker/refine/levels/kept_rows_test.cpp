@@ -448,7 +448,7 @@ TEST(Ranks, EndWhereAThreadCannotBeStarted) {
         setrlimit(RLIMIT_AS, &limit);
         try {
             as_ranks(200, [](Exchange& exchange) { exchange.sum({}); });
-        } catch (const std::system_error&) {
+        } catch (const LimitReached&) {
             _exit(3);
         } catch (...) {
             _exit(4);
