@@ -88,7 +88,7 @@ TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
                 const Verdict ordinary = ask(limits);
                 std::string first;
                 for (const auto& [programs, threads] :
-                     std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {1, 2}, {3, 1}, {2, 2}, {3, 2}, {1, 8}}) {
+                     std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {1, 3}, {3, 1}, {2, 2}, {2, 3}}) {
                     refine::ThreadPrograms strategy(programs, threads);
                     limits.by_levels = &strategy;
                     const Verdict verdict = ask(limits);
