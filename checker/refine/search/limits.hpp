@@ -53,7 +53,7 @@ struct Statistics {
     std::uint64_t chased = 0;    ///< states left out: a step of a transition led to each, and a confluent tau led on
     std::uint64_t replicas = 0;  ///< the most equal components whose exchange gives no further state; 0: none
     std::uint64_t distinguished = 0;  ///< equal components that the question distinguishes, so that it does
-    std::uint64_t ranks = 0;          ///< of a search by levels: programs times the threads of each; 0: it was another one
+    std::uint64_t ranks = 0;          ///< of a search by levels, in all programs; 0: it was another one
 };
 
 }  // namespace robochart::refine
