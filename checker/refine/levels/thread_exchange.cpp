@@ -11,6 +11,7 @@
 #include <mutex>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -268,7 +269,9 @@ public:
         try {
             for (std::size_t thread = 1; thread < threads; ++thread) others_.emplace_back(&Team::be, this, thread);
         } catch (const std::system_error& error) {
-            throw diagnostics::LimitReached(fmt::format("{} threads cannot be started: {}", threads, error.what()));
+            const std::string who = programs_.ranks() > 1 ? fmt::format("program {}: ", programs_.rank()) : "";
+            throw diagnostics::LimitReached(
+                fmt::format("{}{} threads cannot be started: {}", who, threads, error.what()));
         }
     }
     /// The caller's part, then the end of all.

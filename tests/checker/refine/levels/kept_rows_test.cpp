@@ -9,11 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <random>
-#include <system_error>
+#include <string>
 
 #include "checker/lts/graph.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
@@ -437,19 +438,18 @@ std::uint64_t virtual_pages() {
     return pages;
 }
 
-// No memory is left for the stacks of some of them.
-TEST(Ranks, EndWhereAThreadCannotBeStarted) {
+/// How a program ends that has no memory for the stacks of many threads: 3 where it hears of a limit, with these words.
+int end_without_stacks(const std::string& words, const std::function<void()>& work) {
     const pid_t child = fork();
-    ASSERT_GE(child, 0);
     if (child == 0) {
         rlimit limit{};
         getrlimit(RLIMIT_AS, &limit);
         limit.rlim_cur = virtual_pages() * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + (64U << 20U);
         setrlimit(RLIMIT_AS, &limit);
         try {
-            as_ranks(200, [](Exchange& exchange) { exchange.sum({}); });
-        } catch (const LimitReached&) {
-            _exit(3);
+            work();
+        } catch (const LimitReached& limit) {
+            _exit(std::string(limit.what()).find(words) == 0 ? 3 : 5);
         } catch (...) {
             _exit(4);
         }
@@ -457,8 +457,28 @@ TEST(Ranks, EndWhereAThreadCannotBeStarted) {
     }
     int status = 0;
     waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 3);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Ranks, EndWhereAThreadCannotBeStarted) {
+    const auto work = [](Exchange& exchange) { exchange.sum({}); };
+    EXPECT_EQ(end_without_stacks("200 threads cannot be started", [&] { as_ranks(200, work); }), 3);
+}
+
+// The other program hears of it, and both leave together.
+TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
+    const auto work = [](Exchange& exchange) { exchange.sum({}); };
+    const auto as_two_programs = [&] {
+        as_ranks(2, [&](Exchange& programs) {
+            try {
+                as_ranks(programs, 200, work);
+            } catch (const LimitReached&) {
+                if (!programs.left_together()) _exit(6);
+                throw;
+            }
+        });
+    };
+    EXPECT_EQ(end_without_stacks("program ", as_two_programs), 3);
 }
 
 TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
