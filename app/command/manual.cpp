@@ -139,12 +139,16 @@ Rank 0 reads, compiles and prints. Verdicts, counterexamples and exit status do 
 is that of each rank,
 .B \-\-max\-states
 those of all together.
+All ranks must see the folder of
 .BR \-\-checkpoint ,
-.BR \-\-resume ,
-.B \-\-disk
-and more than one of
+.B \-\-resume
+or
+.BR \-\-disk ;
+another number of ranks may go on from it, or
+.B robochart\-verify
+of the same build. More than one of
 .B \-\-threads
-are refused. Where a rank fails, all end, with the exit status of its error. Where
+is refused. Where a rank fails, all end, with the exit status of its error. Where
 .B mpirun
 itself gets a signal, the results so far are printed, and its exit status is its own.
 )";

@@ -9,6 +9,7 @@
 
 #include "app/command/command_line.hpp"
 #include "app/command/run.hpp"
+#include "app/mpi/command_identity.hpp"
 #include "app/mpi/mpi_exchange.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/ranks/served_ranks.hpp"
@@ -18,15 +19,11 @@ namespace {
 
 constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// Files of searches are those of one program, and a search by ranks has one thread at each.
+/// A search by ranks has one thread at each.
 void refuse_what_ranks_have_not(const Options& options) {
     const bool of_trials = options.verb == Verb::simulate || options.verb == Verb::tune || options.verb == Verb::prism;
     if (options.threads > 1 && !of_trials)
         throw UsageError("a rank searches with one thread: leave out --threads, and start one rank a core");
-    for (const std::string& folder : {options.checkpoint, options.resume, options.disk})
-        if (!folder.empty())
-            throw UsageError(
-                "searches by ranks are not kept in files: --checkpoint, --resume and --disk are for robochart-verify");
 }
 
 /// The command as ever, with a strategy for its searches.
@@ -36,6 +33,7 @@ int command(int argc, char** argv, refine::Exchange& exchange) {
         refuse_what_ranks_have_not(given);
         Options options = given;
         options.by_levels = &served;
+        options.identity = command_identity();
         return run_verb(options);
     });
     if (served.others_wait()) MpiProgram::abort(code);

@@ -15,6 +15,7 @@ public:
     Member(Meeting& meeting, unsigned rank) : meeting_(meeting), rank_(rank) {}
     [[nodiscard]] unsigned rank() const override { return rank_; }
     [[nodiscard]] unsigned ranks() const override { return meeting_.ranks_; }
+    [[nodiscard]] unsigned ranks_here() const override { return meeting_.ranks_; }
 
     void all_to_all(const Messages& out, Messages& in) override {
         count(out);

@@ -1,6 +1,5 @@
 #include "checker/refine/verdict/level_strategy.hpp"
 
-#include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
 #include "checker/refine/verdict/monitors.hpp"
@@ -42,15 +41,23 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
     }
 }
 
-std::unique_ptr<RowStore> memory_row_store(const LevelQuestion& question, const lts::TransitionSystem& system,
-                                           Exchange& /*exchange*/) {
-    return std::make_unique<MemoryRowStore>(question.row_width(system.width()));
-}
-
-std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics) {
+    constexpr std::uint64_t pieces_a_poll = 256;
+    const auto report = [&statistics](const DiskRowStore::Figures& figures) {
+        statistics.settled += figures.settled;
+        statistics.rolled_back += figures.rolled_back;
+    };
+    SharedWork ready(exchange);
+    std::unique_ptr<RowStore> store;
+    ready.attempt([&] {
+        store = make_row_store(
+            question.rows, question.row_width(system.width()), exchange, [&budget] { budget.charge(pieces_a_poll); },
+            report);
+    });
+    ready.sum({});
     const std::unique_ptr<Monitor> monitor = monitor_of(question);
-    LevelSearch search(system, *monitor, store, exchange, budget, question.divergence);
+    LevelSearch search(system, *monitor, *store, exchange, budget, question.divergence);
     const LevelTally tally(search, exchange.ranks(), statistics);
     std::optional<LevelFinding> finding = search.first_violation(question.events_until);
     if (!finding && question.divergence) finding = search.first_divergence();
@@ -61,8 +68,7 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
 std::optional<Violation> OneRank::search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                          Statistics& statistics) {
     LoneExchange exchange;
-    const std::unique_ptr<RowStore> store = make_store_(question, system, exchange);
-    return search_as_rank(system, question, *store, exchange, budget, statistics);
+    return search_as_rank(system, question, exchange, budget, statistics);
 }
 
 /// The first rank is the caller's thread; the others have limits of their own, but for their memory.
@@ -71,7 +77,7 @@ std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, cons
     std::vector<std::unique_ptr<lts::TransitionSystem>> systems(ranks_);
     for (unsigned rank = 1; rank < ranks_; ++rank) {
         systems[rank] = system.another();
-        if (!systems[rank]) return OneRank(make_store_).search(system, question, budget, statistics);
+        if (!systems[rank]) return OneRank().search(system, question, budget, statistics);
     }
     Limits quiet = budget.limits();
     quiet.progress = {};
@@ -82,9 +88,8 @@ std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, cons
         Budget own(quiet);
         const PollGuard guard({systems[exchange.rank()].get()}, own);
         Statistics ignored;
-        const std::unique_ptr<RowStore> store = make_store_(question, searched, exchange);
         std::optional<Violation> found =
-            search_as_rank(searched, question, *store, exchange, first ? budget : own, first ? statistics : ignored);
+            search_as_rank(searched, question, exchange, first ? budget : own, first ? statistics : ignored);
         if (first) violation = std::move(found);
     });
     return violation;
