@@ -142,11 +142,14 @@ Rank 0 reads, compiles and prints. Verdicts, counterexamples and exit status do 
 is that of each program,
 .B \-\-max\-states
 those of all together.
+All ranks must see the folder of
 .BR \-\-checkpoint ,
 .B \-\-resume
-and
-.B \-\-disk
-are refused. Where a rank fails, all end, with the exit status of its error. Where
+or
+.BR \-\-disk ;
+another number of ranks may go on from it, or
+.B robochart\-verify
+of the same build. Where a rank fails, all end, with the exit status of its error. Where
 .B mpirun
 itself gets a signal, the results so far are printed, and its exit status is its own.
 )";

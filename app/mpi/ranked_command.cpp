@@ -11,6 +11,7 @@
 #include "app/command/command_line.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
+#include "app/mpi/command_identity.hpp"
 #include "app/mpi/mpi_exchange.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/ranks/served_ranks.hpp"
@@ -19,14 +20,6 @@ namespace robochart::app {
 namespace {
 
 constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
-
-/// Files of searches are those of one program.
-void refuse_what_ranks_have_not(const Options& options) {
-    for (const std::string& folder : {options.checkpoint, options.resume, options.disk})
-        if (!folder.empty())
-            throw UsageError(
-                "searches by ranks are not kept in files: --checkpoint, --resume and --disk are for robochart-verify");
-}
 
 /// mpirun gives a program one core, unless it is asked for more.
 void warn_of_few_cores(unsigned threads) {
@@ -42,10 +35,10 @@ void warn_of_few_cores(unsigned threads) {
 int command(int argc, char** argv, refine::Exchange& exchange) {
     ranks::ServedRanks served(exchange);
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
-        refuse_what_ranks_have_not(given);
         warn_of_few_cores(given.threads);
         Options options = given;
         options.by_levels = &served;
+        options.identity = command_identity();
         return run_verb(options);
     });
     if (served.others_wait()) MpiProgram::abort(code);

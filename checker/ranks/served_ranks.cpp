@@ -31,7 +31,7 @@ std::optional<refine::Violation> ServedRanks::search(lts::TransitionSystem& syst
     if (others_wait_) throw refine::LimitReached("an error has parted the ranks in an earlier search");
     const unsigned threads = refine::threads_for(system, std::max(1U, budget.limits().threads));
     const std::optional<std::string> job = encode(system, question, budget.limits(), threads);
-    if (!job) return refine::OneRank(make_store_).search(system, question, budget, statistics);
+    if (!job) return refine::OneRank().search(system, question, budget, statistics);
     exchange_.begin_together();
     try {
         return search_together(system, question, *job, threads, budget, statistics);
@@ -47,15 +47,14 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
                                                               refine::Budget& budget, refine::Statistics& statistics) {
     std::string sent = job;
     exchange_.broadcast(sent);
-    refine::SharedWork ready(exchange_);
-    ready.sum({});
-    return refine::search_by_threads(exchange_, threads, system, question, make_store_, budget, statistics);
+    refine::SharedWork(exchange_).sum({});  // all know what they are to do
+    return refine::search_by_threads(exchange_, threads, system, question, budget, statistics);
 }
 
 namespace {
 
 /// One search. Its own budget has no deadline and no interrupt: those are the first program's, of which all hear.
-void take_part(Exchange& exchange, const std::string& bytes, const refine::MakeRowStore& make_store) {
+void take_part(Exchange& exchange, const std::string& bytes) {
     process::EventTable events;
     process::TermStore terms(events);
     Job job;
@@ -68,19 +67,19 @@ void take_part(Exchange& exchange, const std::string& bytes, const refine::MakeR
     refine::Budget budget(limits);
     const refine::PollGuard guard({job.system.get()}, budget);
     refine::Statistics ignored;
-    refine::search_by_threads(exchange, job.threads, *job.system, job.question, make_store, budget, ignored);
+    refine::search_by_threads(exchange, job.threads, *job.system, job.question, budget, ignored);
 }
 
 }  // namespace
 
-void serve(Exchange& exchange, const refine::MakeRowStore& make_store) {
+void serve(Exchange& exchange) {
     for (;;) {
         exchange.begin_together();
         std::string job;
         exchange.broadcast(job);
         if (job.empty()) return;
         try {
-            take_part(exchange, job, make_store);
+            take_part(exchange, job);
         } catch (const refine::RankLost&) {
             throw;
         } catch (const std::exception&) {

@@ -10,8 +10,7 @@ namespace robochart::ranks {
 /// destroyed; unless they wait. In each program so many threads search as Limits::threads says, or one where that is 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
-    explicit ServedRanks(refine::Exchange& exchange, refine::MakeRowStore make_store = refine::memory_row_store)
-        : exchange_(exchange), make_store_(std::move(make_store)) {}
+    explicit ServedRanks(refine::Exchange& exchange) : exchange_(exchange) {}
     ServedRanks(const ServedRanks&) = delete;
     ServedRanks& operator=(const ServedRanks&) = delete;
     ~ServedRanks() override;
@@ -33,13 +32,12 @@ private:
                                                      refine::Statistics& statistics);
 
     refine::Exchange& exchange_;
-    refine::MakeRowStore make_store_;
     bool others_wait_ = false;
     bool ended_ = false;
 };
 
 /// What every other program does: takes its part in each search, until rank 0 has no more. What ends a search is the
 /// first one's to report. Throws what has ended it in this program alone, since the others wait for it.
-void serve(refine::Exchange& exchange, const refine::MakeRowStore& make_store = refine::memory_row_store);
+void serve(refine::Exchange& exchange);
 
 }  // namespace robochart::ranks

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/shared_work.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
@@ -45,15 +44,23 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
     }
 }
 
-std::unique_ptr<RowStore> memory_row_store(const LevelQuestion& question, const lts::TransitionSystem& system,
-                                           Exchange& /*exchange*/) {
-    return std::make_unique<MemoryRowStore>(question.row_width(system.width()));
-}
-
-std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics) {
+    constexpr std::uint64_t pieces_a_poll = 256;
+    const auto report = [&statistics](const DiskRowStore::Figures& figures) {
+        statistics.settled += figures.settled;
+        statistics.rolled_back += figures.rolled_back;
+    };
+    SharedWork ready(exchange);
+    std::unique_ptr<RowStore> store;
+    ready.attempt([&] {
+        store = make_row_store(
+            question.rows, question.row_width(system.width()), exchange, [&budget] { budget.charge(pieces_a_poll); },
+            report);
+    });
+    ready.sum({});
     const std::unique_ptr<Monitor> monitor = monitor_of(question);
-    LevelSearch search(system, *monitor, store, exchange, budget, question.divergence);
+    LevelSearch search(system, *monitor, *store, exchange, budget, question.divergence);
     const LevelTally tally(search, exchange.ranks(), statistics);
     std::optional<LevelFinding> finding = search.first_violation(question.events_until);
     if (!finding && question.divergence) finding = search.first_divergence();
@@ -64,8 +71,7 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
 std::optional<Violation> OneRank::search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                          Statistics& statistics) {
     LoneExchange exchange;
-    const std::unique_ptr<RowStore> store = make_store_(question, system, exchange);
-    return search_as_rank(system, question, *store, exchange, budget, statistics);
+    return search_as_rank(system, question, exchange, budget, statistics);
 }
 
 unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
@@ -73,26 +79,23 @@ unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
 }
 
 std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
-                                           const LevelQuestion& question, const MakeRowStore& make_store,
-                                           Budget& budget, Statistics& statistics) {
+                                           const LevelQuestion& question, Budget& budget, Statistics& statistics) {
     Limits quiet = budget.limits();
     quiet.progress = {};
     std::optional<Violation> violation;
     as_ranks(programs, threads, [&](Exchange& exchange) {
         const bool first = exchange.rank() % threads == 0;
         std::unique_ptr<lts::TransitionSystem> another;
-        std::unique_ptr<RowStore> store;
         SharedWork ready(exchange);
         ready.attempt([&] {
             if (!first) another = system.another();
             if (!first && !another) throw std::logic_error("the system serves one thread only");
-            store = make_store(question, first ? system : *another, exchange);
         });
         ready.sum({});
         Budget own(quiet);
         const PollGuard guard({another.get()}, own);
         Statistics ignored;
-        std::optional<Violation> found = search_as_rank(first ? system : *another, question, *store, exchange,
+        std::optional<Violation> found = search_as_rank(first ? system : *another, question, exchange,
                                                         first ? budget : own, first ? statistics : ignored);
         if (first) violation = std::move(found);
     });
@@ -102,7 +105,7 @@ std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads,
 std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, const LevelQuestion& question,
                                              Budget& budget, Statistics& statistics) {
     LoneExchange alone;
-    return search_by_threads(alone, threads_for(system, ranks_), system, question, make_store_, budget, statistics);
+    return search_by_threads(alone, threads_for(system, ranks_), system, question, budget, statistics);
 }
 
 }  // namespace robochart::refine

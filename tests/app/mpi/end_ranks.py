@@ -21,6 +21,20 @@ FEW = "assert (a.0 -> STOP) ||| (a.1 -> STOP) :[divergence free]\nchannel a : {0
 HOLDS, INTERNAL, INCONCLUSIVE, USAGE = 0, 70, 3, 4
 
 
+def ranks_left(folder: str) -> list[str]:
+    """Programs that still run: those that have the script of this run, which lies in the folder, among their
+    arguments."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        try:
+            words = (entry / "cmdline").read_bytes() if entry.name.isdigit() else b""
+        except OSError:
+            continue
+        if folder.encode() in words and entry.name != str(os.getpid()):
+            found.append(entry.name)
+    return found
+
+
 class Ends:
     def __init__(self, mpiexec: str, program: str, faulty: str, folder: str):
         self.mpiexec, self.program, self.faulty, self.folder = mpiexec, program, faulty, folder
@@ -45,35 +59,22 @@ class Ends:
         right = child.returncode in codes and output.count(words) == 1
         # Ranks that are ended by mpirun may need a moment.
         limit = time.monotonic() + 5
-        while self.left() and time.monotonic() < limit:
+        while ranks_left(self.folder) and time.monotonic() < limit:
             time.sleep(0.05)
-        left = self.left()
+        left = ranks_left(self.folder)
         if not right or left:
             self.wrong += 1
             print(f"{what}: exit {child.returncode}, {sorted(codes)} expected, with `{words}`; left: {left}\n{output}")
         else:
             print(f"{what}: exit {child.returncode}")
 
-    def left(self) -> list[str]:
-        """Ranks that still run: those that have the script of this run among their arguments."""
-        found = []
-        for entry in Path("/proc").iterdir():
-            try:
-                words = (entry / "cmdline").read_bytes() if entry.name.isdigit() else b""
-            except OSError:
-                continue
-            if self.folder.encode() in words and entry.name != str(os.getpid()):
-                found.append(entry.name)
-        return found
 
-
-def limits_and_refusals(ends: Ends, program: str, many: str, few: str, folder: str) -> None:
+def limits_and_refusals(ends: Ends, program: str, many: str, few: str) -> None:
     ends.run("--timeout", [program, "cspm", many, "--no-reduction", "--timeout", "1"], {INCONCLUSIVE},
              "the time limit was reached")
     ends.run("--max-states", [program, "cspm", many, "--no-reduction", "--max-states", "2000"], {INCONCLUSIVE},
              "the limit of 2000 states was reached")
     ends.run("--threads", ["taskset", "-c", "0", program, "cspm", few, "--threads", "2"], {HOLDS}, "2 threads share 1 core")
-    ends.run("--disk", [program, "cspm", few, "--disk", os.path.join(folder, "d")], {USAGE}, "not kept in files")
 
 
 def main() -> int:
@@ -94,7 +95,7 @@ def main() -> int:
             ends.run(f"no memory in program {number}, {threads} threads", [faulty, number, "5", "memory", *asked],
                      {INCONCLUSIVE}, f"{who}there is no more memory")
         if not sample:
-            limits_and_refusals(ends, program, many, few, folder)
+            limits_and_refusals(ends, program, many, few)
         searching = [program, "cspm", many, "--no-reduction", "--progress", "json"]
         # mpirun has an exit code of its own where it was interrupted.
         for name in ("SIGTERM",) if sample else ("SIGINT", "SIGTERM"):

@@ -21,12 +21,12 @@ std::optional<Violation> ThreadPrograms::search(lts::TransitionSystem& system, c
     std::optional<Violation> found;
     as_ranks(programs_, [&](Exchange& exchange) {
         if (exchange.rank() == 0) {
-            found = search_by_threads(exchange, threads, system, question, memory_row_store, budget, statistics);
+            found = search_by_threads(exchange, threads, system, question, budget, statistics);
             return;
         }
         Budget own(quiet);
         Statistics ignored;
-        search_by_threads(exchange, threads, *others[exchange.rank() - 1], question, memory_row_store, own, ignored);
+        search_by_threads(exchange, threads, *others[exchange.rank() - 1], question, own, ignored);
     });
     return found;
 }

@@ -5,7 +5,6 @@
 #include <atomic>
 
 #include "checker/lts/graph.hpp"
-#include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "tests/checker/processes/thread_programs.hpp"
 #include "tests/checker/ranks/faulty_exchange.hpp"
@@ -48,11 +47,10 @@ Ended search(const lts::Graph& graph, const LevelQuestion& question, unsigned fa
             const bool fails = real.rank() == failing;
             FaultyExchange faulty(real, fails ? call : ~std::uint64_t{0}, fault);
             lts::GraphSystem system(graph, events);
-            refine::MemoryRowStore store(1);
             refine::Budget budget(limits);
             refine::Statistics statistics;
             try {
-                auto found = refine::search_as_rank(system, question, store, faulty, budget, statistics);
+                auto found = refine::search_as_rank(system, question, faulty, budget, statistics);
                 ++answers;
                 if (real.rank() == 0) ended.found = std::move(found);
             } catch (...) {
@@ -144,7 +142,7 @@ TEST_F(FaultyThreads, LeaveTogetherWhereAThreadHasNoSystem) {
         refine::Budget budget(limits);
         refine::Statistics statistics;
         try {
-            refine::search_by_threads(programs, 2, system, {}, refine::memory_row_store, budget, statistics);
+            refine::search_by_threads(programs, 2, system, {}, budget, statistics);
         } catch (const std::logic_error&) {
             failed[programs.rank()] = true;
         } catch (const refine::RankFailed& error) {

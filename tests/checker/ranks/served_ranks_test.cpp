@@ -247,7 +247,7 @@ private:
 // What the others do not know of is not passed over: they wait for this rank.
 TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
     ShortOfMemory exchange;
-    EXPECT_THROW(serve(exchange, refine::memory_row_store), std::bad_alloc);
+    EXPECT_THROW(serve(exchange), std::bad_alloc);
 }
 
 }  // namespace
