@@ -133,7 +133,8 @@ def kills(kept: Kept, seed: int) -> None:
 
 
 def interrupt(kept: Kept) -> None:
-    child = subprocess.Popen([kept.mpiexec, "--mca", "odls_base_sigkill_timeout", "60", *kept.mpirun(3)[1:],
+    """mpirun waits two seconds, sends SIGTERM to the ranks, and waits again before it kills them."""
+    child = subprocess.Popen([kept.mpiexec, "--mca", "odls_base_sigkill_timeout", "2", *kept.mpirun(3)[1:],
                               "--progress", "json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                              env=kept.environment)
     while "searching" not in (line := child.stderr.readline()) and line:
@@ -142,7 +143,7 @@ def interrupt(kept: Kept) -> None:
     output, errors = child.communicate(timeout=120)
     kept.wait_for_ranks()
     kept.expect("SIGTERM to mpirun", "the run was interrupted" in output and kept.checkpoint_of(3),
-                f"exit {child.returncode}\n{output}{errors}")
+                f"exit {child.returncode}\n{output[:2000]}{errors[-2000:]}")
     kept.expect_results("two ranks to the end", kept.run(kept.mpirun(2)))
 
 
@@ -166,7 +167,8 @@ def other_folder(kept: Kept) -> None:
         ran = kept.run([kept.mpiexec, "--oversubscribe", "-n", "1", "-wdir", folders[0], *program, ":", "-n", "1",
                         "-wdir", folders[1], *program])
         kept.expect_end(what, ran, BAD_INPUT, words)
-        shutil.move(folders[0] + "/kept", folders[1])
+        if not os.path.exists(folders[1] + "/kept"):
+            shutil.move(folders[0] + "/kept", folders[1])
 
 
 def main() -> int:
@@ -177,8 +179,12 @@ def main() -> int:
         kept.expect("a run that nobody ends", kept.expected.startswith(f"exit {FAILS}\n['holds'"), kept.expected)
         limits(kept)
         if not sample:
-            for part in (interrupt, full_disk, other_folder):
+            for part in (full_disk, other_folder):
                 part(kept)
+            with tempfile.TemporaryDirectory() as other:
+                larger = Kept(command, mpiexec, program, other, 10)
+                interrupt(larger)
+                kept.wrong += larger.wrong
             kills(kept, random.randrange(1 << 30))
         return 1 if kept.wrong else 0
 
