@@ -31,7 +31,7 @@ std::optional<refine::Violation> ServedRanks::search(lts::TransitionSystem& syst
     if (others_wait_) throw refine::LimitReached("an error has parted the ranks in an earlier search");
     const unsigned threads = refine::threads_for(system, std::max(1U, budget.limits().threads));
     const std::optional<std::string> job = encode(system, question, budget.limits(), threads);
-    if (!job) return refine::OneRank().search(system, question, budget, statistics);
+    if (!job) return refine::ThreadRanks(1).search(system, question, budget, statistics);
     exchange_.begin_together();
     try {
         return search_together(system, question, *job, threads, budget, statistics);

@@ -68,12 +68,6 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
 }
 
-std::optional<Violation> OneRank::search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
-                                         Statistics& statistics) {
-    LoneExchange exchange;
-    return search_as_rank(system, question, exchange, budget, statistics);
-}
-
 unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
     return wanted > 1 && system.another() ? wanted : 1;
 }

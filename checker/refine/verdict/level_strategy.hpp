@@ -71,13 +71,6 @@ public:
                                             Budget& budget, Statistics& statistics) = 0;
 };
 
-/// One rank.
-class OneRank final : public LevelStrategy {
-public:
-    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
-                                    Statistics& statistics) override;
-};
-
 /// Threads of this program as ranks.
 class ThreadRanks final : public LevelStrategy {
 public:

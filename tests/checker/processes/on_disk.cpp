@@ -8,7 +8,7 @@ namespace robochart::refine {
 
 std::optional<Violation> OnDisk::search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                         Statistics& statistics) {
-    if (question.row_width(system.width()) == 0) return OneRank().search(system, question, budget, statistics);
+    if (question.row_width(system.width()) == 0) return ThreadRanks(1).search(system, question, budget, statistics);
     std::string error;
     const diagnostics::TemporaryFolder folder("", error);
     LevelQuestion on_disk = question;

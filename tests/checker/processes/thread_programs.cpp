@@ -14,7 +14,7 @@ std::optional<Violation> ThreadPrograms::search(lts::TransitionSystem& system, c
     std::vector<std::unique_ptr<lts::TransitionSystem>> others;
     for (unsigned program = 1; program < programs_; ++program) {
         others.push_back(system.another());
-        if (!others.back()) return OneRank().search(system, question, budget, statistics);
+        if (!others.back()) return ThreadRanks(1).search(system, question, budget, statistics);
     }
     Limits quiet = budget.limits();
     quiet.progress = {};

@@ -100,7 +100,7 @@ protected:
         return answers;
     }
     Answers in_memory() {
-        refine::OneRank strategy;
+        refine::ThreadRanks strategy(1);
         return decide(strategy, 1'000'000);
     }
     /// By programs that know no more than what they are sent, of so many ranks each.

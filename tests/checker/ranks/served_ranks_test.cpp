@@ -70,7 +70,7 @@ TEST(ServedRanks, AnswerAsOneRankDoes) {
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
         for (const bool reduction : {false, true}) {
             const auto ask = [&](const refine::Limits& limits) { return all_answers(specification, system, limits); };
-            refine::OneRank one;
+            refine::ThreadRanks one(1);
             refine::Limits limits;
             limits.reduction = reduction;
             limits.by_levels = &one;

@@ -104,7 +104,7 @@ protected:
         return all;
     }
     std::string in_memory() {
-        OneRank strategy;
+        ThreadRanks strategy(1);
         return decide(strategy);
     }
 
