@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "checker/machine/compiler.hpp"
@@ -18,6 +19,7 @@
 #include "diagnostics/files.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
+#include "tests/checker/ranks/faulty_exchange.hpp"
 
 namespace robochart::ranks {
 namespace {
@@ -210,6 +212,26 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
         EXPECT_TRUE(there());
     }
     EXPECT_EQ(by_ranks(2, false), expected);
+}
+
+// A rank that has no memory left in the midst of an exchange keeps what it has alone; the others write no more.
+TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
+    const Answers expected = in_memory();
+    for (const unsigned failing : {0U, 1U}) {
+        const auto work = [&](refine::Exchange& real) {
+            const bool own = real.rank() == failing;
+            FaultyExchange faulty(real, own ? 30 : ~std::uint64_t{0}, FaultyExchange::Fault::memory);
+            if (real.rank() != 0) return serve(faulty);
+            ServedRanks served(faulty);
+            KeptSearch search(settings(false), served);
+            EXPECT_THAT(decide(search, 1'000'000)[0], HasSubstr("there is no more memory"));
+            EXPECT_TRUE(served.others_wait());
+            throw std::runtime_error("the first rank ends");
+        };
+        EXPECT_ANY_THROW(refine::as_ranks(2, work)) << failing;
+        EXPECT_EQ(by_ranks(failing == 0 ? 3 : 2, false), expected) << failing;
+    }
+    EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
 
 // Those of a run whose first rank was killed may still write for a moment.
