@@ -1,11 +1,13 @@
 // Searches by levels with threads as ranks, more of them than cores (docs/scale.md): what each rank's processor did,
 // level by level. The critical path is the sum over levels of the largest processor time of a rank: what a search would
 // take if every rank had a core of its own and messages took no time. Beside it what a model predicts from the widths
-// of the levels. Prints a table; exits with 1 where the numbers of states or transitions differ between numbers of
-// ranks.
+// of the levels. Messages, their bytes and memory are those of programs, each of one rank or of several. Prints a
+// table; exits with 1 where the numbers of states or transitions differ between numbers of ranks.
 //
 //   benchmark_ranks SCRIPT NUMBER TIMES RANKS...    the process of the script's assertion of this number, all its
 //                                                   states; of so many searches for each rank and level the least time
+//
+// RANKS: so many programs of one rank each, or PROGRAMSxTHREADS, programs of so many ranks each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,34 +38,44 @@ struct Measured {
     double critical = 0;  ///< s: sum over levels of the largest time of a rank
     double total = 0;     ///< s: of all ranks
     std::uint64_t crossing = 0, bytes = 0, messages = 0, rounds = 0;
-    std::uint64_t most_bytes = 0;              ///< of a rank: rows and messages
+    std::uint64_t most_bytes = 0;              ///< of a program: rows and messages
     std::vector<Width> widths;                 ///< by one rank
     std::vector<std::vector<double>> seconds;  ///< by rank, then level
+};
+
+/// Programs of so many ranks each.
+struct Count {
+    unsigned programs = 1, threads = 1;
+    [[nodiscard]] unsigned ranks() const { return programs * threads; }
+    [[nodiscard]] std::string text() const {
+        return threads == 1 ? std::to_string(programs) : fmt::format("{} x {}", programs, threads);
+    }
 };
 
 /// What one rank has done.
 struct RankFigures {
     std::vector<double> seconds;
-    refine::Exchange::Traffic traffic;
     std::uint64_t crossing = 0, bytes = 0;
 };
 
-Measured measure(const lts::TransitionSystem& system, unsigned ranks) {
+Measured measure(const lts::TransitionSystem& system, const Count& count) {
+    const unsigned ranks = count.ranks();
     Measured result;
     std::vector<RankFigures> figures(ranks);
+    std::vector<refine::Exchange::Traffic> traffic(count.programs);
     std::vector<std::unique_ptr<lts::TransitionSystem>> systems;
     for (unsigned rank = 0; rank < ranks; ++rank) systems.push_back(system.another());
     const refine::Limits limits;
-    refine::as_ranks(ranks, [&](refine::Exchange& exchange) {
+    const auto search_as_rank = [&](refine::Exchange& exchange) {
         refine::StateMonitor monitor(false);
         refine::Budget budget(limits);
         lts::TransitionSystem& own = *systems[exchange.rank()];
         refine::MemoryRowStore store(own.width());
         refine::LevelSearch search(own, monitor, store, exchange, budget, false);
         search.first_violation();
-        figures[exchange.rank()] = {search.level_seconds(), exchange.traffic(), search.crossing_rows(),
-                                    search.peak_bytes()};
+        figures[exchange.rank()] = {search.level_seconds(), search.crossing_rows(), search.peak_bytes()};
         if (exchange.rank() != 0) return;
+        result.rounds = exchange.traffic().rounds;
         result.states = search.states();
         result.transitions = search.transitions();
         if (ranks > 1) return;
@@ -71,14 +83,22 @@ Measured measure(const lts::TransitionSystem& system, unsigned ranks) {
         for (refine::Level level = 0; level < expanded.size(); ++level)
             result.widths.push_back(
                 {static_cast<double>(store.rows(level)), static_cast<double>(expanded[level].transitions)});
+    };
+    refine::as_ranks(count.programs, [&](refine::Exchange& programs) {
+        refine::as_ranks(programs, count.threads, search_as_rank);
+        traffic[programs.rank()] = programs.traffic();
     });
-    for (RankFigures& rank : figures) {
-        result.crossing += rank.crossing;
-        result.bytes += rank.traffic.bytes;
-        result.messages += rank.traffic.messages;
-        result.rounds = rank.traffic.rounds;
-        result.most_bytes = std::max(result.most_bytes, rank.bytes);
-        result.seconds.push_back(std::move(rank.seconds));
+    for (unsigned program = 0; program < count.programs; ++program) {
+        result.bytes += traffic[program].bytes;
+        result.messages += traffic[program].messages;
+        std::uint64_t bytes = 0;
+        for (unsigned thread = 0; thread < count.threads; ++thread) {
+            RankFigures& rank = figures[program * count.threads + thread];
+            result.crossing += rank.crossing;
+            bytes += rank.bytes;
+            result.seconds.push_back(std::move(rank.seconds));
+        }
+        result.most_bytes = std::max(result.most_bytes, bytes);
     }
     return result;
 }
@@ -157,16 +177,16 @@ void print_predictions(const Measured& alone, double a_transition, double bytes_
 
 /// All numbers of ranks in turn, so that each has its share of quiet moments.
 std::vector<Measured> measure_all(unsigned times, const lts::TransitionSystem& system,
-                                  const std::vector<unsigned>& counts) {
+                                  const std::vector<Count>& counts) {
     std::vector<Measured> all;
-    for (const unsigned ranks : counts) all.push_back(measure(system, ranks));
+    for (const Count& count : counts) all.push_back(measure(system, count));
     for (unsigned i = 1; i < times; ++i)
         for (std::size_t at = 0; at < counts.size(); ++at) take_least(all[at], measure(system, counts[at]));
     for (Measured& each : all) sum_up(each);
     return all;
 }
 
-int run(const std::string& path, std::size_t number, unsigned times, const std::vector<unsigned>& counts) {
+int run(const std::string& path, std::size_t number, unsigned times, const std::vector<Count>& counts) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
     cspm::Session session(cspm::read_file(sources, path, found));
@@ -189,10 +209,10 @@ int run(const std::string& path, std::size_t number, unsigned times, const std::
     const std::vector<Measured> all = measure_all(times, *system, counts);
     bool same = true;
     std::cout << "| ranks | states | transitions | levels | critical path s | speed-up | model | CPU of all / of one | "
-                 "crossing | B a crossing row | messages | rounds | B a state and rank | of one's share |\n"
+                 "crossing | B a crossing row | messages | rounds | B a state | of one's share |\n"
                  "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (std::size_t at = 0; at < counts.size(); ++at) {
-        const unsigned ranks = counts[at];
+        const unsigned ranks = counts[at].ranks();
         const Measured& one = all.front();
         const Measured& now = all[at];
         same = same && now.states == one.states && now.transitions == one.transitions;
@@ -206,9 +226,11 @@ int run(const std::string& path, std::size_t number, unsigned times, const std::
         };
         std::cout << fmt::format(
             "| {} | {} | {} | {} | {:.3f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.2f} | {} | {} | {:.1f} | {:.2f} |\n",
-            ranks, now.states, now.transitions, one.widths.size() + 1, now.critical, one.critical / now.critical, model,
-            now.total / one.total, ratio(now.crossing, now.transitions), ratio(now.bytes, now.crossing), now.messages,
-            now.rounds, ratio(now.most_bytes * ranks, now.states), ratio(now.most_bytes * ranks, one.most_bytes));
+            counts[at].text(), now.states, now.transitions, one.widths.size() + 1, now.critical,
+            one.critical / now.critical, model, now.total / one.total, ratio(now.crossing, now.transitions),
+            ratio(now.bytes, now.crossing), now.messages, now.rounds,
+            ratio(now.most_bytes * counts[at].programs, now.states),
+            ratio(now.most_bytes * counts[at].programs, one.most_bytes));
     }
     if (!all.front().widths.empty())
         print_predictions(all.front(), all.front().total / static_cast<double>(all.front().transitions),
@@ -223,7 +245,12 @@ int main(int argc, char** argv) {
         std::cerr << "benchmark_ranks SCRIPT NUMBER TIMES RANKS...\n";
         return 4;
     }
-    std::vector<unsigned> counts;
-    for (int i = 4; i < argc; ++i) counts.push_back(static_cast<unsigned>(std::stoul(argv[i])));
+    std::vector<Count> counts;
+    for (int i = 4; i < argc; ++i) {
+        const std::string words = argv[i];
+        const std::size_t times = words.find('x');
+        const auto number = [](const std::string& digits) { return static_cast<unsigned>(std::stoul(digits)); };
+        counts.push_back({number(words), times == std::string::npos ? 1 : number(words.substr(times + 1))});
+    }
     return run(argv[1], std::stoul(argv[2]), static_cast<unsigned>(std::stoul(argv[3])), counts);
 }

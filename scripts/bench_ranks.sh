@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Searches by levels with threads as ranks on wide spaces and on the high-voltage controller's narrow one (docs/scale.md):
-# critical path, bytes and messages, memory a rank, and what the model predicts. Needs ROBOCHART_SHARED/bench.
+# critical path, bytes and messages, memory, with one rank a program and with several, and what the model predicts. Needs ROBOCHART_SHARED/bench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bench="${ROBOCHART_SHARED:-../shared}/bench"
@@ -16,8 +16,8 @@ for model in milner15 cbuf10; do
   echo "## $model"
   grep -v '^assert' "$bench/models/$model.csp" > "$made/$model.csp"
   echo 'assert SYSTEM :[deadlock free [F]]' >> "$made/$model.csp"
-  build/release/benchmarks/benchmark_ranks "$made/$model.csp" 1 5 1 2 4 8 16 32
+  build/release/benchmarks/benchmark_ranks "$made/$model.csp" 1 5 1 2 4 8 16 32 1x8 2x4 4x2
 done
 echo "## the high-voltage controller's P4, from our own script"
 build/release/app/robochart-verify emit csp "$bench/hvc" --out "$made" --quiet || true
-build/release/benchmarks/benchmark_ranks "$made"/csp-gen/timed/*_assertions.csp 17 1 1 2 4 8
+build/release/benchmarks/benchmark_ranks "$made"/csp-gen/timed/*_assertions.csp 17 1 1 2 4 8 2x4

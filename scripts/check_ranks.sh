@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Searches by ranks against the ordinary search (docs/scale.md):
-#   scripts/check_ranks.sh           threads as 1, 2, 3, 4 and 8 ranks, on the scripts of the tests and of ROBOCHART_SHARED
-#   scripts/check_ranks.sh --mpirun  real ranks, 2 and 4 of them, on ten scripts; and every way in which all end
+#   scripts/check_ranks.sh           threads as 1, 2, 3, 4 and 8 ranks, and as two and three programs of two ranks each, on
+#                                    the scripts of the tests and of ROBOCHART_SHARED
+#   scripts/check_ranks.sh --mpirun  2 and 4 real programs, and 2 with two threads each, on ten scripts; searches that are
+#                                    kept in files, ended and gone on with; and every way in which all end
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
@@ -9,6 +11,7 @@ if [[ "${1:-}" == --mpirun ]]; then
   cmake --build --preset release --target robochart-verify robochart-verify-mpi faulty_ranks
   programs=build/release/app
   python3 tests/app/mpi/compare_ranks.py $programs/robochart-verify $programs/mpi/robochart-verify-mpi mpirun tests/app/mpi/scripts
+  python3 tests/app/mpi/keep_ranks.py $programs/robochart-verify mpirun $programs/mpi/robochart-verify-mpi
   exec python3 tests/app/mpi/end_ranks.py mpirun $programs/mpi/robochart-verify-mpi build/release/tests/app/mpi/faulty_ranks
 fi
 cmake --build --preset release --target tests_cspm

@@ -8,13 +8,14 @@ namespace robochart::app {
 
 refine::Limits limits(const Options& o, const std::string& subject) {
     refine::Limits result;
+    result.by_levels = o.by_levels;
     if (o.run != nullptr) {
         diagnostics::Budget& budget = o.run->budget();
         static_cast<diagnostics::Limits&>(result) = budget.limits();
         result.interrupted = [&budget] { return budget.interrupted(); };
-        result.by_levels = o.run->kept_searches();
+        result.undisturbed = [run = o.run] { return std::make_shared<std::unique_lock<std::mutex>>(run->edit()); };
+        if (refine::LevelStrategy* const kept = o.run->kept_searches(o)) result.by_levels = kept;
     }
-    if (o.by_levels != nullptr) result.by_levels = o.by_levels;
     result.max_states = o.max_states;
     result.progress = progress_of(o, subject);
     result.threads = o.threads;

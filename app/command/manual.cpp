@@ -123,28 +123,33 @@ takes the same verbs and options; it is there where it was built with MPI.
 .B mpirun
 or
 .B srun
-starts it so many times, and these
+starts it so many times, and the
 .I ranks
-share the states of each search:
+of these programs, one in each or as many as
+.B \-\-threads
+says, share the states of each search:
 .PP
 .RS
 .nf
 mpirun \-n 4 robochart\-verify\-mpi cspm model.csp
 srun \-\-ntasks=64 robochart\-verify\-mpi cspm model.csp \-\-memory 3G
+srun \-\-ntasks=4 \-\-cpus\-per\-task=16 robochart\-verify\-mpi cspm model.csp \-\-threads 16 \-\-memory 48G
 .fi
 .RE
 .PP
 Rank 0 reads, compiles and prints. Verdicts, counterexamples and exit status do not depend on the number of ranks.
 .B \-\-memory
-is that of each rank,
+is that of each program,
 .B \-\-max\-states
 those of all together.
+All ranks must see the folder of
 .BR \-\-checkpoint ,
-.BR \-\-resume ,
-.B \-\-disk
-and more than one of
-.B \-\-threads
-are refused. Where a rank fails, all end, with the exit status of its error. Where
+.B \-\-resume
+or
+.BR \-\-disk ;
+another number of ranks may go on from it, or
+.B robochart\-verify
+of the same build. Where a rank fails, all end, with the exit status of its error. Where
 .B mpirun
 itself gets a signal, the results so far are printed, and its exit status is its own.
 )";

@@ -164,7 +164,8 @@ struct Options {
     std::string disk;                            ///< folder for states that memory does not hold; "": all are in memory
     double minutes_between = 10;                 ///< checkpoints
     refine::LevelStrategy* by_levels = nullptr;  ///< of searches by several programs (app/mpi); null: there is one
-    Run* run = nullptr;                          ///< the run that these options are of: its budget, and signals
+    std::string identity;  ///< of programs that go on from each other's checkpoints; "": this one has its own
+    Run* run = nullptr;    ///< the run that these options are of: its budget, and signals
 };
 
 }  // namespace robochart::app

@@ -40,7 +40,7 @@ diagnostics::Limits limits_of(const Options& options) {
 
 }  // namespace
 
-Run::Run(const Options& options) : options_(options), budget_(limits_of(options)) {
+Run::Run(const Options& options) : budget_(limits_of(options)) {
     constexpr std::uint64_t most_cached_bytes = std::uint64_t{512} << 20U;
     if (options.cache) cache_.emplace(diagnostics::cache_folder(), diagnostics::program_identity(), most_cached_bytes);
     last_word_ = [](const std::string& why) {
@@ -64,8 +64,8 @@ Run::~Run() {
     pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
-refine::LevelStrategy* Run::kept_searches() {
-    const std::vector<std::string> named{options_.disk, options_.resume, options_.checkpoint};
+refine::LevelStrategy* Run::kept_searches(const Options& options) {
+    const std::vector<std::string> named{options.disk, options.resume, options.checkpoint};
     const auto folder = std::find_if(named.begin(), named.end(), [](const auto& each) { return !each.empty(); });
     if (folder == named.end()) return nullptr;
     if (kept_searches_) return kept_searches_.get();
@@ -75,14 +75,17 @@ refine::LevelStrategy* Run::kept_searches() {
     constexpr double milliseconds = 60'000;
     refine::KeptSettings settings;
     settings.folder = *folder;
-    settings.resume = !options_.resume.empty();
-    settings.disk = !options_.disk.empty();
-    settings.every = std::chrono::milliseconds(static_cast<std::int64_t>(options_.minutes_between * milliseconds));
-    settings.ranks = std::max(1U, options_.threads);
-    settings.program = diagnostics::program_identity();
+    settings.resume = !options.resume.empty();
+    settings.disk = !options.disk.empty();
+    settings.every = std::chrono::milliseconds(static_cast<std::int64_t>(options.minutes_between * milliseconds));
+    settings.program = options.identity.empty() ? diagnostics::program_identity() : options.identity;
     settings.say = [](const std::string& what) { print_error("robochart-verify: {}\n", what); };
-    settings.undisturbed = [this] { return std::make_shared<std::unique_lock<std::mutex>>(edit()); };
-    kept_searches_ = std::make_unique<refine::KeptSearch>(std::move(settings));
+    refine::LevelStrategy* ranks = options.by_levels;
+    if (ranks == nullptr) {
+        threads_ = std::make_unique<refine::ThreadRanks>(std::max(1U, options.threads));
+        ranks = threads_.get();
+    }
+    kept_searches_ = std::make_unique<refine::KeptSearch>(std::move(settings), *ranks);
     return kept_searches_.get();
 }
 

@@ -37,9 +37,9 @@ public:
     [[nodiscard]] diagnostics::Budget& budget() { return budget_; }
     /// What earlier runs have worked out; null where it is not wanted.
     [[nodiscard]] diagnostics::Cache* cache() { return cache_ ? &*cache_ : nullptr; }
-    /// How searches are kept in files; null where that is not wanted. Throws UsageError, storage::BadFile or
-    /// storage::CannotWrite where it cannot be.
-    [[nodiscard]] refine::LevelStrategy* kept_searches();
+    /// How searches are kept in files, as these options say; null where that is not wanted. Throws UsageError,
+    /// storage::BadFile or storage::CannotWrite where it cannot be. The same for all calls.
+    [[nodiscard]] refine::LevelStrategy* kept_searches(const Options&);
     /// The verb has asked all its questions: what was kept of their searches is removed if all are decided.
     void all_asked();
     /// A signal has come.
@@ -65,10 +65,9 @@ private:
     void say_and_end(const std::string& why);
     [[noreturn]] void end_at_once(int code);
 
-    const Options& options_;
     diagnostics::Budget budget_;
     std::optional<diagnostics::Cache> cache_;
-    std::unique_ptr<refine::LevelStrategy> kept_searches_;
+    std::unique_ptr<refine::LevelStrategy> threads_, kept_searches_;  ///< the latter's searches are by the former
     sigset_t signals_taken_{};
     sigset_t mask_before_{};
     std::atomic<int> signals_{0};

@@ -1,4 +1,4 @@
-// Processes of MPI as ranks. Calls of MPI-3 alone.
+// Programs that MPI has started as ranks. Calls of MPI-3 alone, by one thread.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"
@@ -17,7 +17,7 @@ public:
     [[noreturn]] static void abort(int code);
 };
 
-/// All ranks of the program. While ranks wait for a broadcast they sleep: rank 0 may be at work for long.
+/// All programs, each as one rank. While they wait for a broadcast they sleep: rank 0 may be at work for long.
 class MpiExchange final : public refine::Exchange {
 public:
     MpiExchange();

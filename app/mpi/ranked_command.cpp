@@ -1,5 +1,6 @@
 #include "app/mpi/ranked_command.hpp"
 
+#include <sched.h>
 #include <signal.h>
 
 #include <array>
@@ -8,7 +9,9 @@
 #include <new>
 
 #include "app/command/command_line.hpp"
+#include "app/command/output.hpp"
 #include "app/command/run.hpp"
+#include "app/mpi/command_identity.hpp"
 #include "app/mpi/mpi_exchange.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/ranks/served_ranks.hpp"
@@ -18,24 +21,24 @@ namespace {
 
 constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// Files of searches are those of one program, and a search by ranks has one thread at each.
-void refuse_what_ranks_have_not(const Options& options) {
-    const bool of_trials = options.verb == Verb::simulate || options.verb == Verb::tune || options.verb == Verb::prism;
-    if (options.threads > 1 && !of_trials)
-        throw UsageError("a rank searches with one thread: leave out --threads, and start one rank a core");
-    for (const std::string& folder : {options.checkpoint, options.resume, options.disk})
-        if (!folder.empty())
-            throw UsageError(
-                "searches by ranks are not kept in files: --checkpoint, --resume and --disk are for robochart-verify");
+/// mpirun gives a program one core, unless it is asked for more.
+void warn_of_few_cores(unsigned threads) {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+    if (const unsigned cores = static_cast<unsigned>(CPU_COUNT(&allowed)); threads > cores)
+        print_error("robochart-verify-mpi: {} threads share {} core{}: mpirun --bind-to none gives a program all\n",
+                    threads, cores, cores == 1 ? "" : "s");
 }
 
 /// The command as ever, with a strategy for its searches.
 int command(int argc, char** argv, refine::Exchange& exchange) {
     ranks::ServedRanks served(exchange);
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
-        refuse_what_ranks_have_not(given);
+        warn_of_few_cores(given.threads);
         Options options = given;
         options.by_levels = &served;
+        options.identity = command_identity();
         return run_verb(options);
     });
     if (served.others_wait()) MpiProgram::abort(code);
@@ -43,8 +46,8 @@ int command(int argc, char** argv, refine::Exchange& exchange) {
     return code;
 }
 
-[[noreturn]] void end_all(unsigned rank, Exit code, const char* why) {
-    std::fprintf(stderr, "robochart-verify-mpi: rank %u: %s; all ranks end\n", rank, why);
+[[noreturn]] void end_all(unsigned program, Exit code, const char* why) {
+    std::fprintf(stderr, "robochart-verify-mpi: program %u: %s; all programs end\n", program, why);
     MpiProgram::abort(static_cast<int>(code));
 }
 

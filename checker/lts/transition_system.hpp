@@ -37,7 +37,7 @@ public:
     virtual void initial(std::span<Word> state) = 0;
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
     /// The same system once more, for use in another thread at the same time; its states are the same words. Null where
-    /// that is not possible.
+    /// that is not possible. Several threads may ask at once, while nothing else is asked.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> another() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const EventTable& events() const = 0;

@@ -11,10 +11,52 @@ using lts::ByteReader;
 using lts::ByteWriter;
 using refine::LevelQuestion;
 using refine::NormalTable;
+using refine::RowKeeping;
 
 namespace {
 
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
+
+void write(std::string_view text, ByteWriter& out) {
+    out.number(text.size());
+    for (const char byte : text) out.number(static_cast<unsigned char>(byte));
+}
+
+std::string read_text(ByteReader& in) {
+    std::string text(in.count(), '\0');
+    for (char& byte : text) byte = static_cast<char>(in.below(256));
+    return text;
+}
+
+void write(const RowKeeping& rows, ByteWriter& out) {
+    write(rows.folder, out);
+    write(rows.run, out);
+    for (const std::uint8_t byte : rows.search) out.number(byte);
+    for (const std::uint64_t part :
+         {rows.from.number, std::uint64_t{rows.from.ranks}, rows.from.greatest,
+          static_cast<std::uint64_t>(rows.every.count()), std::uint64_t{rows.disk ? 1U : 0U}, rows.most_bytes,
+          std::uint64_t{rows.filter_bits}, std::uint64_t{rows.reads_a_step}})
+        out.number(part);
+}
+
+RowKeeping read_rows(ByteReader& in) {
+    constexpr std::uint64_t most_milliseconds = std::uint64_t{1} << 42U;  // the clock can count them
+    RowKeeping rows;
+    rows.folder = read_text(in);
+    rows.run = read_text(in);
+    for (std::uint8_t& byte : rows.search) byte = static_cast<std::uint8_t>(in.below(256));
+    rows.from.number = in.number();
+    rows.from.ranks = in.word();
+    rows.from.greatest = in.number();
+    const std::uint64_t every = in.number();
+    if (every > most_milliseconds) throw BadBytes("a time is too long");
+    rows.every = std::chrono::milliseconds(every);
+    rows.disk = in.below(2) == 1;
+    rows.most_bytes = in.number();
+    rows.filter_bits = in.below(33);
+    rows.reads_a_step = in.word();
+    return rows;
+}
 
 void write(const NormalTable& table, ByteWriter& out) {
     out.number(table.nodes.size());
@@ -60,7 +102,7 @@ std::shared_ptr<const NormalTable> read_table(ByteReader& in) {
 }  // namespace
 
 std::optional<std::string> encode(const lts::TransitionSystem& system, const LevelQuestion& question,
-                                  const refine::Limits& limits) {
+                                  const refine::Limits& limits, unsigned threads) {
     ByteWriter out;
     out.number(version);
     if (!machine::write(system, out)) return std::nullopt;
@@ -69,8 +111,10 @@ std::optional<std::string> encode(const lts::TransitionSystem& system, const Lev
     out.number(question.divergence ? 1 : 0);
     out.number(question.events_until);
     if (question.kind == LevelQuestion::Kind::refinement) write(*question.specification, out);
+    write(question.rows, out);
     out.number(limits.max_states);
     out.number(limits.memory_bytes);
+    out.number(threads);
     return out.bytes();
 }
 
@@ -84,8 +128,11 @@ Job decode(std::string_view bytes, process::TermStore& terms) {
     job.question.divergence = in.below(2) == 1;
     job.question.events_until = in.number();
     if (job.question.kind == LevelQuestion::Kind::refinement) job.question.specification = read_table(in);
+    job.question.rows = read_rows(in);
     job.max_states = in.number();
     job.memory_bytes = in.number();
+    job.threads = in.word();
+    if (job.threads == 0) throw BadBytes("a program has no threads");
     in.finish();
     return job;
 }

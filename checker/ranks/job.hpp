@@ -17,12 +17,14 @@ struct Job {
     refine::LevelQuestion question;
     std::uint64_t max_states = 0;
     std::uint64_t memory_bytes = 0;
+    unsigned threads = 1;  ///< of each program
 };
 
-/// The search of a system as bytes, with the limits that hold for every rank. None where the system is none that can be
-/// sent: a process that stays a term.
+/// The search of a system as bytes, with the limits that hold for every program, and how many threads each has. None
+/// where the system is none that can be sent: a process that stays a term.
 [[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
-                                                const refine::LevelQuestion& question, const refine::Limits& limits);
+                                                const refine::LevelQuestion& question, const refine::Limits& limits,
+                                                unsigned threads);
 /// The same search. `terms` outlive it; they need not be those of the sender. Throws lts::BadBytes where the bytes are
 /// no search that this version has encoded.
 [[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);

@@ -1,5 +1,7 @@
 #include "checker/ranks/served_ranks.hpp"
 
+#include <algorithm>
+
 #include "checker/ranks/job.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
@@ -7,7 +9,6 @@
 namespace robochart::ranks {
 
 using refine::Exchange;
-using refine::RowStore;
 
 ServedRanks::~ServedRanks() {
     try {
@@ -28,11 +29,12 @@ std::optional<refine::Violation> ServedRanks::search(lts::TransitionSystem& syst
                                                      const refine::LevelQuestion& question, refine::Budget& budget,
                                                      refine::Statistics& statistics) {
     if (others_wait_) throw refine::LimitReached("an error has parted the ranks in an earlier search");
-    const std::optional<std::string> job = encode(system, question, budget.limits());
-    if (!job) return refine::OneRank(make_store_).search(system, question, budget, statistics);
+    const unsigned threads = refine::threads_for(system, std::max(1U, budget.limits().threads));
+    const std::optional<std::string> job = encode(system, question, budget.limits(), threads);
+    if (!job) return refine::ThreadRanks(1).search(system, question, budget, statistics);
     exchange_.begin_together();
     try {
-        return search_together(system, question, *job, budget, statistics);
+        return search_together(system, question, *job, threads, budget, statistics);
     } catch (...) {
         others_wait_ = !exchange_.left_together();
         throw;
@@ -41,30 +43,23 @@ std::optional<refine::Violation> ServedRanks::search(lts::TransitionSystem& syst
 
 std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSystem& system,
                                                               const refine::LevelQuestion& question,
-                                                              const std::string& job, refine::Budget& budget,
-                                                              refine::Statistics& statistics) {
+                                                              const std::string& job, unsigned threads,
+                                                              refine::Budget& budget, refine::Statistics& statistics) {
     std::string sent = job;
     exchange_.broadcast(sent);
-    refine::SharedWork ready(exchange_);
-    std::unique_ptr<RowStore> store;
-    ready.attempt([&] { store = make_store_(question, system, exchange_); });
-    ready.sum({});
-    return refine::search_as_rank(system, question, *store, exchange_, budget, statistics);
+    refine::SharedWork(exchange_).sum({});  // all know what they are to do
+    return refine::search_by_threads(exchange_, threads, system, question, budget, statistics);
 }
 
 namespace {
 
-/// One search. Its own budget has no deadline and no interrupt: those are rank 0's, of which all ranks hear.
-void take_part(Exchange& exchange, const std::string& bytes, const refine::MakeRowStore& make_store) {
+/// One search. Its own budget has no deadline and no interrupt: those are the first program's, of which all hear.
+void take_part(Exchange& exchange, const std::string& bytes) {
     process::EventTable events;
     process::TermStore terms(events);
     Job job;
-    std::unique_ptr<RowStore> store;
     refine::SharedWork ready(exchange);
-    ready.attempt([&] {
-        job = decode(bytes, terms);
-        store = make_store(job.question, *job.system, exchange);
-    });
+    ready.attempt([&] { job = decode(bytes, terms); });
     ready.sum({});
     refine::Limits limits;
     limits.max_states = job.max_states;
@@ -72,19 +67,19 @@ void take_part(Exchange& exchange, const std::string& bytes, const refine::MakeR
     refine::Budget budget(limits);
     const refine::PollGuard guard({job.system.get()}, budget);
     refine::Statistics ignored;
-    refine::search_as_rank(*job.system, job.question, *store, exchange, budget, ignored);
+    refine::search_by_threads(exchange, job.threads, *job.system, job.question, budget, ignored);
 }
 
 }  // namespace
 
-void serve(Exchange& exchange, const refine::MakeRowStore& make_store) {
+void serve(Exchange& exchange) {
     for (;;) {
         exchange.begin_together();
         std::string job;
         exchange.broadcast(job);
         if (job.empty()) return;
         try {
-            take_part(exchange, job, make_store);
+            take_part(exchange, job);
         } catch (const refine::RankLost&) {
             throw;
         } catch (const std::exception&) {

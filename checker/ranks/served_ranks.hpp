@@ -1,17 +1,16 @@
-// Ranks that are programs of their own, or threads as such: rank 0 reads, evaluates and compiles, and for each search
-// sends the others what they need (job.hpp); in between they wait.
+// Programs of their own, or threads as such, that share searches: the first one reads, evaluates and compiles, and for
+// each search sends the others what they need (job.hpp); in between they wait. In each program several threads search.
 #pragma once
 
 #include "checker/refine/verdict/level_strategy.hpp"
 
 namespace robochart::ranks {
 
-/// Rank 0's side. The other ranks of the exchange, which outlives it, are in `serve` meanwhile, until it is destroyed;
-/// unless they wait.
+/// The first program's side. The others of the exchange, which outlives it, are in `serve` meanwhile, until it is
+/// destroyed; unless they wait. In each program so many threads search as Limits::threads says, or one where that is 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
-    explicit ServedRanks(refine::Exchange& exchange, refine::MakeRowStore make_store = refine::memory_row_store)
-        : exchange_(exchange), make_store_(std::move(make_store)) {}
+    explicit ServedRanks(refine::Exchange& exchange) : exchange_(exchange) {}
     ServedRanks(const ServedRanks&) = delete;
     ServedRanks& operator=(const ServedRanks&) = delete;
     ~ServedRanks() override;
@@ -19,7 +18,7 @@ public:
     /// No search follows: the others end. Called by the destructor if it has not been called, which keeps what it
     /// throws.
     void end();
-    /// A process that is not compiled, but stays a term, is searched by rank 0 alone.
+    /// A process that is not compiled, but stays a term, is searched by one thread of the first program alone.
     std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,
                                             refine::Budget& budget, refine::Statistics& statistics) override;
     /// An error has ended a search at this rank alone. The others wait for it: no further search is possible, and they
@@ -29,16 +28,16 @@ public:
 private:
     std::optional<refine::Violation> search_together(lts::TransitionSystem& system,
                                                      const refine::LevelQuestion& question, const std::string& job,
-                                                     refine::Budget& budget, refine::Statistics& statistics);
+                                                     unsigned threads, refine::Budget& budget,
+                                                     refine::Statistics& statistics);
 
     refine::Exchange& exchange_;
-    refine::MakeRowStore make_store_;
     bool others_wait_ = false;
     bool ended_ = false;
 };
 
-/// What every other rank does: takes its part in each search, until rank 0 has no more. What ends a search is rank 0's
-/// to report. Throws what has ended it at this rank alone, since the others wait for it.
-void serve(refine::Exchange& exchange, const refine::MakeRowStore& make_store = refine::memory_row_store);
+/// What every other program does: takes its part in each search, until rank 0 has no more. What ends a search is the
+/// first one's to report. Throws what has ended it in this program alone, since the others wait for it.
+void serve(refine::Exchange& exchange);
 
 }  // namespace robochart::ranks

@@ -270,18 +270,21 @@ std::uint64_t complete_number(const std::string& folder, const RowKind& kind, st
 
 }  // namespace
 
-std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind) {
+Newest newest_in(const std::string& folder) {
     const auto found = counted(folder);
-    for (auto at = found.rbegin(); at != found.rend(); ++at) {
+    Newest newest;
+    if (!found.empty()) newest.greatest = found.rbegin()->first.first;
+    for (auto at = found.rbegin(); at != found.rend() && newest.ranks == 0; ++at) {
         const auto [number, ranks] = at->first;
-        if (at->second == ranks) return together(folder, kind, number, ranks);
+        if (at->second != ranks) continue;
+        newest.number = number;
+        newest.ranks = ranks;
     }
-    return {};
+    return newest;
 }
 
-std::uint64_t greatest_number(const std::string& folder) {
-    const auto found = counted(folder);
-    return found.empty() ? 0 : found.rbegin()->first.first;
+std::vector<Checkpoint> read(const std::string& folder, const RowKind& kind, const Newest& newest) {
+    return together(folder, kind, newest.number, newest.ranks);
 }
 
 void remove_old(const std::string& folder, const RowKind& kind, const Place& place) {

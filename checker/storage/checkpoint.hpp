@@ -50,11 +50,16 @@ void write(const std::string& folder, const RowKind& kind, const Checkpoint& che
 /// Reads one. Throws BadFile.
 [[nodiscard]] Checkpoint read(const std::string& folder, const RowKind& kind, const std::string& name);
 
-/// The newest complete checkpoint in a folder, that of each rank in the order of ranks; none where there is none. A
-/// rank may have closed more levels than another; those that all have closed count. Throws BadFile.
-[[nodiscard]] std::vector<Checkpoint> newest(const std::string& folder, const RowKind& kind);
-/// The greatest number of a checkpoint in a folder, complete or not; 0: there is none.
-[[nodiscard]] std::uint64_t greatest_number(const std::string& folder);
+/// Which checkpoints a folder has, by their names.
+struct Newest {
+    std::uint64_t number = 0;    ///< of the newest complete one
+    std::uint32_t ranks = 0;     ///< that have written it; 0: there is none
+    std::uint64_t greatest = 0;  ///< number of one, complete or not; 0: there is none
+};
+[[nodiscard]] Newest newest_in(const std::string& folder);
+/// The newest complete one, that of each rank in the order of ranks; none where there is none. A rank may have closed
+/// more levels than another; those that all have closed count. Throws BadFile.
+[[nodiscard]] std::vector<Checkpoint> read(const std::string& folder, const RowKind& kind, const Newest& newest);
 /// Removes what is no longer needed in a folder: checkpoints older than the newest complete one of so many ranks, and
 /// files that no checkpoint names. Each rank removes its own; the first one also those of ranks that there are no more.
 void remove_old(const std::string& folder, const RowKind& kind, const Place& place);

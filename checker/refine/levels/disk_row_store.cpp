@@ -122,7 +122,6 @@ void DiskRowStore::put_aside(StateView row, std::uint64_t hash) {
 }
 
 void DiskRowStore::close_level() {
-    const std::shared_ptr<void> held = kept_.hold();
     note_peak();
     const bool in_one_piece = runs_.empty() && open_->size() <= rows_sorted_at_once();
     if (in_one_piece) {
@@ -253,7 +252,6 @@ void DiskRowStore::roll_back_to(Level level) {
 /// Runs are of the open level, which is left out; what they take on the disk may be needed. Rows that closed levels
 /// lack are unsure for another run.
 void DiskRowStore::checkpoint() {
-    const std::shared_ptr<void> held = kept_.hold();
     empty_open();
     KeptLevels::Unsure unsure = late_;
     for (StateIndex i = 0; i < aside_->size(); ++i)

@@ -39,6 +39,8 @@ public:
     /// This rank, from 0 on.
     [[nodiscard]] virtual unsigned rank() const = 0;
     [[nodiscard]] virtual unsigned ranks() const = 0;
+    /// How many of the ranks are threads of this program: they share its memory.
+    [[nodiscard]] virtual unsigned ranks_here() const { return 1; }
 
     /// Sends `out.of(r)` to each rank r, and gives in `in.of(r)` what r has sent here. Fewer than 2^31 words all
     /// together.
@@ -57,6 +59,8 @@ public:
         std::uint64_t rounds = 0;
     };
     [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+    /// In memory, for messages on their way.
+    [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 
     /// All ranks know that all leave what they do together (SharedWork), until `begin_together`.
     void leave_together() { left_together_ = true; }

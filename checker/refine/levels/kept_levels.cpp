@@ -21,16 +21,12 @@ KeptLevels::KeptLevels(KeptWhere where)
 /// are complete, but for rows that are unsure: a rank goes on to the next level when all have closed the one before.
 /// The last of them is expanded again, which finds what the later ones had, their rows that were unsure too.
 KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
-    const std::vector<storage::Checkpoint> found = storage::newest(where_.folder, where_.kind);
+    const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
     Unsure unsure;
     // Numbers that some ranks have used and others not are not used again.
-    const std::uint64_t greatest = storage::greatest_number(where_.folder);
+    const std::uint64_t greatest = where_.from.greatest;
     if (found.empty()) {
         files_.number_from(greatest);
-        if (greatest > 0 && where_.place.rank == 0 && where_.say)
-            where_.say(
-                fmt::format("{}: not all threads have written their part of a checkpoint; the search begins anew",
-                            diagnostics::shown(where_.folder)));
         return unsure;
     }
     for (const storage::Checkpoint& each : found) check(each);

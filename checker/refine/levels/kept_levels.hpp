@@ -10,6 +10,7 @@
 
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/level_files.hpp"
+#include "diagnostics/descriptor.hpp"
 
 namespace robochart::refine {
 
@@ -18,16 +19,15 @@ struct KeptWhere {
     std::string folder;     ///< of this search alone; exists
     storage::RowKind kind;  ///< says which search it is
     storage::Place place;   ///< which rank of it
+    storage::Newest from;   ///< what is gone on from: the same at all ranks
     /// Between checkpoints; none: they are written on limits and interrupts alone.
     std::optional<std::chrono::milliseconds> every;
     /// Whether a row belongs to this rank; empty: all do.
     std::function<bool(lts::StateView row)> mine;
     /// Called during long work; may throw.
     std::function<void()> poll;
-    /// Takes what the user should know, a sentence without its end; may be empty.
-    std::function<void(const std::string&)> say;
-    /// While what it gives lives, a run that is to end is not ended by force; may be empty.
-    std::function<std::shared_ptr<void>()> undisturbed;
+    /// Open as long as this rank uses the folder; null: nobody asks.
+    std::shared_ptr<const diagnostics::Descriptor> lock;
 };
 
 class KeptLevels {
@@ -36,8 +36,8 @@ public:
 
     /// Rows that an earlier run was unsure of, with the level that they belong to if they are none of an earlier one.
     using Unsure = std::vector<std::pair<Level, std::vector<lts::Word>>>;
-    /// Goes on from the newest checkpoint in the folder, if there is one: the levels that all its ranks have closed are
-    /// then in files(), and the record is that of these levels. Throws storage::BadFile.
+    /// Goes on from the checkpoint, if there is one: the levels that all its ranks have closed are then in files(), and
+    /// the record is that of these levels. Throws storage::BadFile.
     Unsure load(SearchRecord& record);
 
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
@@ -46,7 +46,6 @@ public:
     /// Writes one. `unsure` may have rows of levels that are not closed; they are left out. Throws
     /// storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const Unsure& unsure);
-    [[nodiscard]] std::shared_ptr<void> hold() const { return where_.undisturbed ? where_.undisturbed() : nullptr; }
     void poll() const {
         if (where_.poll) where_.poll();
     }

@@ -97,9 +97,35 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
     }
 }
 
-/// Without a level there is nothing to go on from.
+/// Where all leave the search together, and else by this rank alone. Without a level there is nothing to go on from.
 void LevelSearch::keep() {
-    if (store_.levels() > 0) store_.checkpoint();
+    if (!exchange_.left_together()) {
+        if (store_.levels() > 0) store_.checkpoint();
+        return;
+    }
+    SharedWork last(exchange_);
+    checkpoint(last);
+}
+
+/// The run is not ended by force before all have written theirs.
+void LevelSearch::checkpoint(SharedWork& work) {
+    std::shared_ptr<void> held;
+    work.attempt([&] {
+        held = undisturbed();
+        if (store_.levels() > 0) store_.checkpoint();
+    });
+    work.sum({});
+}
+
+/// Only the first rank knows how the run is ended.
+std::shared_ptr<void> LevelSearch::undisturbed() const {
+    const auto& hold = budget_.limits().undisturbed;
+    return hold && exchange_.rank() == 0 ? hold() : nullptr;
+}
+
+void LevelSearch::close_level_of_store() {
+    const std::shared_ptr<void> held = undisturbed();
+    store_.close_level();
 }
 
 /// A level may be expanded again after others that were searched for taus alone.
@@ -126,7 +152,7 @@ void LevelSearch::begin() {
     before_ = figures_until(store_.record().expanded.size());
     agree(0);
     work_.attempt([this] {
-        if (store_.levels() == 0) store_.close_level();
+        if (store_.levels() == 0) close_level_of_store();
     });
     work_.sum({});
 }
@@ -167,8 +193,9 @@ void LevelSearch::expand_level(Level level) {
 
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
-    // What waits takes little beside what is kept.
-    const std::uint64_t most_waiting = std::max<std::uint64_t>(std::uint64_t{1} << 13U, store_.bytes() / 32);
+    // What waits takes little beside what is kept, and that of all threads of a program together fits a message.
+    const std::uint64_t most_waiting =
+        std::clamp(store_.bytes() / 32, std::uint64_t{1} << 13U, std::uint64_t{1} << 26U);
     for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
         block_.clear();
         const std::size_t count = store_.read(level, next, rows_a_block, block_);
@@ -276,7 +303,7 @@ void LevelSearch::roll_back_to(Level level) {
     if (expanded.size() < level)
         close_level();
     else
-        work_.attempt([this] { store_.close_level(); });
+        work_.attempt([this] { close_level_of_store(); });
 }
 
 /// The level that has been expanded is complete, and so is the open one.
@@ -285,14 +312,15 @@ void LevelSearch::close_level() {
         store_.record().expanded.push_back(figures_);
         before_ = figures_until(store_.record().expanded.size());
         figures_ = {};
-        store_.close_level();
-        if (agreed_.wants_checkpoint > 0) store_.checkpoint();
+        close_level_of_store();
     });
+    if (agreed_.wants_checkpoint > 0) checkpoint(work_);
 }
 
 std::uint64_t LevelSearch::bytes() const {
     const lts::StateStore& marks = store_.record().marks;
-    return store_.bytes() + batches_.bytes() + sent_.bytes() + marks.size() * marks.width() * sizeof(lts::Word);
+    return store_.bytes() + batches_.bytes() + exchange_.bytes() + sent_.bytes() +
+           marks.size() * marks.width() * sizeof(lts::Word);
 }
 
 LevelFigures LevelSearch::figures_until(std::size_t levels) const {
@@ -450,9 +478,7 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
 }
 
 std::optional<LevelFinding> LevelSearch::first_divergence() {
-    // A limit in what follows leaves no rank the time for it.
-    work_.attempt([this] { keep(); });
-    work_.sum({});
+    checkpoint(work_);  // a limit in what follows leaves no rank the time for it
     TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
     const std::optional<TauCycle> cycle = elimination.least_cycle();
     if (!cycle) return std::nullopt;

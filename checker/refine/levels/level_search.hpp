@@ -8,6 +8,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -80,6 +81,9 @@ private:
 
     void begin();
     void keep();
+    void checkpoint(SharedWork& work);
+    [[nodiscard]] std::shared_ptr<void> undisturbed() const;
+    void close_level_of_store();
     std::optional<LevelFinding> search();
     void expand_level(Level level);
     void expand_some(Level level, std::uint64_t& next);

@@ -69,7 +69,6 @@ void SavedRowStore::save_levels() {
 }
 
 void SavedRowStore::checkpoint() {
-    const std::shared_ptr<void> held = kept_.hold();
     save_levels();
     kept_.checkpoint(record(), late_);
 }

@@ -1,10 +1,12 @@
 #include "checker/refine/levels/shared_work.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 #include <stdexcept>
 
+#include "checker/storage/storage_error.hpp"
 #include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
@@ -42,35 +44,40 @@ void SharedWork::attempt(const std::function<void()>& part) {
     try {
         part();
     } catch (const diagnostics::LimitReached&) {
-        failure_ = std::current_exception();
-        limit_ = true;
+        fail(Kind::limit);
     } catch (const std::bad_alloc&) {
-        failure_ = std::current_exception();
-        limit_ = true;
+        fail(Kind::limit);
+    } catch (const storage::BadFile&) {
+        fail(Kind::bad_file);
     } catch (...) {
-        failure_ = std::current_exception();
+        fail(Kind::error);
     }
+}
+
+void SharedWork::fail(Kind kind) {
+    failure_ = std::current_exception();
+    kind_ = kind;
 }
 
 void SharedWork::sum(std::span<std::uint64_t> values) {
     values_.assign(values.begin(), values.end());
-    values_.push_back(failure_ && limit_ ? 1 : 0);
-    values_.push_back(failure_ && !limit_ ? 1 : 0);
+    constexpr std::array kinds{Kind::error, Kind::bad_file, Kind::limit};
+    for (const Kind kind : kinds) values_.push_back(kind_ == kind ? 1 : 0);
     exchange_.sum(values_);
-    const std::uint64_t errors = values_.back();
-    const std::uint64_t limits = values_[values_.size() - 2];
-    if (errors > 0 || limits > 0) leave(errors == 0);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (values_[values.size() + i] > 0) leave(kinds[i]);
     std::copy_n(values_.begin(), values.size(), values.begin());
 }
 
-void SharedWork::leave(bool by_limit) {
-    const bool shown = failure_ && limit_ == by_limit;
+void SharedWork::leave(Kind worst) {
+    const bool shown = kind_ == worst;
     const std::vector<Words> texts = exchange_.gather(shown ? packed(words_of(failure_)) : Words{});
     exchange_.leave_together();
     if (shown) std::rethrow_exception(failure_);
     const auto first = std::find_if(texts.begin(), texts.end(), [](const Words& text) { return !text.empty(); });
     const std::string why = first == texts.end() ? "another rank has ended" : unpacked(*first);
-    if (by_limit) throw diagnostics::LimitReached(why);
+    if (worst == Kind::limit) throw diagnostics::LimitReached(why);
+    if (worst == Kind::bad_file) throw storage::BadFile(why);
     throw RankFailed("rank " + std::to_string(first - texts.begin()) + ": " + why);
 }
 

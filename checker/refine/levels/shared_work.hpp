@@ -1,6 +1,7 @@
 // Work that all ranks leave together if one of them cannot do its part.
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <stdexcept>
@@ -25,15 +26,19 @@ public:
     void attempt(const std::function<void()>& part);
     [[nodiscard]] bool failed() const { return failure_ != nullptr; }
     /// Exchange::sum. Where a rank has failed, all throw: that one what it has kept, the others LimitReached with its
-    /// words if that was a limit or memory that is not there, and else RankFailed.
+    /// words if that was a limit or memory that is not there, storage::BadFile with its words if it was that, and else
+    /// RankFailed. Where several have failed, the worst counts: an error before a bad file before a limit.
     void sum(std::span<std::uint64_t> values);
 
 private:
-    [[noreturn]] void leave(bool by_limit);
+    enum class Kind : std::uint8_t { error, bad_file, limit, none };  // the worst first
+
+    void fail(Kind kind);
+    [[noreturn]] void leave(Kind worst);
 
     Exchange& exchange_;
     std::exception_ptr failure_;
-    bool limit_ = false;
+    Kind kind_ = Kind::none;
     std::vector<std::uint64_t> values_;
 };
 

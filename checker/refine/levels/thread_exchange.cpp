@@ -1,97 +1,188 @@
 // Everything is brought, all wait, everything is read, all wait again: nobody brings the next thing before all have
-// read.
+// read. What concerns other programs is done by the first thread between the two waits.
 #include "checker/refine/levels/thread_exchange.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
 #include <exception>
-#include <functional>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 #include "checker/refine/levels/shared_work.hpp"
+#include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
+namespace {
+
+/// Where the threads of a program meet. Each has an exchange of its own; the meeting outlives them.
+class Meeting {
+public:
+    Meeting(Exchange& programs, unsigned threads)
+        : programs_(programs),
+          threads_(threads),
+          out_(threads),
+          words_(threads),
+          sums_(threads),
+          to_programs_(programs.ranks()),
+          from_programs_(programs.ranks()) {}
+    /// The exchange of a thread, from 0 on.
+    [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned thread);
+    /// All others that wait, or ever will, get RankLost.
+    void leave();
+
+private:
+    class Member;
+    void wait(bool able = true);
+    template <class Part>
+    void meet(const Part& part);
+    void exchange_rows();
+    void exchange_sums();
+    void exchange_words();
+
+    Exchange& programs_;
+    const unsigned threads_;
+    std::mutex mutex_;
+    std::condition_variable all_here_;
+    unsigned here_ = 0;
+    std::uint64_t turn_ = 0;
+    bool left_ = false;    // one has gone
+    bool unable_ = false;  // one has not done its part
+    // What each has brought; changed by its owner between two waits in which nobody reads it.
+    std::vector<const Messages*> out_;
+    std::vector<const Words*> words_;
+    std::vector<std::vector<std::uint64_t>> sums_;
+    // Of the first thread: changed in its part, and read by all until they meet again. A message to another program is,
+    // for each of its threads, how many words each thread here sends to it; then these words, in the same order.
+    Messages to_programs_, from_programs_;
+    std::vector<std::uint64_t> sum_;
+    std::vector<Words> all_words_;
+    std::string text_;
+};
 
 class Meeting::Member final : public Exchange {
 public:
-    Member(Meeting& meeting, unsigned rank) : meeting_(meeting), rank_(rank) {}
-    [[nodiscard]] unsigned rank() const override { return rank_; }
-    [[nodiscard]] unsigned ranks() const override { return meeting_.ranks_; }
+    Member(Meeting& meeting, unsigned thread) : meeting_(meeting), thread_(thread) {}
+    [[nodiscard]] unsigned rank() const override { return first_rank(meeting_.programs_.rank()) + thread_; }
+    [[nodiscard]] unsigned ranks() const override { return first_rank(meeting_.programs_.ranks()); }
+    [[nodiscard]] unsigned ranks_here() const override { return meeting_.threads_; }
 
     void all_to_all(const Messages& out, Messages& in) override {
         count(out);
-        meeting_.out_[rank_] = &out;
-        meeting_.wait();
-        read([&] {
-            std::size_t size = 0;
-            for (unsigned from = 0; from < ranks(); ++from) {
-                in.begins[from] = size;
-                in.sizes[from] = meeting_.out_[from]->sizes[rank_];
-                size += in.sizes[from];
-            }
-            in.words.clear();
-            in.words.reserve(size);
-            for (const Messages* const each : meeting_.out_) {
-                const lts::StateView message = each->of(rank_);
-                in.words.insert(in.words.end(), message.begin(), message.end());
-            }
+        meeting_.out_[thread_] = &out;
+        meeting_.meet([&] {
+            if (thread_ == 0) meeting_.exchange_rows();
+            read_those_of_threads(in);
         });
+        read_those_of_programs(in);
     }
     void sum(std::span<std::uint64_t> values) override {
-        meeting_.sums_[rank_].assign(values.begin(), values.end());
-        meeting_.wait();
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = 0;
-            for (const std::vector<std::uint64_t>& each : meeting_.sums_) values[i] += each[i];
-        }
-        meeting_.wait();
+        meeting_.sums_[thread_].assign(values.begin(), values.end());
+        meeting_.meet([&] {
+            if (thread_ == 0) meeting_.exchange_sums();
+        });
+        std::ranges::copy(meeting_.sum_, values.begin());
     }
     [[nodiscard]] std::vector<Words> gather(const Words& own) override {
-        meeting_.words_[rank_] = &own;
-        meeting_.wait();
-        std::vector<Words> all;
-        read([&] {
-            for (const Words* const each : meeting_.words_) all.push_back(*each);
+        meeting_.words_[thread_] = &own;
+        meeting_.meet([&] {
+            if (thread_ == 0) meeting_.exchange_words();
         });
-        return all;
+        return meeting_.all_words_;
     }
     void broadcast(std::string& bytes) override {
-        meeting_.texts_[rank_] = &bytes;
-        meeting_.wait();
-        std::string first;
-        read([&] { first = *meeting_.texts_[0]; });
-        bytes = std::move(first);
+        meeting_.meet([&] {
+            if (thread_ != 0) return;
+            meeting_.text_ = bytes;
+            meeting_.programs_.broadcast(meeting_.text_);
+        });
+        bytes = meeting_.text_;
+    }
+    [[nodiscard]] std::uint64_t bytes() const override {
+        if (thread_ != 0) return 0;
+        return (meeting_.to_programs_.words.capacity() + meeting_.from_programs_.words.capacity()) * sizeof(lts::Word);
     }
 
 private:
-    /// Then all wait, also where memory for what is read is not there: others may still read what this one has brought.
-    void read(const std::function<void()>& part) {
-        try {
-            part();
-        } catch (...) {
-            meeting_.wait();
-            throw;
+    [[nodiscard]] unsigned first_rank(unsigned program) const { return program * meeting_.threads_; }
+
+    void read_those_of_threads(Messages& in) const {
+        std::size_t size = 0;
+        for (const Messages* const each : meeting_.out_) size += each->sizes[rank()];
+        in.words.clear();
+        in.words.reserve(size);
+        unsigned from = first_rank(meeting_.programs_.rank());
+        for (const Messages* const each : meeting_.out_) append(each->of(rank()), in, from++);
+    }
+    void read_those_of_programs(Messages& in) const {
+        const Messages& came = meeting_.from_programs_;
+        const std::size_t threads = meeting_.threads_;
+        in.words.reserve(in.words.size() + came.words.size() / threads);  // about as much for each thread
+        for (unsigned program = 0; program < came.sizes.size(); ++program) {
+            if (program == meeting_.programs_.rank()) continue;
+            unsigned from = first_rank(program);
+            if (came.sizes[program] == 0) {
+                for (unsigned thread = 0; thread < threads; ++thread) append({}, in, from++);
+                continue;
+            }
+            const lts::StateView message = came.of(program);
+            const lts::StateView sizes = message.first(threads * threads);
+            const auto mine = sizes.begin() + static_cast<std::ptrdiff_t>(thread_ * threads);
+            std::size_t at = std::accumulate(sizes.begin(), mine, sizes.size());
+            for (const lts::Word size : sizes.subspan(thread_ * threads, threads)) {
+                append(message.subspan(at, size), in, from++);
+                at += size;
+            }
         }
-        meeting_.wait();
+    }
+    static void append(lts::StateView message, Messages& in, unsigned from) {
+        in.begins[from] = in.words.size();
+        in.sizes[from] = message.size();
+        in.words.insert(in.words.end(), message.begin(), message.end());
     }
 
     Meeting& meeting_;
-    unsigned rank_;
+    unsigned thread_;
 };
 
-std::unique_ptr<Exchange> Meeting::exchange(unsigned rank) {
-    return std::make_unique<Member>(*this, rank);
+std::unique_ptr<Exchange> Meeting::exchange(unsigned thread) {
+    return std::make_unique<Member>(*this, thread);
 }
 
-void Meeting::wait() {
+/// `able`: whether this one can go on after it. Where one cannot, all others get RankLost.
+void Meeting::wait(bool able) {
     std::unique_lock lock(mutex_);
+    if (!able) unable_ = true;
     const std::uint64_t turn = turn_;
-    if (++here_ == ranks_) {
+    if (++here_ == threads_) {
         here_ = 0;
         ++turn_;
         all_here_.notify_all();
     } else {
         all_here_.wait(lock, [&] { return turn_ != turn || left_; });
     }
-    if (left_ && turn_ == turn) throw RankLost("another rank has ended");
+    const bool all_came = turn_ != turn;
+    if (able && (unable_ || !all_came)) throw RankLost("another rank has ended");
+}
+
+/// All wait before, and after, also where one cannot do its part: others may still read what it has brought.
+template <class Part>
+void Meeting::meet(const Part& part) {
+    wait();
+    try {
+        part();
+    } catch (...) {
+        wait(false);
+        throw;
+    }
+    wait();
 }
 
 void Meeting::leave() {
@@ -100,35 +191,140 @@ void Meeting::leave() {
     all_here_.notify_all();
 }
 
-void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work) {
-    Meeting meeting(ranks);
-    std::vector<std::exception_ptr> errors(ranks), heard(ranks), losses(ranks);
-    const auto be = [&](unsigned rank) {
-        try {
-            work(*meeting.exchange(rank));
-        } catch (const RankLost&) {
-            losses[rank] = std::current_exception();
-        } catch (const RankFailed&) {
-            heard[rank] = std::current_exception();
-        } catch (...) {
-            errors[rank] = std::current_exception();
+/// Puts together what goes to each of the other programs, and gets what has come from them.
+void Meeting::exchange_rows() {
+    const unsigned programs = programs_.ranks();
+    if (programs == 1) return;
+    const auto is_other = [&](std::size_t rank) { return rank / threads_ != programs_.rank(); };
+    std::size_t size = std::size_t{programs} * threads_ * threads_;
+    for (const Messages* const each : out_)
+        for (std::size_t rank = 0; rank < each->sizes.size(); ++rank)
+            if (is_other(rank)) size += each->sizes[rank];
+    Words& words = to_programs_.words;
+    words.clear();
+    words.reserve(size);
+    for (unsigned program = 0; program < programs; ++program) {
+        const std::size_t begin = words.size();
+        if (program != programs_.rank()) {
+            const unsigned first = program * threads_;
+            for (unsigned to = first; to < first + threads_; ++to)
+                for (const Messages* const each : out_) words.push_back(static_cast<lts::Word>(each->sizes[to]));
+            const std::size_t head = words.size();
+            for (unsigned to = first; to < first + threads_; ++to)
+                for (const Messages* const each : out_)
+                    words.insert(words.end(), each->of(to).begin(), each->of(to).end());
+            if (words.size() == head) words.resize(begin);
         }
-        if (errors[rank] || heard[rank] || losses[rank]) meeting.leave();
-    };
-    std::vector<std::thread> others;
-    try {
-        others.reserve(ranks);
-        for (unsigned rank = 1; rank < ranks; ++rank) others.emplace_back(be, rank);
-        be(0);
-    } catch (...) {
-        // A thread cannot be started; the others lose it.
-        errors[0] = std::current_exception();
-        meeting.leave();
+        to_programs_.begins[program] = begin;
+        to_programs_.sizes[program] = words.size() - begin;
     }
-    for (std::thread& each : others) each.join();
-    for (const auto* const kind : {&errors, &heard, &losses})
-        for (const std::exception_ptr& error : *kind)
-            if (error) std::rethrow_exception(error);
+    programs_.all_to_all(to_programs_, from_programs_);
+}
+
+void Meeting::exchange_sums() {
+    sum_.assign(sums_.front().size(), 0);
+    for (const std::vector<std::uint64_t>& each : sums_) std::ranges::transform(sum_, each, sum_.begin(), std::plus());
+    programs_.sum(sum_);
+}
+
+/// Of each program: how many words each thread gives, then these.
+void Meeting::exchange_words() {
+    Words own;
+    for (const Words* const each : words_) own.push_back(static_cast<lts::Word>(each->size()));
+    for (const Words* const each : words_) own.insert(own.end(), each->begin(), each->end());
+    all_words_.clear();
+    for (const Words& of_program : programs_.gather(own)) {
+        auto at = of_program.begin() + threads_;
+        for (unsigned thread = 0; thread < threads_; ++thread) {
+            const auto end = at + of_program[thread];
+            all_words_.emplace_back(at, end);
+            at = end;
+        }
+    }
+}
+
+/// The threads of a program, from their start to their end.
+class Team {
+public:
+    Team(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work)
+        : programs_(programs),
+          meeting_(programs, threads),
+          work_(work),
+          errors_(threads),
+          heard_(threads),
+          lost_(threads) {
+        for (unsigned thread = 0; thread < threads; ++thread) exchanges_.push_back(meeting_.exchange(thread));
+        others_.reserve(threads);
+    }
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+    ~Team() {
+        meeting_.leave();
+        join();
+    }
+
+    /// Starts all but the caller's.
+    void start() {
+        const std::size_t threads = exchanges_.size();
+        try {
+            for (std::size_t thread = 1; thread < threads; ++thread) others_.emplace_back(&Team::be, this, thread);
+        } catch (const std::system_error& error) {
+            const std::string who = programs_.ranks() > 1 ? fmt::format("program {}: ", programs_.rank()) : "";
+            throw diagnostics::LimitReached(
+                fmt::format("{}{} threads cannot be started: {}", who, threads, error.what()));
+        }
+    }
+    /// The caller's part, then the end of all.
+    void finish() {
+        be(0);
+        join();
+        if (std::ranges::all_of(exchanges_, [](const auto& each) { return each->left_together(); }))
+            programs_.leave_together();
+        for (const auto* const kind : {&errors_, &heard_, &lost_})
+            for (const std::exception_ptr& error : *kind)
+                if (error) std::rethrow_exception(error);
+    }
+
+private:
+    void be(std::size_t thread) {
+        try {
+            return work_(*exchanges_[thread]);
+        } catch (const RankLost&) {
+            lost_[thread] = std::current_exception();
+        } catch (const RankFailed&) {
+            heard_[thread] = std::current_exception();
+        } catch (...) {
+            errors_[thread] = std::current_exception();
+        }
+        meeting_.leave();
+    }
+    void join() {
+        for (std::thread& each : others_)
+            if (each.joinable()) each.join();
+    }
+
+    Exchange& programs_;
+    Meeting meeting_;
+    const std::function<void(Exchange&)>& work_;
+    std::vector<std::unique_ptr<Exchange>> exchanges_;
+    std::vector<std::exception_ptr> errors_, heard_, lost_;  // by thread
+    std::vector<std::thread> others_;
+};
+
+}  // namespace
+
+void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work) {
+    if (threads == 1) return work(programs);
+    std::optional<Team> team;
+    SharedWork ready(programs);
+    ready.attempt([&] { team.emplace(programs, threads, work).start(); });
+    ready.sum({});
+    team->finish();
+}
+
+void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work) {
+    LoneExchange alone;
+    as_ranks(alone, ranks, work);
 }
 
 }  // namespace robochart::refine

@@ -11,11 +11,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <mutex>
+#include <random>
 
-#include "checker/refine/levels/disk_row_store.hpp"
-#include "checker/refine/levels/saved_row_store.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 
@@ -69,6 +66,14 @@ bool is_finished(const std::string& name) {
            name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
+/// Another one each time.
+std::string unforeseeable() {
+    std::random_device source;
+    std::string text;
+    for (int i = 0; i < 4; ++i) text += fmt::format("{:08x}", source());
+    return text;
+}
+
 /// What a run leaves that was killed while it wrote.
 bool is_unfinished(const fs::directory_entry& entry) {
     std::error_code ignored;
@@ -78,7 +83,7 @@ bool is_unfinished(const fs::directory_entry& entry) {
 
 }  // namespace
 
-KeptSearch::KeptSearch(KeptSettings settings) : settings_(std::move(settings)) {
+KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(std::move(settings)), ranks_(ranks) {
     if (settings_.program.empty())
         refuse(settings_.folder,
                "this program was built without a build ID, by which it knows what it has written itself");
@@ -242,66 +247,61 @@ void KeptSearch::remove_left_over() const {
 }
 
 /// Each search of a question has a folder, by its number: the searches of a question are the same each time.
+RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width, const Budget& budget) {
+    diagnostics::Hasher hasher;
+    hasher.add(std::string_view("a search by levels"));
+    hasher.add(std::string_view(settings_.program));
+    hasher.add(*question_);
+    for (const std::uint64_t part :
+         {searches_++, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(question.kind),
+          static_cast<std::uint64_t>(question.model), std::uint64_t{question.divergence ? 1U : 0U},
+          question.events_until})
+        hasher.add(part);
+    RowKeeping rows;
+    rows.search = hasher.finish();
+    // The folder that another rank is in may be another one.
+    std::error_code ignored;
+    rows.folder = fs::absolute(path("search-" + hex(rows.search).substr(0, search_digits)), ignored).string();
+    if (::mkdir(rows.folder.c_str(), 0700) != 0 && errno != EEXIST)
+        throw storage::CannotWrite(
+            fmt::format("cannot make the folder {}: {}", diagnostics::shown(rows.folder), std::strerror(errno)));
+    folders_.push_back(rows.folder);
+    const std::string run = rows.folder + "/" + run_name;
+    if (const diagnostics::Descriptor earlier(::open(run.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+        earlier.open() && ::flock(earlier.get(), LOCK_EX | LOCK_NB) != 0)
+        refuse(settings_.folder, "ranks of an earlier run are still using this folder");
+    rows.run = unforeseeable();
+    if (const std::string error = diagnostics::replace_file(run, rows.run); !error.empty())
+        throw storage::CannotWrite(error);
+    rows.from = storage::newest_in(rows.folder);
+    if (rows.from.ranks == 0 && rows.from.greatest > 0 && settings_.say)
+        settings_.say(fmt::format("{}: not all ranks have written their part of a checkpoint; the search begins anew",
+                                  diagnostics::shown(rows.folder)));
+    rows.every = settings_.every;
+    rows.disk = settings_.disk;
+    // A part of what is left, since the program needs some for other things.
+    const std::uint64_t resident = diagnostics::resident_bytes();
+    const std::uint64_t most = budget.limits().memory_bytes;
+    rows.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 8 * 7);
+    rows.filter_bits = settings_.filter_bits;
+    rows.reads_a_step = settings_.reads_a_step;
+    return rows;
+}
+
 std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const LevelQuestion& question,
                                             Budget& budget, Statistics& statistics) {
     const std::size_t width = question.row_width(system.width());
-    const bool keeps = question_ && !system.states_are_terms() && width > 0;
-    MakeRowStore make = memory_row_store;
-    std::mutex ends;
-    std::uint64_t settled = 0, rolled_back = 0;  // the most of a rank
-    if (keeps) {
-        diagnostics::Hasher hasher;
-        hasher.add(std::string_view("a search by levels"));
-        hasher.add(std::string_view(settings_.program));
-        hasher.add(*question_);
-        for (const std::uint64_t part :
-             {searches_++, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(question.kind),
-              static_cast<std::uint64_t>(question.model), std::uint64_t{question.divergence ? 1U : 0U},
-              question.events_until})
-            hasher.add(part);
-        const storage::RowKind kind{width, hasher.finish()};
-        const std::string folder = path("search-" + hex(kind.search).substr(0, search_digits));
-        if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
-            throw storage::CannotWrite(
-                fmt::format("cannot make the folder {}: {}", diagnostics::shown(folder), std::strerror(errno)));
-        folders_.push_back(folder);
-        // A part of what is left, since the program needs some for other things.
-        const std::uint64_t resident = diagnostics::resident_bytes();
-        const std::uint64_t most = budget.limits().memory_bytes;
-        DiskRowStore::Bounds bounds;
-        bounds.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 8 * 7);
-        bounds.filter_bits = settings_.filter_bits;
-        bounds.reads_a_step = settings_.reads_a_step;
-        bounds.report = [&](const DiskRowStore::Figures& figures) {
-            const std::lock_guard lock(ends);
-            settled = std::max(settled, figures.settled);
-            rolled_back = std::max(rolled_back, figures.rolled_back);
-            if (on_end) on_end(figures);
-        };
-        make = [this, kind, folder, bounds, &budget](const LevelQuestion&, const lts::TransitionSystem&,
-                                                     Exchange& exchange) -> std::unique_ptr<RowStore> {
-            KeptWhere where{folder,        kind, {exchange.rank(), exchange.ranks()}, settings_.every, {}, {},
-                            settings_.say, {}};
-            if (exchange.ranks() > 1)
-                where.mine = [rank = exchange.rank(), ranks = exchange.ranks()](lts::StateView row) {
-                    return owner_of(lts::StateStore::hash(row), ranks) == rank;
-                };
-            where.undisturbed = settings_.undisturbed;
-            // The budget is the first rank's; others find out at the end of a round.
-            if (exchange.rank() == 0) where.poll = [&budget] { budget.charge(256); };
-            if (!settings_.disk) return std::make_unique<SavedRowStore>(std::move(where));
-            DiskRowStore::Bounds own = bounds;
-            own.most_bytes /= exchange.ranks();
-            return std::make_unique<DiskRowStore>(std::move(where), own);
-        };
-    }
-    std::unique_ptr<LevelStrategy> strategy = std::make_unique<OneRank>(make);
-    if (settings_.ranks > 1) strategy = std::make_unique<ThreadRanks>(settings_.ranks, make);
-    std::optional<Violation> found = strategy->search(system, question, budget, statistics);
-    if (settled > 0 && settings_.say)
+    if (!question_ || system.states_are_terms() || width == 0)
+        return ranks_.search(system, question, budget, statistics);
+    LevelQuestion kept = question;
+    kept.rows = rows_of(question, width, budget);
+    const std::uint64_t settled = statistics.settled, rolled_back = statistics.rolled_back;
+    std::optional<Violation> found = ranks_.search(system, kept, budget, statistics);
+    if (statistics.settled > settled && settings_.say)
         settings_.say(
             fmt::format("the states of `{}` on disk were read through {} times, and the search went back {} times",
-                        diagnostics::shown(asked_.back().text), settled, rolled_back));
+                        diagnostics::shown(asked_.back().text), statistics.settled - settled,
+                        statistics.rolled_back - rolled_back));
     return found;
 }
 

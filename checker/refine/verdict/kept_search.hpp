@@ -10,12 +10,10 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
 #include "diagnostics/cache/cache.hpp"
 #include "diagnostics/descriptor.hpp"
@@ -27,23 +25,23 @@ struct KeptSettings {
     bool resume = false;  ///< goes on from what is in the folder; else there is nothing in it, or it is not there
     bool disk = false;    ///< rows that memory does not hold stay in files
     std::chrono::milliseconds every = std::chrono::minutes(10);  ///< between checkpoints
-    unsigned ranks = 1;
-    std::string program;  ///< its identity (diagnostics::program_identity), not empty
+    /// Its identity, not empty: programs of the same identity compile processes to the same rows.
+    std::string program;
     /// Takes what the user should know, a sentence without its end; may be empty.
     std::function<void(const std::string&)> say;
-    /// While what it gives lives, the run is not ended by force.
-    std::function<std::shared_ptr<void>()> undisturbed;
     // For tests: see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
     unsigned filter_bits = 32;
     unsigned reads_a_step = 5;
 };
 
+/// The folder's side of it, at the first rank; the searches are another strategy's, whose ranks all see the folder.
 class KeptSearch final : public LevelStrategy {
 public:
-    /// Throws storage::BadFile where the folder has anything in it, without `resume`; or with it, nothing that this
-    /// program can go on from; and where the program has no identity. Throws storage::CannotWrite.
-    explicit KeptSearch(KeptSettings settings);
+    /// `ranks` does the searches, and outlives this. Throws storage::BadFile where the folder has anything in it,
+    /// without `resume`; or with it, nothing that this program can go on from; and where the program has no identity.
+    /// Throws storage::CannotWrite.
+    KeptSearch(KeptSettings settings, LevelStrategy& ranks);
     ~KeptSearch() override;
 
     /// Throws storage::BadFile where the folder was written for another question at this place.
@@ -58,9 +56,6 @@ public:
     std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                     Statistics& statistics) override;
 
-    /// For tests and measurements: called for each store on disk when its search is over, by its rank.
-    std::function<void(const DiskRowStore::Figures&)> on_end;
-
 private:
     struct Asked {
         std::string digest;  ///< in hexadecimal
@@ -73,8 +68,10 @@ private:
     [[nodiscard]] std::string path(const std::string& name) const { return settings_.folder + "/" + name; }
     void remove_searches();
     void remove_left_over() const;
+    [[nodiscard]] RowKeeping rows_of(const LevelQuestion& question, std::size_t width, const Budget& budget);
 
     KeptSettings settings_;
+    LevelStrategy& ranks_;
     diagnostics::Descriptor folder_;  ///< locked
     std::optional<diagnostics::Cache> answers_;
     std::vector<Asked> earlier_;                   ///< those that the folder was written for

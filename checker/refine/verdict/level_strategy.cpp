@@ -1,6 +1,8 @@
 #include "checker/refine/verdict/level_strategy.hpp"
 
-#include "checker/refine/levels/memory_row_store.hpp"
+#include <stdexcept>
+
+#include "checker/refine/levels/shared_work.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
 #include "checker/refine/verdict/monitors.hpp"
@@ -42,15 +44,23 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
     }
 }
 
-std::unique_ptr<RowStore> memory_row_store(const LevelQuestion& question, const lts::TransitionSystem& system,
-                                           Exchange& /*exchange*/) {
-    return std::make_unique<MemoryRowStore>(question.row_width(system.width()));
-}
-
-std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics) {
+    constexpr std::uint64_t pieces_a_poll = 256;
+    const auto report = [&statistics](const DiskRowStore::Figures& figures) {
+        statistics.settled += figures.settled;
+        statistics.rolled_back += figures.rolled_back;
+    };
+    SharedWork ready(exchange);
+    std::unique_ptr<RowStore> store;
+    ready.attempt([&] {
+        store = make_row_store(
+            question.rows, question.row_width(system.width()), exchange, [&budget] { budget.charge(pieces_a_poll); },
+            report);
+    });
+    ready.sum({});
     const std::unique_ptr<Monitor> monitor = monitor_of(question);
-    LevelSearch search(system, *monitor, store, exchange, budget, question.divergence);
+    LevelSearch search(system, *monitor, *store, exchange, budget, question.divergence);
     const LevelTally tally(search, exchange.ranks(), statistics);
     std::optional<LevelFinding> finding = search.first_violation(question.events_until);
     if (!finding && question.divergence) finding = search.first_divergence();
@@ -58,36 +68,38 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
 }
 
-std::optional<Violation> OneRank::search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
-                                         Statistics& statistics) {
-    LoneExchange exchange;
-    const std::unique_ptr<RowStore> store = make_store_(question, system, exchange);
-    return search_as_rank(system, question, *store, exchange, budget, statistics);
+unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
+    return wanted > 1 && system.another() ? wanted : 1;
 }
 
-/// The first rank is the caller's thread; the others have limits of their own, but for their memory.
-std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, const LevelQuestion& question,
-                                             Budget& budget, Statistics& statistics) {
-    std::vector<std::unique_ptr<lts::TransitionSystem>> systems(ranks_);
-    for (unsigned rank = 1; rank < ranks_; ++rank) {
-        systems[rank] = system.another();
-        if (!systems[rank]) return OneRank(make_store_).search(system, question, budget, statistics);
-    }
+std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
+                                           const LevelQuestion& question, Budget& budget, Statistics& statistics) {
     Limits quiet = budget.limits();
     quiet.progress = {};
     std::optional<Violation> violation;
-    as_ranks(ranks_, [&](Exchange& exchange) {
-        const bool first = exchange.rank() == 0;
-        lts::TransitionSystem& searched = first ? system : *systems[exchange.rank()];
+    as_ranks(programs, threads, [&](Exchange& exchange) {
+        const bool first = exchange.rank() % threads == 0;
+        std::unique_ptr<lts::TransitionSystem> another;
+        SharedWork ready(exchange);
+        ready.attempt([&] {
+            if (!first) another = system.another();
+            if (!first && !another) throw std::logic_error("the system serves one thread only");
+        });
+        ready.sum({});
         Budget own(quiet);
-        const PollGuard guard({systems[exchange.rank()].get()}, own);
+        const PollGuard guard({another.get()}, own);
         Statistics ignored;
-        const std::unique_ptr<RowStore> store = make_store_(question, searched, exchange);
-        std::optional<Violation> found =
-            search_as_rank(searched, question, *store, exchange, first ? budget : own, first ? statistics : ignored);
+        std::optional<Violation> found = search_as_rank(first ? system : *another, question, exchange,
+                                                        first ? budget : own, first ? statistics : ignored);
         if (first) violation = std::move(found);
     });
     return violation;
+}
+
+std::optional<Violation> ThreadRanks::search(lts::TransitionSystem& system, const LevelQuestion& question,
+                                             Budget& budget, Statistics& statistics) {
+    LoneExchange alone;
+    return search_by_threads(alone, threads_for(system, ranks_), system, question, budget, statistics);
 }
 
 }  // namespace robochart::refine

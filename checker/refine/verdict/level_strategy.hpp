@@ -2,18 +2,20 @@
 // files. Limits::by_levels names the strategy; what it is asked is data, so that it can be sent to other programs.
 #pragma once
 
-#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "checker/refine/levels/level_search.hpp"
+#include "checker/refine/levels/row_keeping.hpp"
 #include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/normal_table.hpp"
 #include "diagnostics/cache/cache.hpp"
 
 namespace robochart::refine {
 
-/// What a search looks for.
+/// What a search looks for, and where it keeps its rows.
 struct LevelQuestion {
     enum class Kind : std::uint8_t { states, deadlock, choice, refinement };
     Kind kind = Kind::states;                          ///< states: nothing, every state is seen
@@ -21,6 +23,7 @@ struct LevelQuestion {
     std::shared_ptr<const NormalTable> specification;  ///< of a refinement; else null
     bool divergence = false;                           ///< then, if nothing is found, a cycle of taus
     std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max();  ///< LevelSearch::first_violation
+    RowKeeping rows = {};
 
     /// Whether rows begin with a node.
     [[nodiscard]] bool has_nodes() const { return kind == Kind::choice || kind == Kind::refinement; }
@@ -30,16 +33,19 @@ struct LevelQuestion {
 
 [[nodiscard]] std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question);
 
-/// Makes the store for one rank's rows of a search.
-using MakeRowStore =
-    std::function<std::unique_ptr<RowStore>(const LevelQuestion&, const lts::TransitionSystem&, Exchange&)>;
-
-/// Rows in memory.
-[[nodiscard]] std::unique_ptr<RowStore> memory_row_store(const LevelQuestion&, const lts::TransitionSystem&, Exchange&);
-
-/// One rank's part of a search; collective. What is found is added to the statistics, also if a limit ends it.
-std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question, RowStore& store,
+/// One rank's part of a search; collective. What is found is added to the statistics, also if a limit ends it. Where a
+/// rank cannot make the store of its rows, all leave the search together (SharedWork).
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
+
+/// How many threads of a program can search the system, of so many wanted: one where it serves one thread only.
+[[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted);
+
+/// One program's part of a search, by so many threads as ranks, of which the first is the caller's (as_ranks);
+/// collective of `programs`. Each thread has rows of its own. The budget and the statistics are the first thread's;
+/// the others have the same limits, without progress.
+std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
+                                           const LevelQuestion& question, Budget& budget, Statistics& statistics);
 
 /// How the searches of a check go by levels.
 class LevelStrategy {
@@ -65,28 +71,15 @@ public:
                                             Budget& budget, Statistics& statistics) = 0;
 };
 
-/// One rank.
-class OneRank final : public LevelStrategy {
-public:
-    explicit OneRank(MakeRowStore make_store = memory_row_store) : make_store_(std::move(make_store)) {}
-    std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
-                                    Statistics& statistics) override;
-
-private:
-    MakeRowStore make_store_;
-};
-
-/// Threads of this program as ranks. A system that serves one thread only is searched by one.
+/// Threads of this program as ranks.
 class ThreadRanks final : public LevelStrategy {
 public:
-    explicit ThreadRanks(unsigned ranks, MakeRowStore make_store = memory_row_store)
-        : ranks_(ranks), make_store_(std::move(make_store)) {}
+    explicit ThreadRanks(unsigned ranks) : ranks_(ranks) {}
     std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                     Statistics& statistics) override;
 
 private:
     unsigned ranks_;
-    MakeRowStore make_store_;
 };
 
 }  // namespace robochart::refine

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Decides scripts with the command and, by 2 and by 4 ranks that mpirun starts, with robochart-verify-mpi, and compares:
-answers and lengths of counterexamples are those of the command, states and transitions too where an assertion holds
-(where it fails, ranks count whole levels), and all numbers and whole counterexamples are the same for both numbers of
-ranks. Exits with 1 where something differs."""
+"""Decides scripts with the command and with robochart-verify-mpi, which mpirun starts two and four times with one thread
+each, and two times with two threads each, and compares: answers and lengths of counterexamples are those of the command,
+states and transitions too where an assertion holds (where it fails, ranks count whole levels), and all numbers and whole
+counterexamples are the same for all numbers of programs and threads. Exits with 1 where something differs."""
 
 import json
 import os
@@ -13,11 +13,12 @@ from pathlib import Path
 FAILS = 1  # the exit code where some assertion fails, which is so in these scripts
 
 
-def decided(command: list[str], scripts: list[str]) -> list[dict]:
+def decided(command: list[str], scripts: list[str], options: tuple = ()) -> list[dict]:
     """The results of all scripts, without times."""
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    child = subprocess.run([*command, "cspm", *scripts, "--format", "json", "--progress", "never", "--no-cache"],
-                           capture_output=True, text=True, env=environment, check=False)
+    child = subprocess.run(
+        [*command, "cspm", *scripts, "--format", "json", "--progress", "never", "--no-cache", *options],
+        capture_output=True, text=True, env=environment, check=False)
     if child.returncode != FAILS:
         sys.exit(f"{' '.join(command)}: exit {child.returncode}\n{child.stderr}")
     results = []
@@ -38,12 +39,13 @@ def main() -> int:
     program, mpi_program, mpiexec, folder = sys.argv[1:5]
     scripts = sorted(str(path) for path in Path(folder).glob("*.csp"))
     ordinary = decided([program], scripts)
-    by_ranks = {count: decided([mpiexec, "--oversubscribe", "-n", str(count), mpi_program], scripts)
-                for count in (2, 4)}
+    ways = {(programs, threads): decided([mpiexec, "--oversubscribe", "-n", str(programs), mpi_program], scripts,
+                                         ("--threads", str(threads)))
+            for programs, threads in ((2, 1), (4, 1), (2, 2))}
     wrong = 0
     for at, expected in enumerate(ordinary):
         place = expected["place"]
-        two, four = by_ranks[2][at], by_ranks[4][at]
+        two, *others = (results[at] for results in ways.values())
         same = ["answer", "errors"] + (["visited_states", "visited_transitions", "visited_plys"]
                                        if expected["answer"] == "holds" else [])
         for name in same:
@@ -53,11 +55,16 @@ def main() -> int:
         if steps(two) != steps(expected):
             print(f"{place}: the counterexample has {steps(two)} steps by two ranks, {steps(expected)} by the command")
             wrong += 1
-        ranks = two.pop("ranks", 0), four.pop("ranks", 0)
-        if two != four:
-            print(f"{place}: by two ranks\n{two}\nby four\n{four}")
+        ranks = [each.pop("ranks", 0) for each in (two, *others)]
+        wanted = [programs * threads for programs, threads in ways]
+        if any(count not in (0, 1, most) for count, most in zip(ranks, wanted)):
+            print(f"{place}: the numbers of ranks are {ranks}, at most {wanted} expected")
             wrong += 1
-        print(f"{place}: {expected['answer']}, ranks {ranks[0]} and {ranks[1]}")
+        for other in others:
+            if two != other:
+                print(f"{place}: by two ranks\n{two}\nby others\n{other}")
+                wrong += 1
+        print(f"{place}: {expected['answer']}, ranks {ranks}")
     print(f"{len(scripts)} scripts, {len(ordinary)} assertions, {wrong} differences")
     return 1 if wrong else 0
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Ends searches by real ranks in every way that is documented, and looks whether all ranks end, with the exit code and
-message that are documented (docs/scale.md): errors of one rank, limits, signals to mpirun. Exits with 1 where
+"""Ends searches by programs that mpirun starts in every way that is documented, and looks whether all end, with the exit
+code and message that are documented (docs/scale.md): errors of one program, limits, signals to mpirun. Exits with 1 where
 something differs. With --sample only some of the ways are tried.
 
     end_ranks.py MPIEXEC PROGRAM FAULTY_RANKS [--sample]"""
@@ -18,7 +18,21 @@ P(i) = a.i -> b.i -> c.i -> d.i -> P(i)
 assert ||| i : {0..11} @ P(i) :[deadlock free [F]]
 """  # 4^12 states
 FEW = "assert (a.0 -> STOP) ||| (a.1 -> STOP) :[divergence free]\nchannel a : {0..1}\n"
-INTERNAL, INCONCLUSIVE, USAGE = 70, 3, 4
+HOLDS, INTERNAL, INCONCLUSIVE, USAGE = 0, 70, 3, 4
+
+
+def ranks_left(folder: str) -> list[str]:
+    """Programs that still run: those that have the script of this run, which lies in the folder, among their
+    arguments."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        try:
+            words = (entry / "cmdline").read_bytes() if entry.name.isdigit() else b""
+        except OSError:
+            continue
+        if folder.encode() in words and entry.name != str(os.getpid()):
+            found.append(entry.name)
+    return found
 
 
 class Ends:
@@ -45,35 +59,22 @@ class Ends:
         right = child.returncode in codes and output.count(words) == 1
         # Ranks that are ended by mpirun may need a moment.
         limit = time.monotonic() + 5
-        while self.left() and time.monotonic() < limit:
+        while ranks_left(self.folder) and time.monotonic() < limit:
             time.sleep(0.05)
-        left = self.left()
+        left = ranks_left(self.folder)
         if not right or left:
             self.wrong += 1
             print(f"{what}: exit {child.returncode}, {sorted(codes)} expected, with `{words}`; left: {left}\n{output}")
         else:
             print(f"{what}: exit {child.returncode}")
 
-    def left(self) -> list[str]:
-        """Ranks that still run: those that have the script of this run among their arguments."""
-        found = []
-        for entry in Path("/proc").iterdir():
-            try:
-                words = (entry / "cmdline").read_bytes() if entry.name.isdigit() else b""
-            except OSError:
-                continue
-            if self.folder.encode() in words and entry.name != str(os.getpid()):
-                found.append(entry.name)
-        return found
 
-
-def limits_and_refusals(ends: Ends, program: str, many: str, few: str, folder: str) -> None:
+def limits_and_refusals(ends: Ends, program: str, many: str, few: str) -> None:
     ends.run("--timeout", [program, "cspm", many, "--no-reduction", "--timeout", "1"], {INCONCLUSIVE},
              "the time limit was reached")
     ends.run("--max-states", [program, "cspm", many, "--no-reduction", "--max-states", "2000"], {INCONCLUSIVE},
              "the limit of 2000 states was reached")
-    ends.run("--threads", [program, "cspm", few, "--threads", "2"], {USAGE}, "one rank a core")
-    ends.run("--disk", [program, "cspm", few, "--disk", os.path.join(folder, "d")], {USAGE}, "not kept in files")
+    ends.run("--threads", ["taskset", "-c", "0", program, "cspm", few, "--threads", "2"], {HOLDS}, "2 threads share 1 core")
 
 
 def main() -> int:
@@ -84,21 +85,23 @@ def main() -> int:
         Path(many).write_text(SCRIPT)
         Path(few).write_text(FEW)
         ends = Ends(mpiexec, program, faulty, folder)
-        for rank in ("2",) if sample else ("0", "2"):
-            who = "" if rank == "0" else f"rank {rank}: "
-            ends.run(f"an error of rank {rank}", [faulty, rank, "5", "error", "cspm", many], {INTERNAL},
-                     f"{'an internal error: ' if rank == '0' else who}an injected error")
+        for number, threads in (("2", "2"),) if sample else (("0", "1"), ("0", "2"), ("2", "1"), ("2", "2")):
+            who = "" if number == "0" else f"program {number}: "
+            asked = ["cspm", many, "--threads", threads]
+            ends.run(f"an error of program {number}, {threads} threads", [faulty, number, "5", "error", *asked],
+                     {INTERNAL}, f"{'an internal error: ' if number == '0' else who}an injected error")
             if sample:
                 continue
-            ends.run(f"no memory at rank {rank}", [faulty, rank, "5", "memory", "cspm", many], {INCONCLUSIVE},
-                     f"{who}there is no more memory")
+            ends.run(f"no memory in program {number}, {threads} threads", [faulty, number, "5", "memory", *asked],
+                     {INCONCLUSIVE}, f"{who}there is no more memory")
         if not sample:
-            limits_and_refusals(ends, program, many, few, folder)
+            limits_and_refusals(ends, program, many, few)
         searching = [program, "cspm", many, "--no-reduction", "--progress", "json"]
         # mpirun has an exit code of its own where it was interrupted.
         for name in ("SIGTERM",) if sample else ("SIGINT", "SIGTERM"):
-            ends.run(f"{name} to mpirun", searching, {1, INCONCLUSIVE}, "the run was interrupted",
-                     after=getattr(signal, name))
+            for threads in ("2",) if sample else ("1", "2"):
+                ends.run(f"{name} to mpirun, {threads} threads", [*searching, "--threads", threads], {1, INCONCLUSIVE},
+                         "the run was interrupted", after=getattr(signal, name))
         return 1 if ends.wrong else 0
 
 

@@ -1,6 +1,6 @@
-// robochart-verify-mpi in which one rank meets an error of its own.
+// robochart-verify-mpi, of which one program meets an error of its own.
 //
-//   faulty_ranks RANK CALL error|memory ARGUMENT...    the rank's call of its exchange, from 0 on, that throws
+//   faulty_ranks NUMBER CALL error|memory ARGUMENT...    the program's call of its exchange, from 0 on, that throws
 #include <cstdlib>
 #include <string>
 

@@ -1,6 +1,7 @@
-// Assertions of whole scripts decided by ranks, in memory and on disk: answers, lengths of runs and, where they hold,
-// figures of the ordinary search, and one and the same counterexample for every number of ranks and wherever rows are.
-// ROBOCHART_RANKED_SCRIPTS names a folder whose scripts, and those in folders below, are compared too.
+// Assertions of whole scripts decided by ranks, by programs with two ranks each, and on disk: answers, lengths of runs
+// and, where they hold, figures of the ordinary search, and one and the same counterexample for every number of ranks
+// and wherever they and their rows are. ROBOCHART_RANKED_SCRIPTS names a folder whose scripts, and those in folders
+// below, are compared too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "checker/refine/verdict/level_strategy.hpp"
 #include "tests/checker/cspm/support.hpp"
 #include "tests/checker/processes/on_disk.hpp"
+#include "tests/checker/processes/thread_programs.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
 #include "tests/source_folder.hpp"
 
@@ -70,6 +72,10 @@ std::size_t compare(const std::filesystem::path& file) {
                 }
                 EXPECT_EQ(mine, first) << file << ": " << print(*assertion) << ", ranks " << ranks;
             }
+            refine::ThreadPrograms by_programs(reduction ? 3 : 2, 2);
+            limits.by_levels = &by_programs;
+            EXPECT_EQ(answer(session, *assertion, limits, everything), first)
+                << file << ": " << print(*assertion) << ", by programs of two threads";
             refine::OnDisk on_disk(reduction ? 2 : 1);
             limits.by_levels = &on_disk;
             EXPECT_EQ(answer(session, *assertion, limits, everything), first)

@@ -1,5 +1,6 @@
-// Searches by levels, with threads as ranks, give the answers, figures and lengths of runs of the ordinary search, and
-// one and the same run for every number of ranks, on random rules and on families of known size.
+// Searches by levels, with threads as ranks and as programs with several ranks each, give the answers, figures and
+// lengths of runs of the ordinary search, and one and the same run for every number of ranks, on random rules and on
+// families of known size.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -11,6 +12,7 @@
 #include "tests/checker/machine/random_rules.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/random_cases.hpp"
+#include "tests/checker/processes/thread_programs.hpp"
 #include "tests/rounds.hpp"
 
 namespace robochart::machine {
@@ -85,13 +87,16 @@ TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
                 limits.reduction = reduction;
                 const Verdict ordinary = ask(limits);
                 std::string first;
-                for (const unsigned ranks : {1U, 2U, 3U, 4U, 8U}) {
-                    refine::ThreadRanks strategy(ranks);
+                for (const auto& [programs, threads] :
+                     std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {1, 3}, {3, 1}, {2, 2}, {2, 3}}) {
+                    refine::ThreadPrograms strategy(programs, threads);
                     limits.by_levels = &strategy;
                     const Verdict verdict = ask(limits);
-                    ASSERT_EQ(in_common(verdict), in_common(ordinary)) << "round " << round << ", ranks " << ranks;
-                    if (ranks == 1) first = everything(verdict);
-                    ASSERT_EQ(everything(verdict), first) << "round " << round << ", ranks " << ranks;
+                    const std::string by = "round " + std::to_string(round) + ", programs " + std::to_string(programs) +
+                                           ", threads of each " + std::to_string(threads);
+                    ASSERT_EQ(in_common(verdict), in_common(ordinary)) << by;
+                    if (first.empty()) first = everything(verdict);
+                    ASSERT_EQ(everything(verdict), first) << by;
                 }
                 ++asked;
                 fails += ordinary.outcome == Outcome::fails ? 1 : 0;
@@ -134,12 +139,19 @@ TEST_F(LevelFamilies, CountsAllStatesOfIndependentCells) {
         EXPECT_EQ(verdict.statistics.depth, 24U);
         EXPECT_EQ(verdict.statistics.ranks, ranks);
     }
+    refine::ThreadPrograms strategy(2, 3);
+    refine::Limits limits;
+    limits.by_levels = &strategy;
+    const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures_divergences, limits);
+    EXPECT_EQ(verdict.statistics.states, 65'536U);
+    EXPECT_EQ(verdict.statistics.transitions, 8 * 65'536U);
+    EXPECT_EQ(verdict.statistics.ranks, 6U);
 }
 
 TEST_F(LevelFamilies, EndAtALimitTogether) {
     const auto system = cells(8);
-    for (const unsigned ranks : {1U, 3U}) {
-        refine::ThreadRanks strategy(ranks);
+    for (const unsigned programs : {1U, 2U}) {
+        refine::ThreadPrograms strategy(programs, 2);
         refine::Limits limits;
         limits.by_levels = &strategy;
         limits.max_states = 10'000;
@@ -163,30 +175,75 @@ TEST(ThreadRanks, ARankThatFailsEndsAll) {
     }
 }
 
-TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
-    refine::as_ranks(3, [](refine::Exchange& exchange) {
-        const unsigned rank = exchange.rank();
-        refine::Messages out(3), in(3);
-        for (unsigned to = 0; to < 3; ++to) {
+/// What `count` ranks send each other: to rank r, r words that say from whom they are.
+void exchange_everything(refine::Exchange& exchange, unsigned count) {
+    const unsigned rank = exchange.rank();
+    ASSERT_EQ(exchange.ranks(), count);
+    refine::Messages out(count), in(count);
+    for (int round = 0; round < 3; ++round) {
+        out.words.clear();
+        for (unsigned to = 0; to < count; ++to) {
             out.words.push_back(99);  // of no message
             out.begins[to] = out.words.size();
             out.sizes[to] = to;
             out.words.insert(out.words.end(), to, 10 * rank + to);
         }
         exchange.all_to_all(out, in);
-        for (unsigned from = 0; from < 3; ++from)
+        for (unsigned from = 0; from < count; ++from)
             EXPECT_EQ(refine::Words(in.of(from).begin(), in.of(from).end()), refine::Words(rank, 10 * from + rank));
         std::uint64_t values[2] = {rank, 1};
         exchange.sum(values);
-        EXPECT_EQ(values[0], 3U);
-        EXPECT_EQ(values[1], 3U);
-        EXPECT_EQ(exchange.gather({rank, rank}), (std::vector<refine::Words>{{0, 0}, {1, 1}, {2, 2}}));
+        EXPECT_EQ(values[0], count * (count - 1) / 2);
+        EXPECT_EQ(values[1], count);
+        std::vector<refine::Words> gathered;
+        for (unsigned from = 0; from < count; ++from) gathered.emplace_back(from, from);
+        EXPECT_EQ(exchange.gather(refine::Words(rank, rank)), gathered);
         std::string text = "rank " + std::to_string(rank);
         exchange.broadcast(text);
         EXPECT_EQ(text, "rank 0");
-        // To each rank but one's own: of 0 to 1 and 2, of 1 to 2, of 2 to 1; nothing is sent to 0.
-        EXPECT_EQ(exchange.traffic().messages, rank == 0 ? 2U : 1U);
+    }
+    // To each rank but one's own and 0, to which nothing is sent.
+    EXPECT_EQ(exchange.traffic().messages, 3 * (count - (rank == 0 ? 1 : 2)));
+}
+
+TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
+    refine::as_ranks(3, [](refine::Exchange& exchange) { exchange_everything(exchange, 3); });
+}
+
+/// One a round, with a number in front for each pair of threads.
+void exchange_by_programs(unsigned programs, unsigned threads) {
+    refine::as_ranks(programs, [=](refine::Exchange& exchange) {
+        refine::as_ranks(exchange, threads, [=](refine::Exchange& each) {
+            EXPECT_EQ(each.ranks_here(), threads);
+            exchange_everything(each, programs * threads);
+        });
+        EXPECT_EQ(exchange.traffic().rounds, programs == 1 ? 0U : 3U);
+        EXPECT_EQ(exchange.traffic().messages, 3 * (programs - 1));
+        std::uint64_t words = 0;
+        for (unsigned to = 0; to < programs * threads; ++to)
+            if (to / threads != exchange.rank()) words += to * threads + threads;
+        EXPECT_EQ(exchange.traffic().bytes, 3 * words * sizeof(lts::Word));
     });
+}
+
+TEST(ThreadPrograms, SendOneMessageToEachOtherProgram) {
+    exchange_by_programs(1, 3);
+    exchange_by_programs(2, 2);
+    exchange_by_programs(3, 2);
+    exchange_by_programs(2, 3);
+}
+
+/// A thread's error ends all threads of all programs, also those that wait for others.
+TEST(ThreadPrograms, AThreadThatFailsEndsAll) {
+    for (unsigned failing = 0; failing < 6; ++failing) {
+        const auto work = [failing](refine::Exchange& exchange) {
+            if (exchange.rank() == failing) throw std::logic_error("broken");
+            std::uint64_t values[1] = {1};
+            exchange.sum(values);
+            ADD_FAILURE() << "rank " << exchange.rank() << " has a sum without that of rank " << failing;
+        };
+        EXPECT_THROW(refine::as_programs(3, 2, work), std::logic_error);
+    }
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Searches whose rows are on disk, with as little memory as can be.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
 #include "checker/refine/verdict/level_strategy.hpp"
@@ -20,7 +19,7 @@ public:
 
 private:
     unsigned ranks_;
-    std::atomic<std::uint64_t> rolled_back_{0};
+    std::uint64_t rolled_back_ = 0;
 };
 
 }  // namespace robochart::refine

@@ -1,4 +1,5 @@
-// Searches whose other ranks know no more than what they are sent: the same answers, figures and runs as by one rank.
+// Searches whose other programs know no more than what they are sent: the same answers, figures and runs as by one
+// rank.
 #include <gtest/gtest.h>
 
 #include <new>
@@ -32,14 +33,15 @@ using refine::Verdict;
 
 using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
 
-/// What `ask` says where rank 0 asks, and the other threads serve.
-std::vector<std::string> by_ranks(unsigned count, bool reduction, const Ask& ask) {
+/// What `ask` says where the first program asks, and the others serve; each has so many threads.
+std::vector<std::string> by_programs(unsigned programs, unsigned threads, bool reduction, const Ask& ask) {
     std::vector<std::string> answers;
-    refine::as_ranks(count, [&](refine::Exchange& exchange) {
+    refine::as_ranks(programs, [&](refine::Exchange& exchange) {
         if (exchange.rank() != 0) return serve(exchange);
         ServedRanks strategy(exchange);
         refine::Limits limits;
         limits.reduction = reduction;
+        limits.threads = threads;
         limits.by_levels = &strategy;
         answers = ask(limits);
     });
@@ -68,23 +70,24 @@ TEST(ServedRanks, AnswerAsOneRankDoes) {
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
         for (const bool reduction : {false, true}) {
             const auto ask = [&](const refine::Limits& limits) { return all_answers(specification, system, limits); };
-            refine::OneRank one;
+            refine::ThreadRanks one(1);
             refine::Limits limits;
             limits.reduction = reduction;
             limits.by_levels = &one;
             const std::vector<std::string> wanted_answers = ask(limits);
-            for (const unsigned count : {1U, 2U, 3U})
-                ASSERT_EQ(by_ranks(count, reduction, ask), wanted_answers) << "round " << round << ", ranks " << count;
+            for (const auto& [programs, threads] : std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {3, 1}, {2, 2}})
+                ASSERT_EQ(by_programs(programs, threads, reduction, ask), wanted_answers)
+                    << "round " << round << ", programs " << programs << ", threads of each " << threads;
         }
     }
 }
 
 class Cells : public testing::Test {
 protected:
-    /// Six equal cells of four states, called by other names.
-    TermId cells() {
+    /// Equal cells of four states, called by other names.
+    TermId cells(int count = 6) {
         std::vector<TermId> all;
-        for (int cell = 0; cell < 6; ++cell) {
+        for (int cell = 0; cell < count; ++cell) {
             const std::string name = std::to_string(cell);
             all.push_back(s.cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
         }
@@ -99,11 +102,11 @@ protected:
 /// Multisets of six among four: 84 of 4096.
 TEST_F(Cells, AreFoldedAtEachRank) {
     const auto system = compiler.compile(cells(), {});
-    const auto answers = by_ranks(3, true, [&](const refine::Limits& limits) {
+    const auto answers = by_programs(3, 2, true, [&](const refine::Limits& limits) {
         const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits);
         EXPECT_EQ(verdict.statistics.states, 84U);
         EXPECT_EQ(verdict.statistics.replicas, 6U);
-        EXPECT_EQ(verdict.statistics.ranks, 3U);
+        EXPECT_EQ(verdict.statistics.ranks, 6U);
         return std::vector{everything(verdict)};
     });
     ASSERT_EQ(answers.size(), 1U);
@@ -112,7 +115,7 @@ TEST_F(Cells, AreFoldedAtEachRank) {
 
 TEST_F(Cells, AsTermsAreSearchedByTheFirstRank) {
     process::TermSystem system(semantics, cells());
-    by_ranks(2, false, [&](const refine::Limits& limits) {
+    by_programs(2, 2, false, [&](const refine::Limits& limits) {
         const Verdict verdict = refine::deadlock_free(system, refine::Model::failures, limits);
         EXPECT_EQ(verdict.outcome, Outcome::holds);
         EXPECT_EQ(verdict.statistics.states, 4096U);
@@ -123,7 +126,7 @@ TEST_F(Cells, AsTermsAreSearchedByTheFirstRank) {
 
 TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
     const auto system = compiler.compile(cells(), {});
-    by_ranks(2, false, [&](const refine::Limits& given) {
+    by_programs(2, 2, false, [&](const refine::Limits& given) {
         refine::Limits limits = given;
         limits.max_states = 1000;
         EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits).reason,
@@ -137,12 +140,14 @@ TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
     });
 }
 
-/// Whichever rank meets an error of its own at whichever call, all end: rank 0 knows that the others wait for it, and
-/// searches no more.
-TEST_F(Cells, EndTogetherWhateverRankFails) {
-    const auto system = compiler.compile(cells(), {});
-    for (const unsigned failing : {0U, 2U})
+/// Whichever program meets an error of its own at whichever call, all end: the first one knows that the others wait for
+/// it, and searches no more.
+TEST_F(Cells, EndTogetherWhateverProgramFails) {
+    const auto system = compiler.compile(cells(2), {});
+    for (const unsigned round : {0U, 1U, 2U, 3U})
         for (std::uint64_t call = 0;; ++call) {
+            const unsigned failing = round < 2 ? 0 : 2;
+            const unsigned threads = 1 + round % 2;
             const auto fault = call % 2 == 0 ? FaultyExchange::Fault::error : FaultyExchange::Fault::memory;
             bool failed = false;
             const auto work = [&](refine::Exchange& real) {
@@ -153,6 +158,7 @@ TEST_F(Cells, EndTogetherWhateverRankFails) {
                 } else {
                     ServedRanks strategy(faulty);
                     refine::Limits limits;
+                    limits.threads = threads;
                     limits.by_levels = &strategy;
                     std::string why;
                     try {
@@ -200,7 +206,7 @@ TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
     int refused = 0;
     for (int round = 0; round < 300; ++round) {
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
-        std::string bytes = ranks::encode(system, {}, {}).value();
+        std::string bytes = ranks::encode(system, {}, {}, 1).value();
         if (round % 3 == 0)
             bytes.resize(numbers() % bytes.size());
         else
@@ -241,7 +247,7 @@ private:
 // What the others do not know of is not passed over: they wait for this rank.
 TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
     ShortOfMemory exchange;
-    EXPECT_THROW(serve(exchange, refine::memory_row_store), std::bad_alloc);
+    EXPECT_THROW(serve(exchange), std::bad_alloc);
 }
 
 }  // namespace

@@ -60,6 +60,9 @@ protected:
         }
         ASSERT_EQ(files.rows(), sum);
     }
+    [[nodiscard]] std::vector<Checkpoint> newest() const {
+        return read(folder_.path(), where().kind, newest_in(folder_.path()));
+    }
     LevelFiles adopted(const Checkpoint& checkpoint) const {
         LevelFiles files(where(checkpoint.place));
         files.adopt(checkpoint, {});
@@ -81,7 +84,7 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     files.checkpoint({{1, 2, 3, 4, 5, 6}, {{4, {7, 7, 7}}, {6, {1, 0, 0, 2, 0, 0}}}, {{10, 0}, {20, 5}}});
     for (std::uint32_t level = 13; level < 20; ++level) files.add_level(rows_of(level));
 
-    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    const std::vector<Checkpoint> found = newest();
     ASSERT_EQ(found.size(), 1U);
     LevelFiles again = adopted(found[0]);
     EXPECT_EQ(again.levels(), 13U);
@@ -102,7 +105,7 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     // It goes on, and what is no longer needed goes.
     for (std::uint32_t level = 13; level < 25; ++level) again.add_level(rows_of(level));
     again.checkpoint({});
-    const std::vector<Checkpoint> later = newest(folder_.path(), where().kind);
+    const std::vector<Checkpoint> later = newest();
     ASSERT_EQ(later.size(), 1U);
     EXPECT_EQ(later[0].number, found[0].number + 1);
     LevelFiles last = adopted(later[0]);
@@ -121,11 +124,11 @@ TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
     files.forget_from(4);
     for (std::uint32_t level = 4; level < 12; ++level) files.add_level(rows_of(level, 100));
     expect_levels(files, 100, 4);
-    LevelFiles before = adopted(newest(folder_.path(), where().kind).at(0));
+    LevelFiles before = adopted(newest().at(0));
     EXPECT_EQ(before.levels(), 10U);
     expect_levels(before);
     files.checkpoint({});
-    LevelFiles after = adopted(newest(folder_.path(), where().kind).at(0));
+    LevelFiles after = adopted(newest().at(0));
     EXPECT_EQ(after.levels(), 12U);
     expect_levels(after, 100, 4);
 }
@@ -139,12 +142,12 @@ TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
         second.add_level(rows_of(level, 50));
     }
     first.checkpoint({});
-    EXPECT_TRUE(newest(folder_.path(), where().kind).empty());
+    EXPECT_TRUE(newest().empty());
     second.checkpoint({});
     first.add_level(rows_of(5));
     second.add_level(rows_of(5, 50));
     first.checkpoint({});
-    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    const std::vector<Checkpoint> found = newest();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 1U);
     for (const Checkpoint& each : found) {
@@ -153,7 +156,7 @@ TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
         expect_levels(files, each.place.rank * 50);
     }
     second.checkpoint({});
-    EXPECT_EQ(newest(folder_.path(), where().kind).at(1).number, 2U);
+    EXPECT_EQ(newest().at(1).number, 2U);
 }
 
 // A rank that goes on writing checkpoints while another cannot does not remove what both have.
@@ -168,7 +171,7 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
         first.add_level(rows_of(level));
         first.checkpoint({});
     }
-    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    const std::vector<Checkpoint> found = newest();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 1U);
     for (const Checkpoint& each : found) {
@@ -176,7 +179,7 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
         EXPECT_EQ(files.levels(), 1U);
         expect_levels(files, each.place.rank * 50);
     }
-    EXPECT_EQ(greatest_number(folder_.path()), 5U);
+    EXPECT_EQ(newest_in(folder_.path()).greatest, 5U);
 }
 
 // Those of one number belong together, even if one has more levels; whoever reads them takes what both have.
@@ -192,7 +195,7 @@ TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
     second.add_level(rows_of(1, 50));
     first.checkpoint({});
     second.checkpoint({});
-    const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+    const std::vector<Checkpoint> found = newest();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 2U);
     EXPECT_EQ(adopted(found[0]).levels(), 3U);
@@ -220,7 +223,7 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         const pid_t child = fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
-            const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+            const std::vector<Checkpoint> found = newest();
             LevelFiles files(where());
             if (!found.empty()) files.adopt(found[0], {});
             for (;;) {
@@ -232,14 +235,14 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 100));
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
-        const std::vector<Checkpoint> found = newest(folder_.path(), where().kind);
+        const std::vector<Checkpoint> found = newest();
         if (found.empty()) continue;
         LevelFiles files = adopted(found[0]);
         expect_levels(files);
         LevelFiles::read_beside(where(), found[0].marks, {},
                                 [&](std::uint32_t, std::span<const Word> rows) { EXPECT_EQ(rows[0], files.levels()); });
     }
-    EXPECT_FALSE(newest(folder_.path(), where().kind).empty());
+    EXPECT_FALSE(newest().empty());
 }
 
 TEST_F(Levels, KeepTheLastCheckpointWhereTheDiskIsFull) {
@@ -256,11 +259,11 @@ TEST_F(Levels, KeepTheLastCheckpointWhereTheDiskIsFull) {
         reached = files.levels();
     }
     EXPECT_THAT(why, HasSubstr("cannot write"));
-    EXPECT_EQ(newest(folder_.path(), where().kind).at(0).levels, 8U);
+    EXPECT_EQ(newest().at(0).levels, 8U);
     expect_levels(files);
     files.checkpoint({});  // there is space again
-    EXPECT_EQ(newest(folder_.path(), where().kind).at(0).levels, reached);
-    LevelFiles again = adopted(newest(folder_.path(), where().kind).at(0));
+    EXPECT_EQ(newest().at(0).levels, reached);
+    LevelFiles again = adopted(newest().at(0));
     expect_levels(again);
 }
 
@@ -274,7 +277,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
     const auto refused = [&](const std::string& text) {
         std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
         try {
-            for (const Checkpoint& each : newest(folder_.path(), where().kind)) (void)adopted(each);
+            for (const Checkpoint& each : newest()) (void)adopted(each);
         } catch (const BadFile& error) {
             return std::string(error.what());
         }

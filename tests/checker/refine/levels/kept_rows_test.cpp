@@ -9,11 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <random>
-#include <system_error>
+#include <string>
 
 #include "checker/lts/graph.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
@@ -115,11 +116,18 @@ protected:
         where.kind = {1, {}};
         where.kind.search.fill(search);
         where.place = {exchange.rank(), exchange.ranks()};
+        where.from = storage::newest_in(where.folder);
         if (exchange.ranks() > 1)
             where.mine = [rank = exchange.rank(), ranks = exchange.ranks()](lts::StateView row) {
                 return owner_of(lts::StateStore::hash(row), ranks) == rank;
             };
         return where;
+    }
+    /// The newest complete checkpoint in the folder.
+    [[nodiscard]] std::vector<storage::Checkpoint> newest() const {
+        const LoneExchange alone;
+        const KeptWhere all = where(alone, 1);
+        return storage::read(all.folder, all.kind, all.from);
     }
     void clear() const {
         for (const std::string& file : diagnostics::files_below(folder_.path(), false).files) std::remove(file.c_str());
@@ -273,15 +281,16 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
             KeptWhere kept = where(exchange, 1);
             if (!last.closing && last.number % 6 == 0) kept.every = std::chrono::milliseconds(0);
             if (exchange.rank() == 0 && !last.closing) kept.poll = pass;
-            if (exchange.rank() == 0 && last.closing)
-                kept.undisturbed = [&]() -> std::shared_ptr<void> {
-                    if (!before.searched) pass();
-                    return nullptr;
-                };
             return std::make_unique<DiskRowStore>(std::move(kept), bounds);
         };
         try {
-            ASSERT_EQ(answer(graph, ranks, {}, stopping, &before), expected);
+            Limits limits;
+            if (last.closing)
+                limits.undisturbed = [&]() -> std::shared_ptr<void> {
+                    if (!before.searched) pass();
+                    return nullptr;
+                };
+            ASSERT_EQ(answer(graph, ranks, limits, stopping, &before), expected);
             return;
         } catch (const LimitReached&) {
             stopped = true;
@@ -342,7 +351,7 @@ TEST_F(KeptRows, HaveNoCheckpointBeforeTheFirstLevel) {
         else
             store = std::make_unique<SavedRowStore>(where(alone, 1));
         EXPECT_THROW(LevelSearch(system, monitor, *store, alone, budget, false).first_violation(), LimitReached);
-        EXPECT_EQ(storage::greatest_number(folder_.path()), 0U);
+        EXPECT_EQ(storage::newest_in(folder_.path()).greatest, 0U);
     }
 }
 
@@ -359,15 +368,16 @@ TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
     SavedRowStore store(where(alone, 1));
     LevelSearch search(system, monitor, store, alone, budget, true);
     ASSERT_FALSE(search.first_violation());
-    EXPECT_TRUE(storage::newest(folder_.path(), where(alone, 1).kind).empty());
+    EXPECT_TRUE(newest().empty());
     (void)search.first_divergence();
-    const auto found = storage::newest(folder_.path(), where(alone, 1).kind);
+    const auto found = newest();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].levels, store.levels());
 }
 
 /// Why the checkpoint in the folder is refused.
-std::string refusal(const KeptWhere& where) {
+std::string refusal(KeptWhere where) {
+    where.from = storage::newest_in(where.folder);
     try {
         SavedRowStore store(where);
     } catch (const storage::BadFile& refused) {
@@ -383,7 +393,7 @@ TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
     files.add_level(std::vector<lts::Word>{0});
     files.checkpoint({});
     EXPECT_EQ(refusal(where), "");
-    storage::Checkpoint made = storage::newest(where.folder, where.kind).at(0);
+    storage::Checkpoint made = newest().at(0);
     made.levels = 4'000'000'000;
     storage::write(where.folder, where.kind, made);
     EXPECT_NE(refusal(where).find("it has 4000000000 levels, and figures of 0"), std::string::npos);
@@ -402,15 +412,14 @@ TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
     files.number_from(6);
     files.add_level(std::vector<lts::Word>{0});
     files.checkpoint({});
-    std::string said;
-    where.say = [&](const std::string& what) { said += what; };
+    where.from = storage::newest_in(where.folder);
     SavedRowStore store(where);
-    EXPECT_NE(said.find("the search begins anew"), std::string::npos);
+    EXPECT_EQ(store.levels(), 0U);
     const lts::Word row = 3;
     store.enter({&row, 1}, lts::StateStore::hash({&row, 1}));
     store.close_level();
     store.checkpoint();
-    EXPECT_EQ(storage::newest(where.folder, where.kind).at(0).number, 8U);
+    EXPECT_EQ(newest().at(0).number, 8U);
 }
 
 // An error is that of the rank that has met it, whatever others have heard of it.
@@ -437,19 +446,18 @@ std::uint64_t virtual_pages() {
     return pages;
 }
 
-// No memory is left for the stacks of some of them.
-TEST(Ranks, EndWhereAThreadCannotBeStarted) {
+/// How a program ends that has no memory for the stacks of many threads: 3 where it hears of a limit, with these words.
+int end_without_stacks(const std::string& words, const std::function<void()>& work) {
     const pid_t child = fork();
-    ASSERT_GE(child, 0);
     if (child == 0) {
         rlimit limit{};
         getrlimit(RLIMIT_AS, &limit);
         limit.rlim_cur = virtual_pages() * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + (64U << 20U);
         setrlimit(RLIMIT_AS, &limit);
         try {
-            as_ranks(200, [](Exchange& exchange) { exchange.sum({}); });
-        } catch (const std::system_error&) {
-            _exit(3);
+            work();
+        } catch (const LimitReached& limit) {
+            _exit(std::string(limit.what()).find(words) == 0 ? 3 : 5);
         } catch (...) {
             _exit(4);
         }
@@ -457,8 +465,28 @@ TEST(Ranks, EndWhereAThreadCannotBeStarted) {
     }
     int status = 0;
     waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 3);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Ranks, EndWhereAThreadCannotBeStarted) {
+    const auto work = [](Exchange& exchange) { exchange.sum({}); };
+    EXPECT_EQ(end_without_stacks("200 threads cannot be started", [&] { as_ranks(200, work); }), 3);
+}
+
+// The other program hears of it, and both leave together.
+TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
+    const auto work = [](Exchange& exchange) { exchange.sum({}); };
+    const auto as_two_programs = [&] {
+        as_ranks(2, [&](Exchange& programs) {
+            try {
+                as_ranks(programs, 200, work);
+            } catch (const LimitReached&) {
+                if (!programs.left_together()) _exit(6);
+                throw;
+            }
+        });
+    };
+    EXPECT_EQ(end_without_stacks("program ", as_two_programs), 3);
 }
 
 TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {

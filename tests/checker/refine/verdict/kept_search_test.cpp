@@ -90,6 +90,7 @@ protected:
             strategy.identify_question(digest(each.text));
             const Verdict verdict = deadlock_free(system, Model::failures_divergences, limits);
             strategy.end_question(verdict.outcome != Outcome::inconclusive);
+            rolled_back_ += verdict.statistics.rolled_back;
             all += each.text + " " + std::to_string(static_cast<int>(verdict.outcome)) + " " + verdict.reason + " " +
                    std::to_string(verdict.statistics.states) + " " + std::to_string(verdict.statistics.transitions) +
                    " " + std::to_string(verdict.statistics.depth);
@@ -103,13 +104,15 @@ protected:
         return all;
     }
     std::string in_memory() {
-        OneRank strategy;
+        ThreadRanks strategy(1);
         return decide(strategy);
     }
 
     std::string error_;
     diagnostics::TemporaryFolder folder_{"", error_};
     std::vector<Asked> asked_;
+    ThreadRanks threads_{1};
+    std::uint64_t rolled_back_ = 0;  ///< of all searches decided
 };
 
 TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
@@ -117,13 +120,12 @@ TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
     EXPECT_THAT(expected, HasSubstr("deadlocks 1 "));
     EXPECT_THAT(expected, HasSubstr("diverges 1 "));
     for (const bool disk : {false, true}) {
-        std::uint64_t rolled_back = 0;
+        rolled_back_ = 0;
         {
-            KeptSearch search(settings(false, disk));
-            search.on_end = [&](const DiskRowStore::Figures& figures) { rolled_back += figures.rolled_back; };
+            KeptSearch search(settings(false, disk), threads_);
             EXPECT_EQ(decide(search), expected);
         }
-        EXPECT_EQ(rolled_back > 0, disk);
+        EXPECT_EQ(rolled_back_ > 0, disk);
         EXPECT_FALSE(fs::exists(kept())) << "all is decided";
     }
 }
@@ -139,10 +141,9 @@ TEST_F(KeptSearches, GoOnAfterKillsAtAnyMoment) {
             const pid_t child = fork();
             ASSERT_GE(child, 0);
             if (child == 0) {
-                KeptSettings own = settings(there(), disk);
-                own.ranks = ranks;
                 try {
-                    KeptSearch search(std::move(own));
+                    ThreadRanks threads(ranks);
+                    KeptSearch search(settings(there(), disk), threads);
                     (void)decide(search);
                 } catch (const std::exception& wrong) {
                     std::fprintf(stderr, "%s\n", wrong.what());
@@ -157,7 +158,7 @@ TEST_F(KeptSearches, GoOnAfterKillsAtAnyMoment) {
             ASSERT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) != 0);
             if (WIFSIGNALED(status)) ++killed;
         }
-        KeptSearch search(settings(there(), false));
+        KeptSearch search(settings(there(), false), threads_);
         ASSERT_EQ(decide(search), expected);
     }
     EXPECT_GE(killed, 5);
@@ -166,11 +167,11 @@ TEST_F(KeptSearches, GoOnAfterKillsAtAnyMoment) {
 TEST_F(KeptSearches, GoOnAfterALimit) {
     const std::string expected = in_memory();
     {
-        KeptSearch search(settings(false, true));
+        KeptSearch search(settings(false, true), threads_);
         EXPECT_THAT(decide(search, 2000), HasSubstr("the limit of 2000 states was reached"));
     }
     ASSERT_TRUE(there());
-    KeptSearch search(settings(true, false));
+    KeptSearch search(settings(true, false), threads_);
     EXPECT_EQ(decide(search), expected);
 }
 
@@ -181,17 +182,17 @@ TEST_F(KeptSearches, KeepTheLastCheckpointWhereTheDiskIsFull) {
         const tests::FileLimit limit(1000);
         KeptSettings own = settings(false, true);
         own.every = std::chrono::hours(1);
-        KeptSearch search(std::move(own));
+        KeptSearch search(std::move(own), threads_);
         found = decide(search);
     }
     EXPECT_THAT(found, HasSubstr("holds 2 cannot write "));
-    KeptSearch search(settings(true, false));
+    KeptSearch search(settings(true, false), threads_);
     EXPECT_EQ(decide(search), expected);
 }
 
 TEST_F(KeptSearches, RefuseTheFolderOfAnother) {
     {
-        KeptSearch search(settings(false, false));
+        KeptSearch search(settings(false, false), threads_);
         (void)decide(search, 2000);
     }
     const auto why = [](const auto& act) -> std::string {
@@ -202,23 +203,26 @@ TEST_F(KeptSearches, RefuseTheFolderOfAnother) {
         }
         return "";
     };
-    EXPECT_THAT(why([&] { KeptSearch again(settings(false, false)); }), HasSubstr("--resume goes on from there"));
+    EXPECT_THAT(why([&] { KeptSearch again(settings(false, false), threads_); }),
+                HasSubstr("--resume goes on from there"));
     KeptSettings newer = settings(true, false);
     newer.program = "another program";
-    EXPECT_THAT(why([&] { KeptSearch other(newer); }), HasSubstr("questions: line 2: another version of the program"));
+    EXPECT_THAT(why([&] { KeptSearch other(newer, threads_); }),
+                HasSubstr("questions: line 2: another version of the program"));
     KeptSettings absent = settings(true, false);
     absent.folder = folder_.path();
-    EXPECT_THAT(why([&] { KeptSearch nothing(absent); }), HasSubstr("there is no checkpoint in this folder"));
+    EXPECT_THAT(why([&] { KeptSearch nothing(absent, threads_); }), HasSubstr("there is no checkpoint in this folder"));
     {
-        KeptSearch search(settings(true, false));
-        EXPECT_THAT(why([&] { KeptSearch second(settings(true, false)); }), HasSubstr("another run is using"));
+        KeptSearch search(settings(true, false), threads_);
+        EXPECT_THAT(why([&] { KeptSearch second(settings(true, false), threads_); }),
+                    HasSubstr("another run is using"));
         EXPECT_THAT(why([&] { search.begin_question("other"); }), HasSubstr("this run asks `other`"));
         search.begin_question("holds");
         EXPECT_THAT(why([&] { search.identify_question(digest("otherwise")); }),
                     HasSubstr("written for question 1, `holds`, about other processes or with other options"));
     }
     std::ofstream(kept() + "/questions") << "x";
-    EXPECT_THAT(why([&] { KeptSearch other(settings(true, false)); }), HasSubstr("questions: line 1"));
+    EXPECT_THAT(why([&] { KeptSearch other(settings(true, false), threads_); }), HasSubstr("questions: line 1"));
 }
 
 std::string refusal(const std::function<void()>& act) {
@@ -233,26 +237,27 @@ std::string refusal(const std::function<void()>& act) {
 TEST_F(KeptSearches, NeedTheIdentityOfTheProgram) {
     KeptSettings own = settings(false, false);
     own.program.clear();
-    EXPECT_THAT(refusal([&] { KeptSearch search(own); }), HasSubstr("without a build ID"));
+    EXPECT_THAT(refusal([&] { KeptSearch search(own, threads_); }), HasSubstr("without a build ID"));
     EXPECT_FALSE(fs::exists(kept()));
 }
 
 TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
     fs::create_directories(kept() + "/finished-work");
     std::ofstream(kept() + "/finished-work/notes") << "mine";
-    EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false)); }), HasSubstr("there are other files"));
+    EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false), threads_); }),
+                HasSubstr("there are other files"));
     EXPECT_TRUE(fs::exists(kept() + "/finished-work/notes"));
     EXPECT_FALSE(there());
     fs::remove_all(kept());
     {
-        KeptSearch search(settings(false, false));
+        KeptSearch search(settings(false, false), threads_);
         search.begin_question("holds");
     }
     const std::vector<std::string> others{"finished-work", "finished-search-", "finished-search-0123456789abcdeg",
                                           "finished-search-0123456789abcdef0"};
     for (const std::string& each : others) fs::create_directory(kept() + "/" + each);
     fs::create_directory(kept() + "/finished-search-0123456789abcdef");
-    KeptSearch search(settings(true, false));
+    KeptSearch search(settings(true, false), threads_);
     for (const std::string& each : others) EXPECT_TRUE(fs::exists(kept() + "/" + each)) << each;
     EXPECT_FALSE(fs::exists(kept() + "/finished-search-0123456789abcdef"));
 }
@@ -263,16 +268,17 @@ TEST_F(KeptSearches, TakeAFolderThatAKilledRunHasBegun) {
     fs::create_directories(kept());
     std::ofstream(left) << "half";
     std::ofstream(kept() + "/.robochart-notes") << "mine";
-    EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false)); }), HasSubstr("there are other files"));
+    EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false), threads_); }),
+                HasSubstr("there are other files"));
     EXPECT_TRUE(fs::exists(left)) << "nothing is removed from a folder of others";
     fs::remove(kept() + "/.robochart-notes");
-    KeptSearch search(settings(false, false));
+    KeptSearch search(settings(false, false), threads_);
     EXPECT_TRUE(there());
     EXPECT_FALSE(fs::exists(left));
 }
 
 TEST_F(KeptSearches, LeaveNothingWhereNothingWasAsked) {
-    { KeptSearch search(settings(false, false)); }
+    { KeptSearch search(settings(false, false), threads_); }
     EXPECT_FALSE(fs::exists(kept()));
 }
 
@@ -285,17 +291,17 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
         search.end_question(true);
     };
     {
-        KeptSearch search(settings(false, false));
+        KeptSearch search(settings(false, false), threads_);
         decided(search);
     }
     {
-        KeptSearch search(settings(true, false));
+        KeptSearch search(settings(true, false), threads_);
         EXPECT_EQ(search.answers()->find(digest("holds")), "yes");
         decided(search);
         search.begin_question("other");  // and is never identified
         search.all_asked();
     }
-    KeptSearch search(settings(true, false));
+    KeptSearch search(settings(true, false), threads_);
     EXPECT_EQ(search.answers()->find(digest("holds")), "yes");
     EXPECT_THAT(refusal([&] { search.begin_question("other"); }), HasSubstr("written for question 1, `holds`"));
     decided(search);
@@ -317,7 +323,7 @@ TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
         return count;
     };
     for (const bool answered : {false, true}) {
-        KeptSearch search(settings(false, false));
+        KeptSearch search(settings(false, false), threads_);
         Limits limits;
         limits.by_levels = &search;
         const process::EventTable table;
@@ -336,10 +342,10 @@ TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
 
 TEST_F(KeptSearches, RefuseQuestionsThatAreNoList) {
     {
-        KeptSearch search(settings(false, false));
+        KeptSearch search(settings(false, false), threads_);
         search.begin_question("holds");
     }
-    const auto why = [&] { return refusal([&] { KeptSearch search(settings(true, false)); }); };
+    const auto why = [&] { return refusal([&] { KeptSearch search(settings(true, false), threads_); }); };
     EXPECT_EQ(why(), "");
     std::ofstream(kept() + "/questions", std::ios::app) << digest("x").size() << std::string(10'000, 'a');
     EXPECT_THAT(why(), HasSubstr("questions: line 4: it cannot be read, or is too long"));

@@ -1,0 +1,58 @@
+#include "checker/refine/levels/row_keeping.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "checker/refine/levels/memory_row_store.hpp"
+#include "checker/refine/levels/saved_row_store.hpp"
+#include "diagnostics/escape.hpp"
+
+namespace robochart::refine {
+namespace {
+
+/// Files of a folder of the same name on another machine would be those of other rows.
+std::shared_ptr<const diagnostics::Descriptor> use_folder(const RowKeeping& keeping, unsigned rank) {
+    const std::string path = keeping.folder + "/" + run_name;
+    const auto refuse = [&](const std::string& why) {
+        throw storage::BadFile(fmt::format("{}: rank {}: {}: all ranks must see the folder that rank 0 sees",
+                                           diagnostics::shown(path), rank, why));
+    };
+    auto file =
+        std::make_shared<diagnostics::Descriptor>(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+    if (!file->open() || ::flock(file->get(), LOCK_SH | LOCK_NB) != 0) refuse(std::strerror(errno));
+    std::string found(keeping.run.size() + 1, '\0');
+    const ssize_t size = ::read(file->get(), found.data(), found.size());
+    if (size < 0) refuse(std::strerror(errno));
+    found.resize(static_cast<std::size_t>(size));
+    if (found != keeping.run) refuse("it is of another run");
+    return file;
+}
+
+}  // namespace
+
+std::unique_ptr<RowStore> make_row_store(const RowKeeping& keeping, std::size_t width, const Exchange& exchange,
+                                         std::function<void()> poll,
+                                         std::function<void(const DiskRowStore::Figures&)> report) {
+    if (keeping.folder.empty()) return std::make_unique<MemoryRowStore>(width);
+    const unsigned rank = exchange.rank();
+    const unsigned ranks = exchange.ranks();
+    auto lock = use_folder(keeping, rank);
+    KeptWhere where{keeping.folder,  {width, keeping.search}, {rank, ranks}, keeping.from, keeping.every, {},
+                    std::move(poll), std::move(lock)};
+    if (ranks > 1)
+        where.mine = [rank, ranks](lts::StateView row) { return owner_of(lts::StateStore::hash(row), ranks) == rank; };
+    if (!keeping.disk) return std::make_unique<SavedRowStore>(std::move(where));
+    DiskRowStore::Bounds bounds;
+    bounds.most_bytes = keeping.most_bytes / exchange.ranks_here();
+    bounds.filter_bits = keeping.filter_bits;
+    bounds.reads_a_step = keeping.reads_a_step;
+    bounds.report = std::move(report);
+    return std::make_unique<DiskRowStore>(std::move(where), std::move(bounds));
+}
+
+}  // namespace robochart::refine

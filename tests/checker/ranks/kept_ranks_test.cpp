@@ -1,0 +1,256 @@
+// Searches by ranks that are programs of their own, whose rows are kept in a folder: ended and gone on with by other
+// numbers of ranks, also by threads of one program; one rank that cannot write, or sees another folder.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "checker/machine/compiler.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/ranks/served_ranks.hpp"
+#include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "checker/refine/verdict/kept_search.hpp"
+#include "diagnostics/files.hpp"
+#include "tests/checker/process/scripted.hpp"
+#include "tests/checker/processes/verdict_text.hpp"
+#include "tests/checker/ranks/faulty_exchange.hpp"
+
+namespace robochart::ranks {
+namespace {
+
+namespace fs = std::filesystem;
+using process::Op;
+using process::Scripted;
+using process::TermId;
+using refine::KeptSearch;
+using refine::KeptSettings;
+using refine::Outcome;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class KeptRanks : public testing::Test {
+protected:
+    using Answers = std::vector<std::string>;
+
+    KeptRanks() {
+        std::vector<TermId> all;
+        for (const char* cell : {"0", "1", "2", "3", "4", "5"}) {
+            std::vector<std::string> events;
+            for (const char* event : {"a", "b", "c", "d"}) events.push_back(std::string(event) + cell);
+            all.push_back(s_.cycle("C" + std::string(cell), events));
+        }
+        cells_ = compiler_.compile(s_.over(Op::parallel, all, {}), {});
+        // Forbids what six cells do after a dozen steps.
+        TermId few = s_.stop();
+        for (int step = 0; step < 12; ++step) {
+            std::vector<std::pair<std::string, TermId>> branches;
+            for (const char* cell : {"0", "1", "2", "3", "4", "5"})
+                for (const char* event : {"a", "b", "c", "d"}) branches.emplace_back(std::string(event) + cell, few);
+            few = s_.menu(branches);
+        }
+        few_ = std::make_unique<process::TermSystem>(semantics_, few);
+    }
+
+    [[nodiscard]] std::string kept() const { return folder_.path() + "/kept"; }
+    [[nodiscard]] bool there() const { return fs::exists(kept() + "/questions"); }
+    /// The folder of the search that is open.
+    [[nodiscard]] std::string search() const {
+        for (const auto& each : fs::directory_iterator(kept()))
+            if (each.path().filename().string().starts_with("search-")) return each.path().string();
+        return "";
+    }
+    [[nodiscard]] KeptSettings settings(bool disk) {
+        KeptSettings settings;
+        settings.folder = kept();
+        settings.resume = there();
+        settings.disk = disk;
+        settings.every = std::chrono::milliseconds(0);
+        settings.program = "this program";
+        settings.say = [this](const std::string& what) { said_ += what + "\n"; };
+        settings.most_bytes = 16U << 10U;
+        settings.filter_bits = 4;
+        settings.reads_a_step = 0;
+        return settings;
+    }
+
+    Answers decide(refine::LevelStrategy& strategy, std::uint64_t most_states, unsigned threads = 1) {
+        refine::Limits limits;
+        limits.threads = threads;
+        limits.by_levels = &strategy;
+        limits.max_states = most_states;
+        const std::pair<std::string, std::function<refine::Verdict()>> questions[] = {
+            {"deadlock free", [&] { return refine::deadlock_free(*cells_, refine::Model::failures, limits); }},
+            {"a dozen steps", [&] { return refine::refines(*few_, *cells_, refine::Model::traces, limits); }},
+        };
+        Answers answers;
+        for (const auto& [text, ask] : questions) {
+            diagnostics::Hasher hasher;
+            hasher.add(std::string_view(text));
+            strategy.begin_question(text);
+            strategy.identify_question(hasher.finish());
+            const refine::Verdict verdict = ask();
+            strategy.end_question(verdict.outcome != Outcome::inconclusive);
+            answers.push_back(refine::everything(verdict));
+        }
+        strategy.all_asked();
+        return answers;
+    }
+    Answers in_memory() {
+        refine::ThreadRanks strategy(1);
+        return decide(strategy, 1'000'000);
+    }
+    /// By programs that know no more than what they are sent, of so many ranks each.
+    Answers by_ranks(unsigned count, bool disk, std::uint64_t most_states = 1'000'000, unsigned threads = 1) {
+        Answers answers;
+        refine::as_ranks(count, [&](refine::Exchange& exchange) {
+            if (exchange.rank() != 0) return serve(exchange);
+            ServedRanks served(exchange);
+            KeptSearch search(settings(disk), served);
+            answers = decide(search, most_states, threads);
+        });
+        return answers;
+    }
+    Answers by_threads(unsigned count, bool disk, std::uint64_t most_states) {
+        refine::ThreadRanks threads(count);
+        KeptSearch search(settings(disk), threads);
+        return decide(search, most_states);
+    }
+
+    std::string error_;
+    diagnostics::TemporaryFolder folder_{"", error_};
+    Scripted s_;
+    process::OperationalSemantics semantics_{s_.store};
+    machine::Compiler compiler_{semantics_};
+    std::unique_ptr<lts::TransitionSystem> cells_, few_;
+    std::string said_;
+};
+
+TEST_F(KeptRanks, GoOnFromWhatOtherNumbersOfRanksHaveKept) {
+    const Answers expected = in_memory();
+    ASSERT_EQ(expected[0].front(), '0' + static_cast<int>(Outcome::holds));
+    ASSERT_EQ(expected[1].front(), '0' + static_cast<int>(Outcome::fails));
+    for (const bool disk : {false, true}) {
+        const auto limited = HasSubstr("states was reached");
+        EXPECT_THAT(by_ranks(2, disk, 500)[0], limited);
+        const storage::Newest first = storage::newest_in(search());
+        EXPECT_EQ(first.ranks, 2U);
+        EXPECT_THAT(by_ranks(3, !disk, 1500)[0], limited);
+        const storage::Newest second = storage::newest_in(search());
+        EXPECT_EQ(second.ranks, 3U);
+        EXPECT_GT(second.number, first.number);
+        EXPECT_THAT(by_threads(2, disk, 2000)[0], limited);
+        EXPECT_THAT(by_ranks(2, disk, 3000, 2)[0], limited);
+        EXPECT_EQ(storage::newest_in(search()).ranks, 4U);
+        EXPECT_EQ(by_ranks(2, disk), expected);
+        EXPECT_FALSE(fs::exists(kept())) << "all is decided";
+    }
+    EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
+}
+
+// A folder stands where one of the ranks writes its part of the next checkpoint.
+TEST_F(KeptRanks, LeaveTheSearchTogetherWhereOneCannotWrite) {
+    const Answers expected = in_memory();
+    (void)by_ranks(2, false, 500);
+    const std::string place =
+        search() + "/checkpoint-" + std::to_string(storage::newest_in(search()).greatest + 1) + "-1-of-3.unfinished";
+    ASSERT_TRUE(fs::create_directory(place));
+    const Answers found = by_ranks(3, false);
+    EXPECT_THAT(found[0], AllOf(HasSubstr(std::to_string(static_cast<int>(Outcome::inconclusive)) + "cannot write "),
+                                HasSubstr(fs::path(place).filename().string())));
+    EXPECT_EQ(found[1], expected[1]) << "the ranks are still there";
+    ASSERT_TRUE(fs::remove(place));
+    EXPECT_EQ(by_ranks(2, false), expected);
+}
+
+/// Of a rank for which the folder has another name.
+class OtherFolder final : public refine::Exchange {
+public:
+    OtherFolder(refine::Exchange& real, std::string from, std::string to)
+        : real_(real), from_(std::move(from)), to_(std::move(to)) {}
+    [[nodiscard]] unsigned rank() const override { return real_.rank(); }
+    [[nodiscard]] unsigned ranks() const override { return real_.ranks(); }
+    void all_to_all(const refine::Messages& out, refine::Messages& in) override { real_.all_to_all(out, in); }
+    void sum(std::span<std::uint64_t> values) override { real_.sum(values); }
+    [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override { return real_.gather(own); }
+    void broadcast(std::string& bytes) override {
+        real_.broadcast(bytes);
+        if (const std::size_t at = bytes.find(from_); at != std::string::npos) bytes.replace(at, from_.size(), to_);
+    }
+
+private:
+    refine::Exchange& real_;
+    std::string from_, to_;
+};
+
+TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
+    const Answers expected = in_memory();
+    const std::string other = folder_.path() + "/tepk";
+    for (const bool there_too : {false, true}) {
+        if (there_too) fs::copy(kept(), other, fs::copy_options::recursive);
+        std::string why;
+        refine::as_ranks(2, [&](refine::Exchange& exchange) {
+            OtherFolder own(exchange, kept(), other);
+            if (exchange.rank() != 0) return serve(own);
+            ServedRanks served(exchange);
+            KeptSearch search(settings(false), served);
+            try {
+                (void)decide(search, 1'000'000);
+            } catch (const storage::BadFile& refused) {
+                why = refused.what();
+            }
+            EXPECT_FALSE(served.others_wait());
+        });
+        EXPECT_THAT(why, AllOf(HasSubstr("/tepk/search-"), HasSubstr("/run: rank 1: "),
+                               HasSubstr(there_too ? "it is of another run" : "No such file"),
+                               HasSubstr("all ranks must see the folder that rank 0 sees")));
+        EXPECT_TRUE(there());
+    }
+    EXPECT_EQ(by_ranks(2, false), expected);
+}
+
+// A rank that has no memory left in the midst of an exchange keeps what it has alone; the others write no more.
+TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
+    const Answers expected = in_memory();
+    for (const unsigned failing : {0U, 1U}) {
+        const auto work = [&](refine::Exchange& real) {
+            const bool own = real.rank() == failing;
+            FaultyExchange faulty(real, own ? 30 : ~std::uint64_t{0}, FaultyExchange::Fault::memory);
+            if (real.rank() != 0) return serve(faulty);
+            ServedRanks served(faulty);
+            KeptSearch search(settings(false), served);
+            EXPECT_THAT(decide(search, 1'000'000)[0], HasSubstr("there is no more memory"));
+            EXPECT_TRUE(served.others_wait());
+            throw std::runtime_error("the first rank ends");
+        };
+        EXPECT_ANY_THROW(refine::as_ranks(2, work)) << failing;
+        EXPECT_EQ(by_ranks(failing == 0 ? 3 : 2, false), expected) << failing;
+    }
+    EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
+}
+
+// Those of a run whose first rank was killed may still write for a moment.
+TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
+    const Answers expected = in_memory();
+    (void)by_ranks(2, false, 500);
+    {
+        const diagnostics::Descriptor rank(::open((search() + "/" + refine::run_name).c_str(), O_RDONLY | O_CLOEXEC));
+        ASSERT_TRUE(rank.open());
+        ASSERT_EQ(::flock(rank.get(), LOCK_SH | LOCK_NB), 0);
+        try {
+            (void)by_ranks(2, false);
+            ADD_FAILURE() << "it is not refused";
+        } catch (const storage::BadFile& refused) {
+            EXPECT_THAT(refused.what(), HasSubstr("ranks of an earlier run are still using this folder"));
+        }
+    }
+    EXPECT_EQ(by_ranks(2, false), expected);
+}
+
+}  // namespace
+}  // namespace robochart::ranks
