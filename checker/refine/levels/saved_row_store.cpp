@@ -9,7 +9,12 @@ using lts::StateView;
 
 SavedRowStore::SavedRowStore(KeptWhere where)
     : RowStore(where.kind.width), kept_(std::move(where)), rows_(std::make_unique<MemoryRowStore>(width())) {
-    KeptLevels::Unsure unsure = kept_.load(record());
+    std::vector<std::pair<Level, std::vector<lts::Word>>> unsure;
+    kept_.load(record(), [&](Level level, StateView row) {
+        unsure.emplace_back(level, std::vector<lts::Word>(row.begin(), row.end()));
+    });
+    std::sort(unsure.begin(), unsure.end());
+    unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
     // What was unsure of a level is looked up when the levels before, and its own, are in memory.
     auto next = unsure.begin();
     for (Level level = 0; level < kept_.files().levels(); ++level) {
@@ -38,7 +43,8 @@ std::optional<Level> SavedRowStore::settle() {
     return late_.front().first;
 }
 
-/// The levels before are written if they have not been, and read again.
+/// The levels before are written if they have not been, and read again. Until that is done, the files have all that
+/// there was: a checkpoint in the midst of it is one of before.
 void SavedRowStore::roll_back_to(Level level) {
     save_levels();
     auto rows = std::make_unique<MemoryRowStore>(width());
@@ -71,7 +77,13 @@ void SavedRowStore::save_levels() {
 void SavedRowStore::checkpoint() {
     const std::shared_ptr<void> held = kept_.hold();
     save_levels();
-    kept_.checkpoint(record(), late_);
+    std::vector<lts::Word> late;
+    for (const auto& [level, row] : late_) {
+        late.insert(late.end(), row.begin(), row.end());
+        late.push_back(level);
+    }
+    storage::sort_rows(late, width() + 1);
+    kept_.checkpoint(record(), [&](const storage::TakeRows& take) { take(late); });
 }
 
 }  // namespace robochart::refine

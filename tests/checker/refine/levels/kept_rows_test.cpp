@@ -22,6 +22,7 @@
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "diagnostics/files.hpp"
+#include "tests/file_limit.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -312,6 +313,55 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     EXPECT_GT(differed, 5);
 }
 
+// Whatever a full disk stops: closing a level, putting rows aside, writing a checkpoint or going back. Nothing but levels
+// since the last checkpoint is lost, and another run that has space goes on.
+TEST_F(KeptRows, GoOnAfterAFullDisk) {
+    std::mt19937 random(10);
+    int stops = 0, kept_some = 0;
+    for (int round = 0; round < 60; ++round) {
+        const Graph graph = round % 2 == 0 ? random_graph(random, 400, false, 15) : growing_graph(random, 1500, true);
+        const Answer expected = in_memory(graph);
+        const unsigned ranks = round % 5 == 4 ? 2 : 1;
+        clear();
+        Level kept = 0;
+        for (int attempt = 0; attempt < 4; ++attempt) {
+            const bool disk = random() % 3 > 0;
+            DiskRowStore::Bounds bounds;
+            bounds.most_bytes = 0;
+            bounds.filter_bits = random() % 2 == 0 ? 4 : 16;
+            bounds.reads_a_step = random() % 2 == 0 ? 0 : 8;
+            const int every = static_cast<int>(random() % 2);
+            CommonLevels levels;
+            try {
+                std::optional<tests::FileLimit> limit;
+                if (attempt < 3) limit.emplace(200 + random() % 3000);
+                const Answer found = answer(
+                    graph, ranks, {},
+                    [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
+                        KeptWhere kept = where(exchange, 1);
+                        if (every == 0) kept.every = std::chrono::milliseconds(0);
+                        if (disk) return std::make_unique<DiskRowStore>(std::move(kept), bounds);
+                        return std::make_unique<SavedRowStore>(std::move(kept));
+                    },
+                    &levels);
+                ASSERT_EQ(found, expected) << round << ", attempt " << attempt;
+                break;
+            } catch (const storage::CannotWrite&) {
+                ASSERT_LT(attempt, 3);
+                ++stops;
+            }
+            ASSERT_GE(levels.begun, kept) << round;
+            const auto found = storage::newest(folder_.path(), where(LoneExchange(), 1).kind);
+            kept = found.empty() ? 0 : std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+                                           return a.levels < b.levels;
+                                       })->levels;
+            if (kept > 0) ++kept_some;
+        }
+    }
+    EXPECT_GT(stops, 40);
+    EXPECT_GT(kept_some, 20);
+}
+
 /// A system whose initial state nobody has the time for.
 class Endless final : public lts::TransitionSystem {
 public:
@@ -366,6 +416,35 @@ TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
     EXPECT_EQ(found[0].levels, store.levels());
 }
 
+// While it reads again what lies before, the levels that it leaves are in files alone; they are not lost.
+TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
+    LoneExchange alone;
+    KeptWhere where = this->where(alone, 1);
+    storage::LevelFiles files({where.folder, where.kind, where.place});
+    for (const std::vector<lts::Word>& rows : {std::vector<lts::Word>{0}, {1, 2}, {5}}) files.add_level(rows);
+    files.checkpoint({{}, [](const storage::TakeRows& take) { take(std::vector<lts::Word>{3, 1}); }, {{3, 0}, {4, 0}}});
+    int left = 1000;
+    where.poll = [&left] {
+        if (--left == 0) throw LimitReached("no time");
+    };
+    SavedRowStore store(where);
+    ASSERT_EQ(store.settle(), 1U);
+    left = 1;
+    EXPECT_THROW(store.roll_back_to(1), LimitReached);
+    EXPECT_EQ(store.levels(), 3U);
+    store.checkpoint();
+    const auto found = storage::newest(where.folder, where.kind);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].number, 2U);
+    EXPECT_EQ(found[0].levels, 3U);
+    SavedRowStore again(where);
+    ASSERT_EQ(again.settle(), 1U);
+    again.roll_back_to(1);
+    EXPECT_EQ(again.levels(), 1U);
+    EXPECT_EQ(again.rows(1), 3U);
+    EXPECT_FALSE(again.settle());
+}
+
 /// Why the checkpoint in the folder is refused.
 std::string refusal(const KeptWhere& where) {
     try {
@@ -390,7 +469,7 @@ TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
     clear();
     storage::LevelFiles others({where.folder, where.kind, where.place});
     others.add_level(std::vector<lts::Word>{0});
-    others.checkpoint({{}, {{7, {5}}}, {}});
+    others.checkpoint({{}, [](const storage::TakeRows& take) { take(std::vector<lts::Word>{5, 7}); }, {}});
     EXPECT_NE(refusal(where).find("it has rows of level 7, which is not closed"), std::string::npos);
 }
 
