@@ -112,6 +112,23 @@ void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     levels_.push_back(entry);
 }
 
+/// Levels that no checkpoint has are in the last file, which grows.
+std::uint32_t LevelFiles::give_up(std::uint32_t count) {
+    std::uint32_t given = 0;
+    for (; given < count && !levels_.empty() && !files_.empty() && !files_.back().file->finished(); ++given) {
+        const Level& last = levels_.back();
+        if (last.count > 0) {
+            if (last.file + 1 != files_.size()) break;
+            files_.back().file->cut(last.first);
+            files_.back().used = last.first;
+        }
+        rows_ -= last.rows;
+        levels_.pop_back();
+    }
+    cached_file_ = none;
+    return given;
+}
+
 /// Later levels stay in their files, which are finished, but no longer count.
 void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
@@ -201,7 +218,7 @@ SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
     return {made.name, made.file->blocks().size(), made.file->check()};
 }
 
-/// The last file of levels comes last, since the end of one cannot be written twice.
+/// The last file of levels comes last: it grows no more then, nor can levels in it be given up.
 void LevelFiles::checkpoint(const Beside& beside) {
     Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
     made.marks = save(where_.kind, [&](const TakeRows& take) { take(beside.marks); });

@@ -38,6 +38,9 @@ public:
     /// Appends the next level, whose rows `give` gives piece by piece: ascending, none twice, in pieces of
     /// RowFile::rows_of_block rows but for the last. Throws what `give` throws, too.
     void add_level(const std::function<void(const TakeRows&)>& give);
+    /// Gives up the last levels, at most `count`, which no checkpoint has, so that there is space for others. Gives how
+    /// many.
+    std::uint32_t give_up(std::uint32_t count);
     /// From now on this level and later ones are not there.
     void forget_from(std::uint32_t level);
 
@@ -60,8 +63,7 @@ public:
         std::vector<SavedFigures> expanded;
     };
     /// Writes a checkpoint of all levels. Those of this rank that are older than the newest complete one are removed.
-    /// Throws CannotWrite; then the one before counts, and this can be tried again, but where the end of the last file
-    /// of levels could not be written.
+    /// Throws CannotWrite; then the one before counts, and this can be tried again.
     void checkpoint(const Beside& beside);
     /// The number of the last checkpoint; 0: none.
     [[nodiscard]] std::uint64_t number() const { return number_; }

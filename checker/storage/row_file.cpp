@@ -61,8 +61,12 @@ std::string head_of(const RowKind& kind) {
     return head;
 }
 
+std::string cause_of_failure(const std::string& path, const char* cause) {
+    return fmt::format("cannot write {}: {}", diagnostics::shown(path), cause);
+}
+
 [[noreturn]] void cannot_write(const std::string& path, const char* cause) {
-    throw CannotWrite(fmt::format("cannot write {}: {}", diagnostics::shown(path), cause));
+    throw CannotWrite(cause_of_failure(path, cause));
 }
 
 }  // namespace
@@ -167,9 +171,11 @@ Check check_of_end(const Check& head, std::string_view end, const std::vector<Ch
 void RowFile::finish() {
     if (!lost_.empty()) throw CannotWrite(lost_);
     try {
-        write_end();
-    } catch (const std::exception& error) {
-        lost_ = error.what();
+        const std::string end = end_of();
+        end_check_ = check_of_end(head_check_, end, checks_);
+        write(end + std::string(text_of(end_check_)));
+        reach_disk();
+    } catch (...) {
         cut(blocks_.size());
         throw;
     }
@@ -177,11 +183,10 @@ void RowFile::finish() {
     checks_ = {};
 }
 
-void RowFile::write_end() {
-    const std::string end = end_of();
-    end_check_ = check_of_end(head_check_, end, checks_);
-    write(end + std::string(text_of(end_check_)));
-    if (::fsync(file_.get()) != 0) cannot_write(path_, std::strerror(errno));
+void RowFile::reach_disk() {
+    if (::fsync(file_.get()) == 0) return;
+    lost_ = cause_of_failure(path_, std::strerror(errno));
+    throw CannotWrite(lost_);
 }
 
 void RowFile::bad(std::uint64_t offset, const std::string& cause) const {

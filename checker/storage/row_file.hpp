@@ -56,8 +56,8 @@ public:
     void append(std::uint32_t level, std::span<const Word> rows);
     /// Takes the blocks from this number on back, of a file that is not finished.
     void cut(std::size_t blocks);
-    /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the blocks can still be read, but nobody
-    /// knows what of the file is on the disk, so that it can neither be finished nor grow any more.
+    /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the file is then as before. Where it has
+    /// failed to reach the disk, nobody knows what of it has: it can be read, but neither be finished nor grow any more.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
 
@@ -89,7 +89,7 @@ private:
     void write(std::string_view bytes);
     void write_block(std::uint32_t level, std::span<const Word> rows);
     [[nodiscard]] std::string end_of() const;
-    void write_end();
+    void reach_disk();
     [[noreturn]] void bad(std::uint64_t offset, const std::string& cause) const;
     Check read_checked(std::size_t block, std::vector<Word>& rows) const;
     void read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const;

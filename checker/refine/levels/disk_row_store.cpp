@@ -16,7 +16,7 @@ using lts::Word;
 namespace {
 
 // Of the memory, in sixteenths: the filter, the open level, what is put aside.
-constexpr std::uint64_t filter_part = 12, open_part = 2, aside_part = 2;
+constexpr std::uint64_t filter_part = 13, open_part = 2, aside_part = 1;
 constexpr Level no_level = std::numeric_limits<Level>::max();
 
 std::vector<Word> sorted_rows(const StateStore& store, StateIndex first, StateIndex end) {
@@ -87,11 +87,18 @@ void DiskRowStore::write_open() {
     for (StateIndex first = 0; first < end; first += piece)
         runs_.add(sorted_rows(*open_, first, std::min(end, first + piece)));
     ++figures_.runs_written;
+    renew_open();
+}
+
+/// One that was full will be so again: its table need not grow.
+void DiskRowStore::renew_open() {
+    const bool full = open_->size() >= most_open_;
     open_ = new_store();
+    if (full) open_->reserve(most_open_, {});
 }
 
 void DiskRowStore::empty_open() {
-    open_ = new_store();
+    if (open_->size() > 0) renew_open();
     runs_.clear();
 }
 
@@ -317,22 +324,18 @@ void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     take(rows);
 }
 
-void DiskRowStore::write_checkpoint() {
-    kept_.checkpoint(record(), [this](const storage::TakeRows& take) { give_unsure(take); });
-}
-
 /// Runs are of the open level, which is left out; what they take on the disk may be needed. Where there is no space for
-/// the rows put aside either, they are settled, so that they need none.
+/// the rows put aside either, they are settled, so that they need none; then levels are given up.
 void DiskRowStore::checkpoint() {
     const std::shared_ptr<void> held = kept_.hold();
+    const auto unsure = [this](const storage::TakeRows& take) { give_unsure(take); };
     empty_open();
     try {
-        write_checkpoint();
+        kept_.checkpoint(record(), unsure);
     } catch (const storage::CannotWrite&) {
-        if (!aside_.on_disk()) throw;
-        settle_aside(false);
-        empty_open();
-        write_checkpoint();
+        if (aside_.on_disk()) settle_aside(false);
+        kept_.checkpoint_of_fewer(record(), unsure);
+        throw;
     }
 }
 

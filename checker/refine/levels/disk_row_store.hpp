@@ -32,7 +32,7 @@ public:
         unsigned filter_bits = 32;     ///< of each row, at most
         /// In the time of one row that the search meets, so many rows of the files are read; 0: nothing is settled
         /// before it must be.
-        unsigned reads_a_step = 5;
+        unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< called at the end; may be empty
     };
     /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
@@ -66,6 +66,7 @@ private:
     using Store = std::unique_ptr<lts::StateStore>;
 
     [[nodiscard]] Store new_store() const { return std::make_unique<lts::StateStore>(width()); }
+    void renew_open();
     void add_to_open(lts::StateView row, std::uint64_t hash);
     [[nodiscard]] std::uint64_t rows_sorted_at_once() const;
     void write_open();
@@ -76,7 +77,6 @@ private:
     void forget_aside();
     void fill_filter();
     void give_unsure(const storage::TakeRows& take) const;
-    void write_checkpoint();
     void add_to_filter(std::span<const lts::Word> rows);
     void note_peak() { figures_.peak_bytes = std::max(figures_.peak_bytes, bytes()); }
 

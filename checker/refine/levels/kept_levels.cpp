@@ -130,4 +130,12 @@ void KeptLevels::checkpoint(const SearchRecord& record, const storage::LevelFile
     last_ = std::chrono::steady_clock::now();
 }
 
+void KeptLevels::checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure) {
+    for (std::uint32_t next = 1;; next *= 2) try {
+            return checkpoint(record, unsure);
+        } catch (const storage::CannotWrite&) {
+            if (files_.give_up(next) == 0 || files_.levels() == 0) throw;
+        }
+}
+
 }  // namespace robochart::refine

@@ -52,6 +52,7 @@ std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const
 void RowsAside::write() {
     if (unwritten_.empty()) {
         auto next = std::make_unique<StateStore>(width());
+        next->reserve(most_, {});  // it was full, and will be so again
         unwritten_ = with_levels(0, static_cast<StateIndex>(store_->size()));
         levels_.clear();
         store_ = std::move(next);

@@ -74,16 +74,23 @@ void SavedRowStore::save_levels() {
     }
 }
 
+/// Where there is no space for all levels, those before them are kept.
 void SavedRowStore::checkpoint() {
     const std::shared_ptr<void> held = kept_.hold();
-    save_levels();
     std::vector<lts::Word> late;
     for (const auto& [level, row] : late_) {
         late.insert(late.end(), row.begin(), row.end());
         late.push_back(level);
     }
     storage::sort_rows(late, width() + 1);
-    kept_.checkpoint(record(), [&](const storage::TakeRows& take) { take(late); });
+    const auto unsure = [&](const storage::TakeRows& take) { take(late); };
+    try {
+        save_levels();
+        kept_.checkpoint(record(), unsure);
+    } catch (const storage::CannotWrite&) {
+        if (kept_.files().levels() > 0) kept_.checkpoint_of_fewer(record(), unsure);
+        throw;
+    }
 }
 
 }  // namespace robochart::refine

@@ -36,7 +36,7 @@ struct KeptSettings {
     // For tests: see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
     unsigned filter_bits = 32;
-    unsigned reads_a_step = 5;
+    unsigned reads_a_step = 10;
 };
 
 class KeptSearch final : public LevelStrategy {

@@ -17,7 +17,7 @@ std::optional<Violation> OnDisk::search(lts::TransitionSystem& system, const Lev
         where.place = {exchange.rank(), exchange.ranks()};
         DiskRowStore::Bounds bounds;
         bounds.most_bytes = 2048;
-        bounds.filter_bits = 4;
+        bounds.filter_bits = 1;
         bounds.reads_a_step = 0;
         bounds.report = [this](const DiskRowStore::Figures& figures) { rolled_back_ += figures.rolled_back; };
         return std::make_unique<DiskRowStore>(std::move(where), bounds);

@@ -32,7 +32,9 @@ protected:
             EXPECT_EQ(rows.size() % 3, 0U);
             for (std::size_t at = 0; at < rows.size(); at += 3) {
                 const Row row{rows[at], rows[at + 1]};
-                if (at > 0) EXPECT_LT((Row{rows[at - 3], rows[at - 2]}), row);
+                if (at > 0) {
+                    EXPECT_LT((Row{rows[at - 3], rows[at - 2]}), row);
+                }
                 all.emplace(row, rows[at + 2]);
             }
         });
@@ -48,7 +50,7 @@ protected:
 
 TEST_F(AsideRows, AreGivenWithTheLeastOfTheirLevels) {
     for (Level level = 0; level < 60; ++level) {
-        for (unsigned i = 0, count = random_() % 100; i < count; ++i) add(level);
+        for (std::size_t i = 0, count = random_() % 100; i < count; ++i) add(level);
         ASSERT_EQ(given(), added_) << level;
     }
     EXPECT_TRUE(aside_.on_disk());
