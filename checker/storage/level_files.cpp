@@ -40,7 +40,8 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
     std::uint32_t level = 0;
     for (const SavedFile& saved : checkpoint.files) {
         const auto number = static_cast<std::uint32_t>(files_.size());
-        files_.push_back({std::make_unique<RowFile>(opened(path_in(where_, saved.name), where_.kind, saved, poll)), saved.name, saved.blocks});
+        files_.push_back({std::make_unique<RowFile>(opened(path_in(where_, saved.name), where_.kind, saved, poll)),
+                          saved.name, saved.blocks});
         const auto& blocks = files_.back().file->blocks();
         for (std::uint32_t i = 0; i < saved.blocks; ++i) {
             if (blocks[i].level < level || blocks[i].level >= checkpoint.levels)

@@ -57,7 +57,8 @@ public:
     /// Takes the blocks from this number on back, of a file that is not finished.
     void cut(std::size_t blocks);
     /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the file is then as before. Where it has
-    /// failed to reach the disk, nobody knows what of it has: it can be read, but neither be finished nor grow any more.
+    /// failed to reach the disk, nobody knows what of it has: it can be read, but neither be finished nor grow any
+    /// more.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
 

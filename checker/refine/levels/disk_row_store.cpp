@@ -28,7 +28,8 @@ std::vector<Word> sorted_rows(const StateStore& store, StateIndex first, StateIn
 }
 
 std::string path_of(const char* what, const KeptWhere& where) {
-    return where.folder + "/" + what + "-" + std::to_string(where.place.rank) + "-of-" + std::to_string(where.place.ranks);
+    return where.folder + "/" + what + "-" + std::to_string(where.place.rank) + "-of-" +
+           std::to_string(where.place.ranks);
 }
 
 }  // namespace
@@ -44,8 +45,7 @@ DiskRowStore::DiskRowStore(KeptWhere where, Bounds bounds)
       aside_(path_of("aside", where), where.kind, bounds_.most_bytes / 16 * aside_part),
       late_level_(no_level),
       late_(new_store()) {
-    kept_.load(record(),
-               [this](Level level, StateView row) { aside_.add(row, StateStore::hash(row), level); });
+    kept_.load(record(), [this](Level level, StateView row) { aside_.add(row, StateStore::hash(row), level); });
     if (levels() > 0) fill_filter();
 }
 
@@ -340,8 +340,7 @@ void DiskRowStore::checkpoint() {
 }
 
 std::uint64_t DiskRowStore::bytes() const {
-    return filter_.bytes() + kept_.files().bytes() + runs_.bytes() + open_->bytes() + aside_.bytes() +
-           late_->bytes();
+    return filter_.bytes() + kept_.files().bytes() + runs_.bytes() + open_->bytes() + aside_.bytes() + late_->bytes();
 }
 
 }  // namespace robochart::refine

@@ -87,10 +87,10 @@ private:
     Store open_;
     storage::SortedRuns runs_;  ///< other rows of the open level, perhaps some of `open_` too
     RowsAside aside_;
-    Level late_level_ = 0;         ///< the least that lacks rows
-    Store late_;                   ///< these rows
-    std::uint64_t met_ = 0;        ///< rows since the last settling
-    std::uint64_t new_ = 0;        ///< of these, entered
+    Level late_level_ = 0;   ///< the least that lacks rows
+    Store late_;             ///< these rows
+    std::uint64_t met_ = 0;  ///< rows since the last settling
+    std::uint64_t new_ = 0;  ///< of these, entered
     Figures figures_;
 };
 

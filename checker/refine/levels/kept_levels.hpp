@@ -47,8 +47,8 @@ public:
     /// Writes one. `unsure` gives rows with their levels behind; those of levels that are not closed are left out.
     /// Throws storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
-    /// After CannotWrite: one of fewer levels, of as many as there is space for. The others are no longer there, so that
-    /// the search is over. Throws storage::CannotWrite where no level is left that the checkpoint before has not.
+    /// After CannotWrite: one of fewer levels, of as many as there is space for. The others are no longer there, so
+    /// that the search is over. Throws storage::CannotWrite where no level is left that the checkpoint before has not.
     void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     [[nodiscard]] std::shared_ptr<void> hold() const { return where_.undisturbed ? where_.undisturbed() : nullptr; }
     void poll() const {

@@ -31,6 +31,7 @@ void RowFilter::keep_bits(unsigned bits) {
 void RowFilter::reset(std::uint64_t rows) {
     constexpr std::uint64_t fewest = 4096;
     size_ = 0;
+    full_ = 0;
     capacity_ = 0;
     buckets_ = 0;
     memory_.reset();
@@ -48,9 +49,11 @@ void RowFilter::reset(std::uint64_t rows) {
     memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));  // of each row so many bytes are read
 }
 
+/// In each bucket that is looked at a row is compared with those of a part; buckets are looked at up to one that is not
+/// full.
 double RowFilter::error() const {
-    if (buckets_ == 0) return 1;
-    const double compared = static_cast<double>(size_) / (static_cast<double>(buckets_) * parts_);
+    if (full_ == buckets_) return 1;
+    const double compared = static_cast<double>(size_) / (static_cast<double>(buckets_ - full_) * parts_);
     return std::min(1.0, compared / (static_cast<double>(mask_) + 1));
 }
 
@@ -101,7 +104,10 @@ void RowFilter::add(std::uint64_t hash) {
     std::memcpy(place, &kept, bytes_of_row_);
     const std::uint64_t below = (std::uint64_t{1} << zero) - 1;
     counts = (counts & below) | std::uint64_t{1} << zero | (counts & ~below) << 1U;
-    if (used + 1 == places_) counts |= full;
+    if (used + 1 == places_) {
+        counts |= full;
+        ++full_;
+    }
     std::memcpy(at, &counts, sizeof counts);
     ++size_;
 }

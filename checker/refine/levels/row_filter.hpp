@@ -26,7 +26,7 @@ public:
     /// There must be space: size() < capacity().
     void add(std::uint64_t hash);
     [[nodiscard]] bool may_have(std::uint64_t hash) const;
-    /// With which probability it may have a row that was not added.
+    /// With which probability, about, it may have a row that was not added.
     [[nodiscard]] double error() const;
     void prefetch(std::uint64_t hash) const {
         if (buckets_ > 0) __builtin_prefetch(bucket(home_of(hash)));
@@ -62,6 +62,7 @@ private:
     std::uint64_t buckets_ = 0;
     std::uint64_t capacity_ = 0;
     std::uint64_t size_ = 0;
+    std::uint64_t full_ = 0;  ///< buckets
 };
 
 }  // namespace robochart::refine

@@ -87,6 +87,7 @@ void RowsAside::each_of_runs(const std::function<void(std::vector<Word>& rows)>&
     const std::size_t words = width() + 1;
     const std::size_t full = most_ * words;
     std::vector<Word> rows;
+    rows.reserve(std::min(full, runs_.rows() * words));
     std::vector<Word> last;
     runs_.merge([&](std::span<const Word> merged) {
         for (std::size_t at = 0; at < merged.size(); at += words) {

@@ -41,8 +41,8 @@ private:
     void write();
     void each_of_runs(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
 
-    std::uint64_t most_;                      ///< rows in memory
-    std::unique_ptr<lts::StateStore> store_;  ///< those added last
+    std::uint64_t most_;                                     ///< rows in memory
+    std::unique_ptr<lts::StateStore> store_;                 ///< those added last
     std::vector<std::pair<Level, lts::StateIndex>> levels_;  ///< a level, and the first row of the store that has it
     std::vector<lts::Word> unwritten_;                       ///< others, with their levels, on their way into a run
     storage::SortedRuns runs_;                               ///< the rest

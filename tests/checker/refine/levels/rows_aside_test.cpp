@@ -49,7 +49,7 @@ protected:
 };
 
 TEST_F(AsideRows, AreGivenWithTheLeastOfTheirLevels) {
-    for (Level level = 0; level < 60; ++level) {
+    for (Level level = 0; level < 30; ++level) {
         for (std::size_t i = 0, count = random_() % 100; i < count; ++i) add(level);
         ASSERT_EQ(given(), added_) << level;
     }
