@@ -104,4 +104,19 @@ StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
     return slot.taken() ? slot.get() : no_state;
 }
 
+/// The table takes 64 bytes for twelve places, of which it fills four fifths.
+std::uint64_t StateStore::bytes() const {
+    return size_ * width_ * sizeof(Word) + (size_ + space()) * 5 / 4 * 64 / 12;
+}
+
+/// Each with its place in a table that is two thirds full. Chunks are as large as those before together: one that would
+/// be used by less than half is not begun.
+std::uint64_t StateStore::most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more) {
+    constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8;
+    const std::uint64_t states = std::min(bytes / (width * sizeof(Word) + place + more), most);
+    const std::uint64_t last_chunk = std::bit_floor(states + first_chunk);
+    const std::uint64_t before = last_chunk - first_chunk;
+    return std::max(fewest, before > 0 && states - before < last_chunk / 2 ? before : states);
+}
+
 }  // namespace robochart::lts

@@ -28,6 +28,12 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t width() const { return width_; }
 
+    /// In memory, about: the states, and their places in the table.
+    [[nodiscard]] std::uint64_t bytes() const;
+    /// How many states a store in so many bytes has, where `more` bytes are taken beside each; a few in any case, and
+    /// no more than have numbers.
+    [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
+
     // Many states at a time: hash and prefetch one, go on with others, come back to it when memory has answered.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }

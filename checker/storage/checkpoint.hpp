@@ -39,7 +39,7 @@ struct Checkpoint {
     std::uint32_t levels = 0;            ///< closed
     std::vector<SavedFile> files;        ///< with the rows of the levels, in the order of levels
     SavedFile marks;                     ///< rows of level 0
-    SavedFile unsure;                    ///< rows that perhaps are none of the levels before their own
+    SavedFile unsure;                    ///< rows, their levels behind, that perhaps are none of levels before
     std::vector<SavedFigures> expanded;  ///< by level
 };
 

@@ -18,8 +18,15 @@ std::string path_in(const FolderOf& where, const std::string& name) {
     return where.folder + "/" + name;
 }
 
-RowFile opened(const FolderOf& where, const SavedFile& saved, const std::function<void()>& poll) {
-    RowFile file = RowFile::open(path_in(where, saved.name), where.kind, poll);
+/// Of rows with their levels behind.
+RowKind with_level(RowKind kind) {
+    ++kind.width;
+    return kind;
+}
+
+RowFile opened(const std::string& path, const RowKind& kind, const SavedFile& saved,
+               const std::function<void()>& poll) {
+    RowFile file = RowFile::open(path, kind, poll);
     if (file.check() != saved.check || saved.blocks > file.blocks().size())
         throw BadFile(fmt::format("{}: it is not the file that the checkpoint was written with",
                                   diagnostics::shown(file.path())));
@@ -33,7 +40,8 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
     std::uint32_t level = 0;
     for (const SavedFile& saved : checkpoint.files) {
         const auto number = static_cast<std::uint32_t>(files_.size());
-        files_.push_back({std::make_unique<RowFile>(opened(where_, saved, poll)), saved.name, saved.blocks});
+        files_.push_back({std::make_unique<RowFile>(opened(path_in(where_, saved.name), where_.kind, saved, poll)),
+                          saved.name, saved.blocks});
         const auto& blocks = files_.back().file->blocks();
         for (std::uint32_t i = 0; i < saved.blocks; ++i) {
             if (blocks[i].level < level || blocks[i].level >= checkpoint.levels)
@@ -57,17 +65,17 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
     number_ = checkpoint.number;
 }
 
-LevelFiles::File LevelFiles::new_file() {
+LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
     for (;;) {
         const std::string name = fmt::format("rows-{}-of-{}-{}", where_.place.rank, where_.place.ranks, next_name_++);
         struct stat found {};
         if (::lstat(path_in(where_, name).c_str(), &found) == 0) continue;  // of an earlier run
-        return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), where_.kind)), name, 0};
+        return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), kind)), name, 0};
     }
 }
 
 RowFile& LevelFiles::growing() {
-    if (files_.empty() || files_.back().file->finished()) files_.push_back(new_file());
+    if (files_.empty() || files_.back().file->finished()) files_.push_back(new_file(where_.kind));
     return *files_.back().file;
 }
 
@@ -103,6 +111,23 @@ void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     }
     rows_ += entry.rows;
     levels_.push_back(entry);
+}
+
+/// Levels that no checkpoint has are in the last file, which grows.
+std::uint32_t LevelFiles::give_up(std::uint32_t count) {
+    std::uint32_t given = 0;
+    for (; given < count && !levels_.empty() && !files_.empty() && !files_.back().file->finished(); ++given) {
+        const Level& last = levels_.back();
+        if (last.count > 0) {
+            if (last.file + 1 != files_.size()) break;
+            files_.back().file->cut(last.first);
+            files_.back().used = last.first;
+        }
+        rows_ -= last.rows;
+        levels_.pop_back();
+    }
+    cached_file_ = none;
+    return given;
 }
 
 /// Later levels stay in their files, which are finished, but no longer count.
@@ -154,11 +179,19 @@ std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size
 }
 
 void LevelFiles::each_block(std::uint32_t level, const TakeRows& visit) {
+    each_block_if(
+        level, [](const auto&, const auto&) { return true; }, visit);
+}
+
+void LevelFiles::each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit) {
     const Level& entry = levels_[level];
+    if (entry.count == 0) return;
+    const RowFile& file = *files_[entry.file].file;
     std::vector<Word> rows;
-    for (std::uint32_t i = 0; i < entry.count; ++i) {
+    for (std::uint32_t block = entry.first, end = block + entry.count; block < end; ++block) {
+        if (!wants(file.first(block), block + 1 < end ? file.first(block + 1) : std::span<const Word>())) continue;
         rows.clear();
-        files_[entry.file].file->read(entry.first + i, rows);
+        file.read(block, rows);
         visit(rows);
     }
 }
@@ -167,43 +200,53 @@ void LevelFiles::finish_last() {
     if (!files_.empty() && !files_.back().file->finished()) files_.back().file->finish();
 }
 
-SavedFile LevelFiles::save(const std::vector<std::pair<std::uint32_t, std::vector<Word>>>& levels) {
-    const bool empty = std::all_of(levels.begin(), levels.end(), [](const auto& each) { return each.second.empty(); });
-    if (empty) return {};
-    File made = new_file();
-    for (const auto& [level, rows] : levels) made.file->append(level, rows);
-    made.file->finish();
+/// Each piece is a level of the file. A file that could not be written goes, since space is short then.
+SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
+    File made;
+    std::uint32_t pieces = 0;
+    try {
+        give([&](std::span<const Word> rows) {
+            if (rows.empty()) return;
+            if (!made.file) made = new_file(kind);
+            made.file->append(pieces++, rows);
+        });
+        if (!made.file) return {};
+        made.file->finish();
+    } catch (...) {
+        if (made.file) ::unlink(made.file->path().c_str());
+        throw;
+    }
     return {made.name, made.file->blocks().size(), made.file->check()};
 }
 
+/// The last file of levels comes last: it grows no more then, nor can levels in it be given up.
 void LevelFiles::checkpoint(const Beside& beside) {
-    finish_last();
     Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
+    made.marks = save(where_.kind, [&](const TakeRows& take) { take(beside.marks); });
+    if (beside.unsure) made.unsure = save(with_level(where_.kind), beside.unsure);
+    finish_last();
     for (const File& each : files_)
         if (each.used > 0) made.files.push_back({each.name, each.used, each.file->check()});
-    made.marks = save({{0, beside.marks}});
-    made.unsure = save(beside.unsure);
     write(where_.folder, where_.kind, made);
     number_ = made.number;
     remove_old(where_.folder, where_.kind, where_.place);
 }
 
-void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, const std::function<void()>& poll,
-                             const std::function<void(std::uint32_t, std::span<const Word>)>& visit) {
+void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, bool levels,
+                             const std::function<void()>& poll, const TakeRows& visit) {
     if (saved.name.empty()) return;
-    const RowFile file = opened(where, saved, poll);
+    const RowFile file = opened(path_in(where, saved.name), levels ? with_level(where.kind) : where.kind, saved, poll);
     std::vector<Word> rows;
     for (std::size_t block = 0; block < saved.blocks; ++block) {
         rows.clear();
         file.read(block, rows);
-        visit(file.blocks()[block].level, rows);
+        visit(rows);
     }
 }
 
 std::uint64_t LevelFiles::bytes() const {
     std::uint64_t bytes = levels_.capacity() * sizeof(Level) + cached_.capacity() * sizeof(Word);
-    for (const File& each : files_)
-        bytes += each.file->blocks().capacity() * (sizeof(RowFile::Block) + sizeof(RowFile::Check));
+    for (const File& each : files_) bytes += each.file->bytes();
     return bytes;
 }
 

@@ -38,6 +38,9 @@ public:
     /// Appends the next level, whose rows `give` gives piece by piece: ascending, none twice, in pieces of
     /// RowFile::rows_of_block rows but for the last. Throws what `give` throws, too.
     void add_level(const std::function<void(const TakeRows&)>& give);
+    /// Gives up the last levels, at most `count`, which no checkpoint has, so that there is space for others. Gives how
+    /// many.
+    std::uint32_t give_up(std::uint32_t count);
     /// From now on this level and later ones are not there.
     void forget_from(std::uint32_t level);
 
@@ -46,23 +49,31 @@ public:
     /// Calls with the rows of each block of a level, ascending. Throws BadFile.
     void each_block(std::uint32_t level, const TakeRows& visit);
 
-    /// What a checkpoint has beside the levels. Rows are ascending.
+    /// Calls with each block of a level that `wants` says, ascending: what it takes is the block's first row, and that
+    /// of the next block of the level (of the last one: nothing). Throws BadFile.
+    using WantsBlock = std::function<bool(std::span<const Word> first, std::span<const Word> next)>;
+    void each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit);
+
+    /// Gives rows piece by piece: those of each are ascending, none twice.
+    using GivePieces = std::function<void(const TakeRows&)>;
+    /// What a checkpoint has beside the levels.
     struct Beside {
-        std::vector<Word> marks;
-        std::vector<std::pair<std::uint32_t, std::vector<Word>>> unsure;  ///< levels ascending
+        std::vector<Word> marks;  ///< ascending
+        GivePieces unsure;        ///< rows with their levels behind, a word more; may be empty
         std::vector<SavedFigures> expanded;
     };
     /// Writes a checkpoint of all levels. Those of this rank that are older than the newest complete one are removed.
-    /// Throws CannotWrite; then the one before counts.
+    /// Throws CannotWrite; then the one before counts, and this can be tried again.
     void checkpoint(const Beside& beside);
     /// The number of the last checkpoint; 0: none.
     [[nodiscard]] std::uint64_t number() const { return number_; }
     /// The next checkpoint has a number above this one.
     void number_from(std::uint64_t number) { number_ = number; }
 
-    /// Reads the rows of a file of a checkpoint beside the levels. Throws BadFile.
-    static void read_beside(const FolderOf& where, const SavedFile& file, const std::function<void()>& poll,
-                            const std::function<void(std::uint32_t level, std::span<const Word>)>& visit);
+    /// Reads the rows of a file of a checkpoint beside the levels: of rows with their levels if `levels`. Throws
+    /// BadFile.
+    static void read_beside(const FolderOf& where, const SavedFile& file, bool levels,
+                            const std::function<void()>& poll, const TakeRows& visit);
     /// In memory.
     [[nodiscard]] std::uint64_t bytes() const;
 
@@ -79,9 +90,9 @@ private:
         std::uint64_t rows = 0;
     };
     RowFile& growing();
-    File new_file();
+    File new_file(const RowKind& kind);
     void finish_last();
-    SavedFile save(const std::vector<std::pair<std::uint32_t, std::vector<Word>>>& levels);
+    SavedFile save(const RowKind& kind, const GivePieces& give);
 
     FolderOf where_;
     std::vector<File> files_;

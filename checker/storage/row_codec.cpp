@@ -30,7 +30,7 @@ public:
         return static_cast<Word>(number);
     }
     [[nodiscard]] bool failed() const { return failed_; }
-    [[nodiscard]] bool at_end() const { return at_ == end_; }
+    [[nodiscard]] const char* at() const { return at_; }
 
 private:
     const char* at_;
@@ -55,15 +55,40 @@ void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out
 
 bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, std::vector<Word>& rows) {
     if (width == 0) return bytes.empty() && count <= 1;
-    if (count > bytes.size()) return false;  // each row has a byte at least
-    Numbers numbers(bytes);
-    std::size_t at = rows.size();
-    rows.resize(at + count * width);
-    for (std::size_t i = 0; i < width && count > 0; ++i) rows[at + i] = numbers.next_word();
-    for (std::size_t number = 1; number < count && !numbers.failed(); ++number) {
-        const Word* const before = &rows[at];
-        at += width;
-        Word* const row = &rows[at];
+    RowDecoder decoder(bytes, width);
+    return decoder.decode(count, rows) && decoder.at_end();
+}
+
+bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
+    if (count > static_cast<std::size_t>(end_ - at_)) return false;  // each row has a byte at least
+    if (count == 0) return true;
+    const std::size_t begin = rows.size();
+    rows.resize(begin + count * width_);
+    Word* row = &rows[begin];
+    if (last_.empty()) {
+        Numbers numbers({at_, static_cast<std::size_t>(end_ - at_)});
+        for (std::size_t i = 0; i < width_; ++i) row[i] = numbers.next_word();
+        at_ = numbers.at();
+        if (numbers.failed()) return false;
+        last_.assign(row, row + width_);
+        row += width_;
+        --count;
+    }
+    const bool good = width_ == 1   ? decode_after<1>(count, row)
+                      : width_ == 2 ? decode_after<2>(count, row)
+                      : width_ == 3 ? decode_after<3>(count, row)
+                                    : decode_after<0>(count, row);
+    last_.assign(rows.end() - static_cast<std::ptrdiff_t>(width_), rows.end());
+    return good;
+}
+
+/// Rows after `last_`. `fixed`: their width, which makes divisions by it cheap; 0: any.
+template <std::size_t fixed>
+bool RowDecoder::decode_after(std::size_t count, Word* row) {
+    const std::size_t width = fixed == 0 ? width_ : fixed;
+    Numbers numbers({at_, static_cast<std::size_t>(end_ - at_)});
+    const Word* before = last_.data();
+    for (; count > 0 && !numbers.failed(); --count) {
         const std::uint64_t first = numbers.next();
         const std::size_t k = width - 1 - first % width;
         const std::uint64_t changed = before[k] + first / width + 1;
@@ -71,8 +96,11 @@ bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, s
         for (std::size_t i = 0; i < k; ++i) row[i] = before[i];
         row[k] = static_cast<Word>(changed);
         for (std::size_t i = k + 1; i < width; ++i) row[i] = numbers.next_word() ^ before[i];
+        before = row;
+        row += width;
     }
-    return !numbers.failed() && numbers.at_end();
+    at_ = numbers.at();
+    return !numbers.failed();
 }
 
 }  // namespace robochart::storage

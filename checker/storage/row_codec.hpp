@@ -24,4 +24,24 @@ void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out
 /// far are without meaning. Rows that it gives are ascending and without duplicates.
 [[nodiscard]] bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, std::vector<Word>& rows);
 
+/// Decodes such a code piece by piece.
+class RowDecoder {
+public:
+    /// `bytes` outlive it. `width`: words of a row, not 0.
+    RowDecoder(std::string_view bytes, std::size_t width)
+        : at_(bytes.data()), end_(bytes.data() + bytes.size()), width_(width) {}
+    /// Appends the next `count` rows. False where the bytes that are left are no code of so many rows.
+    [[nodiscard]] bool decode(std::size_t count, std::vector<Word>& rows);
+    [[nodiscard]] bool at_end() const { return at_ == end_; }
+
+private:
+    template <std::size_t fixed>
+    bool decode_after(std::size_t count, Word* row);
+
+    const char* at_;
+    const char* end_;
+    std::size_t width_;
+    std::vector<Word> last_;  ///< the row that was decoded last; empty: none was
+};
+
 }  // namespace robochart::storage

@@ -61,8 +61,12 @@ std::string head_of(const RowKind& kind) {
     return head;
 }
 
+std::string cause_of_failure(const std::string& path, const char* cause) {
+    return fmt::format("cannot write {}: {}", diagnostics::shown(path), cause);
+}
+
 [[noreturn]] void cannot_write(const std::string& path, const char* cause) {
-    throw CannotWrite(fmt::format("cannot write {}: {}", diagnostics::shown(path), cause));
+    throw CannotWrite(cause_of_failure(path, cause));
 }
 
 }  // namespace
@@ -118,6 +122,7 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
 void RowFile::cut(std::size_t blocks) {
     for (; blocks_.size() > blocks; blocks_.pop_back()) rows_ -= blocks_.back().rows;
     checks_.resize(blocks);
+    firsts_.resize(blocks * kind_.width);
     size_ = blocks == 0 ? head_size : blocks_.back().offset + block_head + blocks_.back().bytes + check_size;
     (void)!::ftruncate(file_.get(), static_cast<off_t>(size_));
 }
@@ -135,6 +140,7 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     blocks_.push_back({level, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(code.size()), size_});
     buffer_.replace(0, block_head, head);
     buffer_ += text_of(checks_.back());
+    firsts_.insert(firsts_.end(), rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kind_.width));
     rows_ += count;
     write(buffer_);
 }
@@ -165,9 +171,11 @@ Check check_of_end(const Check& head, std::string_view end, const std::vector<Ch
 void RowFile::finish() {
     if (!lost_.empty()) throw CannotWrite(lost_);
     try {
-        write_end();
-    } catch (const std::exception& error) {
-        lost_ = error.what();
+        const std::string end = end_of();
+        end_check_ = check_of_end(head_check_, end, checks_);
+        write(end + std::string(text_of(end_check_)));
+        reach_disk();
+    } catch (...) {
         cut(blocks_.size());
         throw;
     }
@@ -175,11 +183,10 @@ void RowFile::finish() {
     checks_ = {};
 }
 
-void RowFile::write_end() {
-    const std::string end = end_of();
-    end_check_ = check_of_end(head_check_, end, checks_);
-    write(end + std::string(text_of(end_check_)));
-    if (::fsync(file_.get()) != 0) cannot_write(path_, std::strerror(errno));
+void RowFile::reach_disk() {
+    if (::fsync(file_.get()) == 0) return;
+    lost_ = cause_of_failure(path_, std::strerror(errno));
+    throw CannotWrite(lost_);
 }
 
 void RowFile::bad(std::uint64_t offset, const std::string& cause) const {
@@ -197,13 +204,25 @@ void RowFile::read_bytes(std::uint64_t offset, std::size_t count, std::string& b
     }
 }
 
-void RowFile::read(std::size_t block, std::vector<Word>& rows) const {
+Check RowFile::read_code(std::size_t block, std::string& code) const {
     const Block& at = blocks_[block];
-    read_bytes(at.offset + block_head, at.bytes + check_size, buffer_);
-    const std::string_view code = std::string_view(buffer_).substr(0, at.bytes);
-    if (std::string_view(buffer_).substr(at.bytes) != text_of(check_of(block, at.level, at.rows, code)))
+    read_bytes(at.offset + block_head, at.bytes + check_size, code);
+    const Check check = check_of(block, at.level, at.rows, std::string_view(code).substr(0, at.bytes));
+    if (std::string_view(code).substr(at.bytes) != text_of(check))
         bad(at.offset, fmt::format("block {} is damaged", block));
-    if (!decode_rows(code, kind_.width, at.rows, rows)) bad(at.offset, fmt::format("block {} has no rows", block));
+    code.resize(at.bytes);
+    return check;
+}
+
+void RowFile::read(std::size_t block, std::vector<Word>& rows) const {
+    (void)read_checked(block, rows);
+}
+
+Check RowFile::read_checked(std::size_t block, std::vector<Word>& rows) const {
+    const Check check = read_code(block, buffer_);
+    const Block& at = blocks_[block];
+    if (!decode_rows(buffer_, kind_.width, at.rows, rows)) bad(at.offset, fmt::format("block {} has no rows", block));
+    return check;
 }
 
 RowFile RowFile::open(const std::string& path, const RowKind& kind, const std::function<void()>& poll) {
@@ -247,17 +266,15 @@ void RowFile::read_blocks(const std::function<void()>& poll) {
             bad(size_, fmt::format("block {} is damaged", blocks_.size()));
         blocks_.push_back(block);
         rows.clear();
-        read(blocks_.size() - 1, rows);
+        checks_.push_back(read_checked(blocks_.size() - 1, rows));
         const auto width = static_cast<std::ptrdiff_t>(kind_.width);
         const bool same_level = blocks_.size() > 1 && block.level == level;
         if (block.level < level || (same_level && !(last < std::vector<Word>(rows.begin(), rows.begin() + width))))
             bad(size_, fmt::format("block {} is out of order", blocks_.size() - 1));
+        firsts_.insert(firsts_.end(), rows.begin(), rows.begin() + width);
         last.assign(rows.end() - width, rows.end());
         level = block.level;
         rows_ += block.rows;
-        Check check;
-        std::copy_n(buffer_.end() - check_size, check_size, check.begin());
-        checks_.push_back(check);
         size_ += block_head + block.bytes + check_size;
     }
     const std::string end = end_of();

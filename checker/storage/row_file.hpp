@@ -42,6 +42,7 @@ public:
         std::uint32_t bytes;   ///< of the code
         std::uint64_t offset;  ///< of the block in the file
     };
+    using Check = std::array<std::uint8_t, 16>;
     static constexpr std::size_t rows_of_block = 8192;
 
     /// A new file, which must not be there yet. Throws CannotWrite.
@@ -55,8 +56,9 @@ public:
     void append(std::uint32_t level, std::span<const Word> rows);
     /// Takes the blocks from this number on back, of a file that is not finished.
     void cut(std::size_t blocks);
-    /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the blocks can still be read, but nobody
-    /// knows what of the file is on the disk, so that it can neither be finished nor grow any more.
+    /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the file is then as before. Where it has
+    /// failed to reach the disk, nobody knows what of it has: it can be read, but neither be finished nor grow any
+    /// more.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
 
@@ -65,10 +67,20 @@ public:
     [[nodiscard]] std::uint64_t rows() const { return rows_; }
     /// Bytes of the file so far.
     [[nodiscard]] std::uint64_t size() const { return size_; }
+    /// The first row of a block, which is in memory.
+    [[nodiscard]] std::span<const Word> first(std::size_t block) const {
+        return std::span(firsts_).subspan(block * kind_.width, kind_.width);
+    }
     /// The rows of a block, at the end of `rows`. Throws BadFile where they are no longer what was written.
     void read(std::size_t block, std::vector<Word>& rows) const;
+    /// The code of these rows (row_codec.hpp). Gives its check.
+    Check read_code(std::size_t block, std::string& code) const;
+    /// In memory: of each block where it is, its first row, and its check.
+    [[nodiscard]] std::uint64_t bytes() const {
+        return blocks_.capacity() * sizeof(Block) + checks_.capacity() * sizeof(Check) +
+               firsts_.capacity() * sizeof(Word);
+    }
     /// The check at the end of a finished file, which no other file has.
-    using Check = std::array<std::uint8_t, 16>;
     [[nodiscard]] const Check& check() const { return end_check_; }
 
 private:
@@ -78,8 +90,9 @@ private:
     void write(std::string_view bytes);
     void write_block(std::uint32_t level, std::span<const Word> rows);
     [[nodiscard]] std::string end_of() const;
-    void write_end();
+    void reach_disk();
     [[noreturn]] void bad(std::uint64_t offset, const std::string& cause) const;
+    Check read_checked(std::size_t block, std::vector<Word>& rows) const;
     void read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const;
     void read_head();
     void read_blocks(const std::function<void()>& poll);
@@ -88,6 +101,7 @@ private:
     RowKind kind_;
     diagnostics::Descriptor file_;
     std::vector<Block> blocks_;
+    std::vector<Word> firsts_;   ///< rows, of the blocks
     std::vector<Check> checks_;  ///< of the blocks; while it is written or opened
     std::uint64_t rows_ = 0;
     std::uint64_t size_ = 0;

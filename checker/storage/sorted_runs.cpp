@@ -1,8 +1,11 @@
 #include "checker/storage/sorted_runs.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+
+#include "diagnostics/escape.hpp"
 
 namespace robochart::storage {
 namespace {
@@ -12,18 +15,18 @@ constexpr std::size_t most_runs = 64;
 
 }  // namespace
 
-/// Reads a run row by row.
+/// Reads a run row by row. In memory are the code of a block and a few rows.
 class SortedRuns::Reader {
 public:
     Reader(const RowFile& file, const Run& run, std::size_t width)
-        : file_(&file), next_(run.first), end_(run.end), width_(width) {
+        : file_(&file), next_(run.first), end_(run.end), width_(width), decoder_({}, width) {
         read();
     }
     [[nodiscard]] const Word* row() const { return &rows_[at_]; }
     [[nodiscard]] bool at_end() const { return at_ == rows_.size(); }
     void advance() {
         at_ += width_;
-        if (at_ == rows_.size() && next_ != end_) read();
+        if (at_ == rows_.size()) read();
     }
     [[nodiscard]] bool before(const Reader& other) const {
         return std::lexicographical_compare(row(), row() + width_, other.row(), other.row() + width_);
@@ -31,14 +34,27 @@ public:
 
 private:
     void read() {
+        constexpr std::size_t most = 128;
         rows_.clear();
         at_ = 0;
-        if (next_ != end_) file_->read(next_++, rows_);
+        if (left_ == 0) {
+            if (next_ == end_) return;
+            left_ = file_->blocks()[next_].rows;
+            file_->read_code(next_++, code_);
+            decoder_ = RowDecoder(code_, width_);
+        }
+        const std::size_t count = std::min(left_, most);
+        if (!decoder_.decode(count, rows_))
+            throw BadFile(fmt::format("{}: block {} has no rows", diagnostics::shown(file_->path()), next_ - 1));
+        left_ -= count;
     }
     const RowFile* file_;
     std::size_t next_;
     std::size_t end_;
     std::size_t width_;
+    std::string code_;
+    RowDecoder decoder_;
+    std::size_t left_ = 0;  ///< rows of the block
     std::size_t at_ = 0;
     std::vector<Word> rows_;
 };
@@ -80,6 +96,12 @@ std::uint64_t SortedRuns::longest() const {
     return longest;
 }
 
+std::uint64_t SortedRuns::rows() const {
+    std::uint64_t sum = 0;
+    for (const Run& run : runs_) sum += run.rows;
+    return sum;
+}
+
 void SortedRuns::merge(const TakeRows& take) const {
     std::vector<Reader> readers;
     std::vector<Reader*> heap;  // the one whose row comes first is in front
@@ -118,8 +140,7 @@ void SortedRuns::clear() {
 }
 
 std::uint64_t SortedRuns::bytes() const {
-    if (!file_) return 0;
-    return file_->blocks().capacity() * (sizeof(RowFile::Block) + sizeof(RowFile::Check));
+    return file_ ? file_->bytes() : 0;
 }
 
 }  // namespace robochart::storage

@@ -21,12 +21,14 @@ public:
     /// Adds a run whose rows `give` gives piece by piece.
     void add(const std::function<void(const TakeRows&)>& give);
     [[nodiscard]] bool empty() const { return runs_.empty(); }
+    /// How many rows the runs have, those in several of them several times.
+    [[nodiscard]] std::uint64_t rows() const;
     /// So many rows there are at least: those of the longest run.
     [[nodiscard]] std::uint64_t longest() const;
     /// Gives all rows, ascending, each once, in pieces of RowFile::rows_of_block rows but for the last. Throws BadFile,
     /// and what `take` throws.
     void merge(const TakeRows& take) const;
-    /// Removes all runs.
+    /// Removes all runs; what they take on the disk is free again.
     void clear();
     /// In memory, while nothing is merged.
     [[nodiscard]] std::uint64_t bytes() const;

@@ -1,7 +1,7 @@
 #include "checker/refine/levels/disk_row_store.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <limits>
 
 #include "checker/refine/levels/hashed_rows.hpp"
 #include "checker/storage/sort_rows.hpp"
@@ -16,23 +16,8 @@ using lts::Word;
 namespace {
 
 // Of the memory, in sixteenths: the filter, the open level, what is put aside.
-constexpr std::uint64_t filter_part = 10, open_part = 3, aside_part = 3;
-
-/// How many rows of this width a store in so many bytes has: each with its place in a table, 64 bytes for twelve, that
-/// is two thirds full. Rows lie in chunks, each as large as those before together: one that would be used by less than
-/// half is not begun. A few in any case, and no more than have numbers.
-std::uint64_t rows_in(std::uint64_t bytes, std::size_t width) {
-    constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8, first_chunk = 1024;
-    const std::uint64_t rows = std::min(bytes / (width * sizeof(Word) + place), most);
-    const std::uint64_t last_chunk = std::bit_floor(rows + first_chunk);
-    const std::uint64_t before = last_chunk - first_chunk;
-    return std::max(fewest, before > 0 && rows - before < last_chunk / 2 ? before : rows);
-}
-
-std::uint64_t bytes_of(const StateStore& store) {
-    const std::uint64_t places = (store.size() + store.space()) * 5 / 4;
-    return store.size() * store.width() * sizeof(Word) + places * 64 / 12;
-}
+constexpr std::uint64_t filter_part = 13, open_part = 2, aside_part = 1;
+constexpr Level no_level = std::numeric_limits<Level>::max();
 
 std::vector<Word> sorted_rows(const StateStore& store, StateIndex first, StateIndex end) {
     std::vector<Word> rows;
@@ -42,8 +27,9 @@ std::vector<Word> sorted_rows(const StateStore& store, StateIndex first, StateIn
     return rows;
 }
 
-std::string path_of_runs(const KeptWhere& where) {
-    return where.folder + "/runs-" + std::to_string(where.place.rank) + "-of-" + std::to_string(where.place.ranks);
+std::string path_of(const char* what, const KeptWhere& where) {
+    return where.folder + "/" + what + "-" + std::to_string(where.place.rank) + "-of-" +
+           std::to_string(where.place.ranks);
 }
 
 }  // namespace
@@ -53,17 +39,13 @@ DiskRowStore::DiskRowStore(KeptWhere where, Bounds bounds)
       kept_(where),
       bounds_(std::move(bounds)),
       filter_(bounds_.filter_bits, bounds_.most_bytes / 16 * filter_part),
-      most_open_(rows_in(bounds_.most_bytes / 16 * open_part, width())),
-      most_aside_(rows_in(bounds_.most_bytes / 16 * aside_part, width())),
+      most_open_(StateStore::most_in(bounds_.most_bytes / 16 * open_part, width())),
       open_(new_store()),
-      runs_(path_of_runs(where), where.kind),
-      aside_(new_store()) {
-    // Rows put aside of one level follow each other.
-    for (const auto& [level, row] : kept_.load(record())) {
-        if (aside_levels_.empty() || aside_levels_.back().first != level)
-            aside_levels_.emplace_back(level, static_cast<StateIndex>(aside_->size()));
-        aside_->insert(row);
-    }
+      runs_(path_of("runs", where), where.kind),
+      aside_(path_of("aside", where), where.kind, bounds_.most_bytes / 16 * aside_part),
+      late_level_(no_level),
+      late_(new_store()) {
+    kept_.load(record(), [this](Level level, StateView row) { aside_.add(row, StateStore::hash(row), level); });
     if (levels() > 0) fill_filter();
 }
 
@@ -80,7 +62,7 @@ RowStore::Found DiskRowStore::enter(StateView row, std::uint64_t hash) {
     ++met_;
     if (open_->find(row, hash) != lts::no_state) return Found::again;
     if (levels() > 0 && filter_.may_have(hash)) {
-        put_aside(row, hash);
+        aside_.add(row, hash, levels());  // the level in which it is put aside first counts
         return Found::unsure;
     }
     ++new_;
@@ -105,20 +87,19 @@ void DiskRowStore::write_open() {
     for (StateIndex first = 0; first < end; first += piece)
         runs_.add(sorted_rows(*open_, first, std::min(end, first + piece)));
     ++figures_.runs_written;
+    renew_open();
+}
+
+/// One that was full will be so again: its table need not grow.
+void DiskRowStore::renew_open() {
+    const bool full = open_->size() >= most_open_;
     open_ = new_store();
+    if (full) open_->reserve(most_open_, {});
 }
 
 void DiskRowStore::empty_open() {
-    open_ = new_store();
+    if (open_->size() > 0) renew_open();
     runs_.clear();
-}
-
-/// It belongs to the level in which it was first put aside.
-void DiskRowStore::put_aside(StateView row, std::uint64_t hash) {
-    if (aside_->size() >= most_aside_ && aside_->find(row, hash) == lts::no_state) settle_aside();
-    const auto [index, fresh] = aside_->insert(row, hash);
-    if (fresh && (aside_levels_.empty() || aside_levels_.back().first != levels()))
-        aside_levels_.emplace_back(levels(), index);
 }
 
 void DiskRowStore::close_level() {
@@ -152,87 +133,167 @@ void DiskRowStore::add_to_filter(std::span<const Word> rows) {
 }
 
 /// It has the rows put aside as well, which a filter of another size might not have: what was unsure once stays so
-/// until it is settled.
+/// until it is settled. Most of them it has, for they are old.
 void DiskRowStore::fill_filter() {
-    filter_.reset(kept_.files().rows() + aside_->size());
+    filter_.reset(kept_.files().rows());
     if (filter_.capacity() == 0) return;
     for (Level level = 0; level < levels(); ++level)
         kept_.files().each_block(level, [this](std::span<const Word> block) {
             kept_.poll();
             add_to_filter(block);
         });
-    for (StateIndex i = 0; i < aside_->size(); ++i) filter_.add(StateStore::hash((*aside_)[i]));
+    aside_.each_piece([this](const std::vector<Word>& rows) {
+        kept_.poll();
+        for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
+            const std::uint64_t hash = StateStore::hash(StateView(rows).subspan(at, width()));
+            if (!filter_.may_have(hash) && filter_.size() < filter_.capacity()) filter_.add(hash);
+        }
+    });
 }
 
 /// The more has been done since the last settling, the more is lost if a row has been taken for an old one meanwhile.
 /// The least is lost in all if that, times its probability, is as much as a settling takes (Young, CACM 17(9), 1974).
+/// Rows put aside in files are settled when they are as many as all others, so that they take no more than these.
 bool DiskRowStore::wants_to_settle() const {
-    if (!late_.empty()) return true;
-    if (aside_->size() == 0) return false;
-    const auto settling = static_cast<double>(kept_.files().rows());
+    if (late_->size() > 0) return true;
+    if (aside_.empty()) return false;
+    if (aside_.on_disk() && aside_.rows() >= kept_.files().rows()) return true;
+    const auto settling = static_cast<double>(kept_.files().rows() + aside_.rows());
     const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 2 * settling;  // the filter is filled anew
     const double in_error = filter_.capacity() == 0 ? 1.0 : std::min(1.0, static_cast<double>(new_) * filter_.error());
     return bounds_.reads_a_step > 0 && in_error * lost >= settling;
 }
 
-Level DiskRowStore::level_of_aside(StateIndex index) const {
-    const auto after = std::upper_bound(aside_levels_.begin(), aside_levels_.end(), index,
-                                        [](StateIndex wanted, const auto& each) { return wanted < each.second; });
-    return std::prev(after)->first;
+namespace {
+
+/// Compares rows of so many words: less, equal, greater.
+int compared(const Word* a, const Word* b, std::size_t width) {
+    for (std::size_t i = 0; i < width; ++i)
+        if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
+    return 0;
 }
 
-/// Marks the rows put aside that their own level has, or one before it. Gives how many.
-std::size_t DiskRowStore::mark_those_in(Level level, std::vector<bool>& found) {
-    std::size_t more = 0;
-    const auto mark = [&](StateView row, std::uint64_t hash) {
-        const StateIndex index = aside_->find(row, hash);
-        if (index == lts::no_state || found[index] || level > level_of_aside(index)) return;
-        found[index] = true;
-        ++more;
+/// Ascending rows with their levels, that another ascending sequence is compared with.
+class Sought {
+public:
+    Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
+    /// Goes on to the first row that is not before this one, in steps that become longer (Bentley and Yao, Information
+    /// Processing Letters 5(3), 1976). False: there is none.
+    bool seek(const Word* wanted) {
+        if (at_ == end() || !before(at_, wanted)) return at_ != end();
+        std::size_t step = stride();
+        std::size_t low = at_;  // is before it
+        while (end() - low > step && before(low + step, wanted)) {
+            low += step;
+            step *= 2;
+        }
+        std::size_t high = std::min(end(), low + step);
+        while (high - low > stride()) {
+            const std::size_t middle = low + (high - low) / stride() / 2 * stride();
+            (before(middle, wanted) ? low : high) = middle;
+        }
+        at_ = high;
+        return at_ != end();
+    }
+    [[nodiscard]] const Word* row() const { return &rows_[at_]; }
+    [[nodiscard]] Level level() const { return rows_[at_ + width_]; }
+    void mark() { rows_[at_ + width_] = no_level; }
+
+    /// Removes the rows that are marked.
+    void remove_marked() {
+        std::size_t to = 0;
+        for (std::size_t from = 0; from < end(); from += stride()) {
+            if (rows_[from + width_] == no_level) continue;
+            if (to != from) std::copy_n(&rows_[from], stride(), &rows_[to]);
+            to += stride();
+        }
+        rows_.resize(to);
+    }
+
+private:
+    [[nodiscard]] std::size_t stride() const { return width_ + 1; }
+    [[nodiscard]] std::size_t end() const { return rows_.size(); }
+    [[nodiscard]] bool before(std::size_t at, const Word* wanted) const {
+        return compared(&rows_[at], wanted, width_) < 0;
+    }
+    std::vector<Word>& rows_;
+    std::size_t width_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+/// Removes the rows that this level has and their own, or one before it. Blocks that none can be in are not read.
+void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
+    Sought sought(rows, width());
+    const auto wants = [&](StateView first, StateView next) {
+        return sought.seek(first.data()) && (next.empty() || compared(sought.row(), next.data(), width()) < 0);
     };
-    kept_.files().each_block(level, [&](std::span<const Word> block) {
-        kept_.poll();
-        each_hashed(
-            block, width(), [this](std::uint64_t hash) { aside_->prefetch(hash); }, mark);
+    bool any = false;
+    kept_.files().each_block_if(level, wants, [&](StateView block) {
+        if (polled) kept_.poll();
+        for (std::size_t at = 0; at < block.size(); at += width()) {
+            const Word* const row = &block[at];
+            int order = compared(sought.row(), row, width());
+            if (order < 0) {
+                if (!sought.seek(row)) return;
+                order = compared(sought.row(), row, width());
+            }
+            if (order > 0 || level > sought.level()) continue;
+            sought.mark();
+            any = true;
+        }
     });
-    return more;
+    if (any) sought.remove_marked();
 }
 
-/// Whether some rows have joined the open level.
-bool DiskRowStore::settle_aside() {
-    met_ = 0;
-    new_ = 0;
-    if (aside_->size() == 0) return false;
-    ++figures_.settled;
-    std::vector<bool> found(aside_->size(), false);
-    std::size_t open = aside_->size();
-    for (Level level = levels(); level-- > 0 && open > 0;) open -= mark_those_in(level, found);
+/// What no level has: joins the open one, or is late. Whether some has joined. Of late rows those of the least level
+/// count: the search goes back there, and finds the others again. Where it does not go on, the open level is left out.
+bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     bool joined = false;
-    for (StateIndex i = 0; i < aside_->size() && open > 0; ++i) {
-        if (found[i]) continue;
+    for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
         ++figures_.in_error;
-        const StateView row = (*aside_)[i];
-        if (const Level level = level_of_aside(i); level < levels()) {
-            late_.emplace_back(level, std::vector<Word>(row.begin(), row.end()));
-        } else {
+        const StateView row = rows.subspan(at, width());
+        const Level level = rows[at + width()];
+        if (level >= levels()) {
+            if (!going_on) continue;
             add_to_open(row, StateStore::hash(row));
             joined = true;
+            continue;
         }
+        if (level > late_level_) continue;
+        if (level < late_level_) late_ = new_store();
+        late_level_ = level;
+        late_->insert(row);
     }
+    return joined;
+}
+
+/// Whether some rows have joined the open level. `going_on`: else the search has ended, and has no time for anything.
+bool DiskRowStore::settle_aside(bool going_on) {
+    if (aside_.empty()) return false;
+    ++figures_.settled;
+    figures_.put_aside += aside_.rows();
+    bool joined = false;
+    aside_.each_piece([&](std::vector<Word>& rows) {
+        for (Level level = levels(); level-- > 0 && !rows.empty();) remove_those_in(level, going_on, rows);
+        joined = take_missing(rows, going_on) || joined;
+    });
     forget_aside();
     return joined;
 }
 
 std::optional<Level> DiskRowStore::settle() {
-    const bool joined = settle_aside();
-    if (!late_.empty()) return late_.front().first;
+    const bool joined = settle_aside(true);
+    met_ = 0;
+    new_ = 0;
+    if (late_->size() > 0) return late_level_;
     return joined ? std::optional(levels()) : std::nullopt;
 }
 
 void DiskRowStore::forget_aside() {
     note_peak();
-    aside_ = new_store();
-    aside_levels_.clear();
+    aside_.clear();
 }
 
 /// The filter is filled anew: it would take the rows of later levels, when they are found again, for old ones.
@@ -244,23 +305,40 @@ void DiskRowStore::roll_back_to(Level level) {
     runs_.add([&](const storage::TakeRows& take) { kept_.files().each_block(level, take); });
     kept_.files().forget_from(level);
     fill_filter();
-    for (const auto& [own, row] : late_)
-        if (own == level) add_to_open(row, StateStore::hash(row));
-    late_.clear();  // the others are found again, in the levels that they belong to
+    for (StateIndex i = 0; i < late_->size() && late_level_ == level; ++i)
+        add_to_open((*late_)[i], StateStore::hash((*late_)[i]));
+    late_ = new_store();  // those of later levels are found again
+    late_level_ = no_level;
 }
 
-/// Runs are of the open level, which is left out; what they take on the disk may be needed. Rows that closed levels
-/// lack are unsure for another run.
+/// Rows put aside, and those that closed levels lack: unsure for another run.
+void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
+    aside_.each_piece([&](const std::vector<Word>& rows) { take(rows); });
+    std::vector<Word> rows;
+    for (StateIndex i = 0; i < late_->size(); ++i) {
+        rows.insert(rows.end(), (*late_)[i].begin(), (*late_)[i].end());
+        rows.push_back(late_level_);
+    }
+    storage::sort_rows(rows, width() + 1);
+    take(rows);
+}
+
+/// Runs are of the open level, which is left out; what they take on the disk may be needed. Where there is no space for
+/// the rows put aside either, they are settled, so that they need none; then levels are given up.
 void DiskRowStore::checkpoint() {
+    const auto unsure = [this](const storage::TakeRows& take) { give_unsure(take); };
     empty_open();
-    KeptLevels::Unsure unsure = late_;
-    for (StateIndex i = 0; i < aside_->size(); ++i)
-        unsure.emplace_back(level_of_aside(i), std::vector<Word>((*aside_)[i].begin(), (*aside_)[i].end()));
-    kept_.checkpoint(record(), unsure);
+    try {
+        kept_.checkpoint(record(), unsure);
+    } catch (const storage::CannotWrite&) {
+        if (aside_.on_disk()) settle_aside(false);
+        kept_.checkpoint_of_fewer(record(), unsure);
+        throw;
+    }
 }
 
 std::uint64_t DiskRowStore::bytes() const {
-    return filter_.bytes() + kept_.files().bytes() + runs_.bytes() + bytes_of(*open_) + bytes_of(*aside_);
+    return filter_.bytes() + kept_.files().bytes() + runs_.bytes() + open_->bytes() + aside_.bytes() + late_->bytes();
 }
 
 }  // namespace robochart::refine

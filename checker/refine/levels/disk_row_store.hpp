@@ -1,16 +1,17 @@
 // More rows than memory holds (docs/search.md, "Out of core"). All closed levels are in sorted files. In memory are
 // rows of the open level, which are written as sorted runs when they take too much, and a filter over all closed
-// levels. A row that the filter does not have is new. One that it has is almost surely old: it is put aside. From time
-// to time, and before any verdict, the files are read through for the rows put aside. One that is in no file after all
-// was taken for an old one in error: it joins the open level, or the search goes back to its level.
+// levels. A row that the filter does not have is new. One that it has is almost surely old: it is put aside, in
+// files too where these rows are many. From time to time, and before any verdict, the levels are read through for the
+// rows put aside. One that is in none after all was taken for an old one in error: it joins the open level, or the
+// search goes back to its level.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "checker/refine/levels/kept_levels.hpp"
 #include "checker/refine/levels/row_filter.hpp"
+#include "checker/refine/levels/rows_aside.hpp"
 #include "checker/storage/sorted_runs.hpp"
 
 namespace robochart::refine {
@@ -19,7 +20,8 @@ class DiskRowStore final : public RowStore {
 public:
     /// What has happened, for those who measure.
     struct Figures {
-        std::uint64_t settled = 0;       ///< times that the files were read through for rows put aside
+        std::uint64_t settled = 0;       ///< times that the levels were read through for rows put aside
+        std::uint64_t put_aside = 0;     ///< rows that were put aside when they were read through, together
         std::uint64_t rolled_back = 0;   ///< times that the search went back
         std::uint64_t in_error = 0;      ///< rows that were taken for old ones
         std::uint64_t runs_written = 0;  ///< times that rows of an open level were written before it was complete
@@ -30,7 +32,7 @@ public:
         unsigned filter_bits = 32;     ///< of each row, at most
         /// In the time of one row that the search meets, so many rows of the files are read; 0: nothing is settled
         /// before it must be.
-        unsigned reads_a_step = 5;
+        unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< called at the end; may be empty
     };
     /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
@@ -64,31 +66,31 @@ private:
     using Store = std::unique_ptr<lts::StateStore>;
 
     [[nodiscard]] Store new_store() const { return std::make_unique<lts::StateStore>(width()); }
+    void renew_open();
     void add_to_open(lts::StateView row, std::uint64_t hash);
     [[nodiscard]] std::uint64_t rows_sorted_at_once() const;
     void write_open();
     void empty_open();
-    void put_aside(lts::StateView row, std::uint64_t hash);
-    bool settle_aside();
-    std::size_t mark_those_in(Level level, std::vector<bool>& found);
-    [[nodiscard]] Level level_of_aside(lts::StateIndex index) const;
+    bool settle_aside(bool going_on);
+    void remove_those_in(Level level, bool polled, std::vector<lts::Word>& rows);
+    bool take_missing(std::span<const lts::Word> rows, bool going_on);
     void forget_aside();
     void fill_filter();
+    void give_unsure(const storage::TakeRows& take) const;
     void add_to_filter(std::span<const lts::Word> rows);
     void note_peak() { figures_.peak_bytes = std::max(figures_.peak_bytes, bytes()); }
 
     KeptLevels kept_;
     Bounds bounds_;
     RowFilter filter_;
-    std::uint64_t most_open_;   ///< rows
-    std::uint64_t most_aside_;  ///< rows
+    std::uint64_t most_open_;  ///< rows
     Store open_;
     storage::SortedRuns runs_;  ///< other rows of the open level, perhaps some of `open_` too
-    Store aside_;
-    std::vector<std::pair<Level, lts::StateIndex>> aside_levels_;  ///< a level, and the first row put aside in it
-    KeptLevels::Unsure late_;  ///< rows that closed levels lack, with their levels, which ascend
-    std::uint64_t met_ = 0;    ///< rows since the last settling
-    std::uint64_t new_ = 0;    ///< of these, entered
+    RowsAside aside_;
+    Level late_level_ = 0;   ///< the least that lacks rows
+    Store late_;             ///< these rows
+    std::uint64_t met_ = 0;  ///< rows since the last settling
+    std::uint64_t new_ = 0;  ///< of these, entered
     Figures figures_;
 };
 

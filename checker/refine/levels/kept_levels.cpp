@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "checker/storage/sort_rows.hpp"
 #include "diagnostics/escape.hpp"
@@ -20,14 +19,13 @@ KeptLevels::KeptLevels(KeptWhere where)
 /// A rank that was ended while it closed a level or went back has fewer or more levels than others. Those that all have
 /// are complete, but for rows that are unsure: a rank goes on to the next level when all have closed the one before.
 /// The last of them is expanded again, which finds what the later ones had, their rows that were unsure too.
-KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
+void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
-    Unsure unsure;
     // Numbers that some ranks have used and others not are not used again.
     const std::uint64_t greatest = where_.from.greatest;
     if (found.empty()) {
         files_.number_from(greatest);
-        return unsure;
+        return;
     }
     for (const storage::Checkpoint& each : found) check(each);
     const Level levels = std::min_element(found.begin(), found.end(), [](const auto& one, const auto& other) {
@@ -42,22 +40,23 @@ KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
     }
     files_.number_from(greatest);
     const std::size_t width = where_.kind.width;
-    const auto each_own = [&](std::span<const Word> rows, const auto& take) {
-        for (std::size_t at = 0; at < rows.size(); at += width)
-            if (const StateView row = rows.subspan(at, width); !where_.mine || where_.mine(row)) take(row);
-    };
+    const auto mine = [&](StateView row) { return !where_.mine || where_.mine(row); };
     for (const storage::Checkpoint& each : found) {
         if (same && each.place != where_.place) continue;
         const storage::FolderOf from{where_.folder, where_.kind, each.place};
-        storage::LevelFiles::read_beside(from, each.marks, where_.poll, [&](Level, std::span<const Word> rows) {
-            each_own(rows, [&](StateView row) { record.marks.insert(row); });
+        storage::LevelFiles::read_beside(from, each.marks, false, where_.poll, [&](std::span<const Word> rows) {
+            for (std::size_t at = 0; at < rows.size(); at += width)
+                if (const StateView row = rows.subspan(at, width); mine(row)) record.marks.insert(row);
         });
-        storage::LevelFiles::read_beside(from, each.unsure, where_.poll, [&](Level level, std::span<const Word> rows) {
-            if (level >= each.levels)
-                throw storage::BadFile(fmt::format("{}/{}: it has rows of level {}, which is not closed",
-                                                   diagnostics::shown(where_.folder), each.unsure.name, level));
-            if (level >= levels) return;
-            each_own(rows, [&](StateView row) { unsure.emplace_back(level, Words(row.begin(), row.end())); });
+        storage::LevelFiles::read_beside(from, each.unsure, true, where_.poll, [&](std::span<const Word> rows) {
+            for (std::size_t at = 0; at < rows.size(); at += width + 1) {
+                const StateView row = rows.subspan(at, width);
+                const Level level = rows[at + width];
+                if (level >= each.levels)
+                    throw storage::BadFile(fmt::format("{}/{}: it has rows of level {}, which is not closed",
+                                                       diagnostics::shown(where_.folder), each.unsure.name, level));
+                if (level < levels && mine(row)) unsure(level, row);
+            }
         });
         // Figures are summed up over ranks, so the first rank may have those of all.
         record.expanded.resize(levels - 1);
@@ -67,8 +66,6 @@ KeptLevels::Unsure KeptLevels::load(SearchRecord& record) {
             record.expanded[level].chased += each.expanded[level].chased;
         }
     }
-    std::stable_sort(unsure.begin(), unsure.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    return unsure;
 }
 
 /// Of each level but the last one there are figures, so that a number of levels takes no more memory than its text.
@@ -106,23 +103,35 @@ bool KeptLevels::checkpoint_due() const {
     return where_.every && std::chrono::steady_clock::now() - last_ >= *where_.every;
 }
 
-void KeptLevels::checkpoint(const SearchRecord& record, const Unsure& unsure) {
+void KeptLevels::checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure) {
     storage::LevelFiles::Beside beside;
     beside.marks.reserve(record.marks.size() * record.marks.width());
     for (lts::StateIndex i = 0; i < record.marks.size(); ++i)
         beside.marks.insert(beside.marks.end(), record.marks[i].begin(), record.marks[i].end());
     storage::sort_rows(beside.marks, where_.kind.width);
-    std::map<Level, Words> by_level;
-    for (const auto& [level, row] : unsure)
-        if (level < files_.levels()) by_level[level].insert(by_level[level].end(), row.begin(), row.end());
-    for (auto& [level, rows] : by_level) {
-        storage::sort_rows(rows, where_.kind.width);
-        beside.unsure.emplace_back(level, std::move(rows));
-    }
+    Words closed;
+    beside.unsure = [&](const storage::TakeRows& take) {
+        unsure([&](std::span<const Word> rows) {
+            closed.clear();
+            const std::size_t width = where_.kind.width + 1;
+            for (std::size_t at = 0; at < rows.size(); at += width)
+                if (const StateView row = rows.subspan(at, width); row.back() < files_.levels())
+                    closed.insert(closed.end(), row.begin(), row.end());
+            take(closed);
+        });
+    };
     for (std::size_t level = 0; level + 1 < files_.levels() && level < record.expanded.size(); ++level)
         beside.expanded.push_back({record.expanded[level].transitions, record.expanded[level].chased});
     files_.checkpoint(beside);
     last_ = std::chrono::steady_clock::now();
+}
+
+void KeptLevels::checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure) {
+    for (std::uint32_t next = 1;; next *= 2) try {
+            return checkpoint(record, unsure);
+        } catch (const storage::CannotWrite&) {
+            if (files_.give_up(next) == 0 || files_.levels() == 0) throw;
+        }
 }
 
 }  // namespace robochart::refine

@@ -34,18 +34,22 @@ class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// Rows that an earlier run was unsure of, with the level that they belong to if they are none of an earlier one.
-    using Unsure = std::vector<std::pair<Level, std::vector<lts::Word>>>;
+    /// Takes a row that a run was unsure of, with the level that it belongs to if it is none of an earlier one.
+    using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
     /// Goes on from the checkpoint, if there is one: the levels that all its ranks have closed are then in files(), and
-    /// the record is that of these levels. Throws storage::BadFile.
-    Unsure load(SearchRecord& record);
+    /// the record is that of these levels. `unsure` is called when the levels are there. Throws
+    /// storage::BadFile, and what `unsure` throws.
+    void load(SearchRecord& record, const TakeUnsure& unsure);
 
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
     [[nodiscard]] const storage::LevelFiles& files() const { return files_; }
     [[nodiscard]] bool checkpoint_due() const;
-    /// Writes one. `unsure` may have rows of levels that are not closed; they are left out. Throws
-    /// storage::CannotWrite.
-    void checkpoint(const SearchRecord& record, const Unsure& unsure);
+    /// Writes one. `unsure` gives rows with their levels behind; those of levels that are not closed are left out.
+    /// Throws storage::CannotWrite.
+    void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
+    /// After CannotWrite: one of fewer levels, of as many as there is space for. The others are no longer there, so
+    /// that the search is over. Throws storage::CannotWrite where no level is left that the checkpoint before has not.
+    void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     void poll() const {
         if (where_.poll) where_.poll();
     }

@@ -1,35 +1,44 @@
 #include "checker/refine/levels/row_filter.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
 namespace robochart::refine {
+namespace {
+
+constexpr std::size_t counts_size = sizeof(std::uint64_t);
+constexpr std::uint64_t full = std::uint64_t{1} << 63U;
+
+}  // namespace
 
 RowFilter::RowFilter(unsigned most_bits, std::uint64_t most_bytes) : most_bits_(most_bits), most_bytes_(most_bytes) {
     if (most_bits == 0 || most_bits > 32) throw std::logic_error("a filter has 1 to 32 bits a row");
     reset(0);
 }
 
-/// They take whole bytes.
+/// They take whole bytes. The counts of a bucket that is full fill the rest of a word.
 void RowFilter::keep_bits(unsigned bits) {
     bytes_of_row_ = (bits + 7) / 8;
     mask_ = bits >= 32 ? 0xFFFFFFFFU : (std::uint32_t{1} << bits) - 1;
-    places_ = static_cast<unsigned>(line - 1) / bytes_of_row_;
+    places_ = static_cast<unsigned>(line - counts_size) / bytes_of_row_;
+    parts_ = 63 - places_;
 }
 
-/// Twice as many rows as there are, so that a filter that grows is filled anew seldom; where memory is short, an eighth
-/// more at least.
+/// Twice as many rows as there are, or as many as memory holds where that is not much more, so that a filter that grows
+/// is filled anew seldom; where memory is short, an eighth more at least.
 void RowFilter::reset(std::uint64_t rows) {
     constexpr std::uint64_t fewest = 4096;
     size_ = 0;
+    full_ = 0;
     capacity_ = 0;
     buckets_ = 0;
     memory_.reset();
     for (keep_bits(most_bits_);; keep_bits(8 * (bytes_of_row_ - 1))) {
         const std::uint64_t most = most_bytes_ / line;
-        const std::uint64_t wanted = std::max(fewest, 2 * rows) * 10 / (std::uint64_t{places_} * 9) + 1;
-        const std::uint64_t buckets = std::min(most, wanted);
+        const std::uint64_t wanted = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
+        const std::uint64_t buckets = wanted > most / 4 ? most : wanted;
         if (buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1) {
             buckets_ = buckets;
             break;
@@ -37,58 +46,94 @@ void RowFilter::reset(std::uint64_t rows) {
         if (bytes_of_row_ == 1) return;
     }
     capacity_ = space_in(buckets_);
-    memory_ = lts::zeroed_pages(buckets_ * line);
+    memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));  // of each row so many bytes are read
 }
 
+/// In each bucket that is looked at a row is compared with those of a part; buckets are looked at up to one that is not
+/// full.
 double RowFilter::error() const {
-    if (buckets_ == 0) return 1;
-    const double compared = static_cast<double>(size_) / static_cast<double>(buckets_);
-    return std::min(1.0, compared / static_cast<double>(std::uint64_t{mask_} + 1));
+    if (full_ == buckets_) return 1;
+    const double compared = static_cast<double>(size_) / (static_cast<double>(buckets_ - full_) * parts_);
+    return std::min(1.0, compared / (static_cast<double>(mask_) + 1));
 }
+
+namespace {
+
+std::uint64_t counts_of(const std::uint8_t* bucket) {
+    std::uint64_t counts = 0;
+    std::memcpy(&counts, bucket, sizeof counts);
+    return counts;
+}
+
+constexpr std::uint64_t ones = 0x0101010101010101U, tops = 0x8080808080808080U;
+
+/// For each byte, how many bits are set in it and those below it.
+std::uint64_t sums_of(std::uint64_t word) {
+    word -= (word >> 1U) & 0x5555555555555555U;
+    word = (word & 0x3333333333333333U) + ((word >> 2U) & 0x3333333333333333U);
+    return ((word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU) * ones;
+}
+
+/// The place of the zero that so many zeros are before; there is one (Vigna, Broadword implementation of rank/select
+/// queries, WEA 2008).
+unsigned zero_after(std::uint64_t word, unsigned zeros) {
+    const std::uint64_t sums = sums_of(~word);
+    const std::uint64_t passed = (((zeros * ones) | tops) - sums) & tops;
+    const auto byte = static_cast<unsigned>((passed >> 7U) * ones >> 56U) * 8;
+    std::uint64_t rest = ~word >> byte;
+    for (auto before = static_cast<unsigned>(sums << 8U >> byte & 0xFFU); before < zeros; ++before) rest &= rest - 1;
+    return byte + static_cast<unsigned>(std::countr_zero(rest));
+}
+
+}  // namespace
 
 void RowFilter::add(std::uint64_t hash) {
+    const unsigned part = part_of(hash);
     std::uint64_t home = home_of(hash);
-    while (*bucket(home) == places_) home = home + 1 == buckets_ ? 0 : home + 1;
+    std::uint64_t counts = counts_of(bucket(home));
+    while ((counts & full) != 0) {
+        home = home + 1 == buckets_ ? 0 : home + 1;
+        counts = counts_of(bucket(home));
+    }
     std::uint8_t* const at = bucket(home);
+    const unsigned zero = zero_after(counts, part);
+    std::uint8_t* const place = at + counts_size + std::size_t{zero - part} * bytes_of_row_;
+    const auto used = static_cast<unsigned>(sums_of(counts) >> 56U);
+    std::memmove(place + bytes_of_row_, place, std::size_t{used + part - zero} * bytes_of_row_);
     const auto kept = static_cast<std::uint32_t>(hash) & mask_;
-    std::memcpy(at + 1 + std::size_t{*at} * bytes_of_row_, &kept, bytes_of_row_);
-    ++*at;
+    std::memcpy(place, &kept, bytes_of_row_);
+    const std::uint64_t below = (std::uint64_t{1} << zero) - 1;
+    counts = (counts & below) | std::uint64_t{1} << zero | (counts & ~below) << 1U;
+    if (used + 1 == places_) {
+        counts |= full;
+        ++full_;
+    }
+    std::memcpy(at, &counts, sizeof counts);
     ++size_;
 }
 
-template <unsigned bytes>
-bool RowFilter::has(const std::uint8_t* bucket, std::uint32_t wanted, unsigned used) const {
-    bool found = false;
-    for (unsigned i = 0; i < used; ++i) {
+/// Rows of a part lie before its zero.
+bool RowFilter::has(const std::uint8_t* bucket, std::uint64_t counts, unsigned part, std::uint32_t wanted) const {
+    unsigned zero = zero_after(counts, part);
+    for (const std::uint8_t* at = bucket + counts_size + std::size_t{zero - part} * bytes_of_row_;
+         zero > 0 && (counts >> (zero - 1) & 1U) != 0; --zero) {
+        at -= bytes_of_row_;
         std::uint32_t kept = 0;
-        std::memcpy(&kept, bucket + 1 + std::size_t{i} * bytes, bytes);
-        found |= kept == wanted;
+        std::memcpy(&kept, at, sizeof kept);
+        if ((kept & mask_) == wanted) return true;
     }
-    return found;
+    return false;
 }
 
 bool RowFilter::may_have(std::uint64_t hash) const {
     if (buckets_ == 0) return true;
     const auto wanted = static_cast<std::uint32_t>(hash) & mask_;
+    const unsigned part = part_of(hash);
     for (std::uint64_t home = home_of(hash), tried = 0; tried < buckets_; ++tried) {
         const std::uint8_t* const at = bucket(home);
-        const unsigned used = *at;
-        bool found = false;
-        switch (bytes_of_row_) {
-            case 1:
-                found = has<1>(at, wanted, used);
-                break;
-            case 2:
-                found = has<2>(at, wanted, used);
-                break;
-            case 3:
-                found = has<3>(at, wanted, used);
-                break;
-            default:
-                found = has<4>(at, wanted, used);
-        }
-        if (found) return true;
-        if (used < places_) return false;
+        const std::uint64_t counts = counts_of(at);
+        if (has(at, counts, part, wanted)) return true;
+        if ((counts & full) == 0) return false;
         home = home + 1 == buckets_ ? 0 : home + 1;
     }
     return false;

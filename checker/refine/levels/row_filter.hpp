@@ -1,6 +1,9 @@
 // Which rows there may be: some bits of the hash of each, in buckets of one cache line. It never misses a row that was
 // added. The more rows there are, the fewer bits it keeps of each, so that it never takes more memory than it was
 // given.
+//
+// A bucket has parts, of which each row has its own by other bits of its hash, so that a look-up compares hardly one
+// row; how many rows each part has is written in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
 #pragma once
 
 #include <cstdint>
@@ -23,7 +26,7 @@ public:
     /// There must be space: size() < capacity().
     void add(std::uint64_t hash);
     [[nodiscard]] bool may_have(std::uint64_t hash) const;
-    /// With which probability it may have a row that was not added.
+    /// With which probability, about, it may have a row that was not added.
     [[nodiscard]] double error() const;
     void prefetch(std::uint64_t hash) const {
         if (buckets_ > 0) __builtin_prefetch(bucket(home_of(hash)));
@@ -34,25 +37,32 @@ private:
     static constexpr std::size_t line = 64;
 
     void keep_bits(unsigned bits);
-    /// Buckets are nine tenths full at most: those that are full pass rows on to the next.
-    [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 9 / 10; }
-    /// In the upper half of the hash; what is kept is in the lower one.
+    /// Of twenty places nineteen are taken at most: buckets that are full pass rows on to the next.
+    [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 19 / 20; }
+    /// The bucket, and in the lower half of its product the part, are in the upper half of the hash; what is kept is in
+    /// the lower one.
     [[nodiscard]] std::uint64_t home_of(std::uint64_t hash) const { return ((hash >> 32U) * buckets_) >> 32U; }
+    [[nodiscard]] unsigned part_of(std::uint64_t hash) const {
+        return static_cast<unsigned>(((((hash >> 32U) * buckets_) & 0xFFFFFFFFU) * parts_) >> 32U);
+    }
     [[nodiscard]] std::uint8_t* bucket(std::uint64_t number) const {
         return static_cast<std::uint8_t*>(memory_.get()) + number * line;
     }
-    template <unsigned bytes>
-    [[nodiscard]] bool has(const std::uint8_t* bucket, std::uint32_t wanted, unsigned used) const;
+    [[nodiscard]] bool has(const std::uint8_t* bucket, std::uint64_t counts, unsigned part, std::uint32_t wanted) const;
 
     unsigned most_bits_;
     std::uint64_t most_bytes_;
     unsigned bytes_of_row_ = 0;
     std::uint32_t mask_ = 0;
-    unsigned places_ = 0;  ///< of a bucket, whose first byte says how many are taken
+    /// Of a bucket. Before them is a word that says how many are taken by each part: as many ones, and a zero; its top
+    /// bit, whether all are.
+    unsigned places_ = 0;
+    unsigned parts_ = 0;  ///< of a bucket
     lts::Pages memory_;
     std::uint64_t buckets_ = 0;
     std::uint64_t capacity_ = 0;
     std::uint64_t size_ = 0;
+    std::uint64_t full_ = 0;  ///< buckets
 };
 
 }  // namespace robochart::refine

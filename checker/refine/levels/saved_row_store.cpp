@@ -9,7 +9,12 @@ using lts::StateView;
 
 SavedRowStore::SavedRowStore(KeptWhere where)
     : RowStore(where.kind.width), kept_(std::move(where)), rows_(std::make_unique<MemoryRowStore>(width())) {
-    KeptLevels::Unsure unsure = kept_.load(record());
+    std::vector<std::pair<Level, std::vector<lts::Word>>> unsure;
+    kept_.load(record(), [&](Level level, StateView row) {
+        unsure.emplace_back(level, std::vector<lts::Word>(row.begin(), row.end()));
+    });
+    std::sort(unsure.begin(), unsure.end());
+    unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
     // What was unsure of a level is looked up when the levels before, and its own, are in memory.
     auto next = unsure.begin();
     for (Level level = 0; level < kept_.files().levels(); ++level) {
@@ -38,7 +43,8 @@ std::optional<Level> SavedRowStore::settle() {
     return late_.front().first;
 }
 
-/// The levels before are written if they have not been, and read again.
+/// The levels before are written if they have not been, and read again. Until that is done, the files have all that
+/// there was: a checkpoint in the midst of it is one of before.
 void SavedRowStore::roll_back_to(Level level) {
     save_levels();
     auto rows = std::make_unique<MemoryRowStore>(width());
@@ -68,9 +74,22 @@ void SavedRowStore::save_levels() {
     }
 }
 
+/// Where there is no space for all levels, those before them are kept.
 void SavedRowStore::checkpoint() {
-    save_levels();
-    kept_.checkpoint(record(), late_);
+    std::vector<lts::Word> late;
+    for (const auto& [level, row] : late_) {
+        late.insert(late.end(), row.begin(), row.end());
+        late.push_back(level);
+    }
+    storage::sort_rows(late, width() + 1);
+    const auto unsure = [&](const storage::TakeRows& take) { take(late); };
+    try {
+        save_levels();
+        kept_.checkpoint(record(), unsure);
+    } catch (const storage::CannotWrite&) {
+        if (kept_.files().levels() > 0) kept_.checkpoint_of_fewer(record(), unsure);
+        throw;
+    }
 }
 
 }  // namespace robochart::refine

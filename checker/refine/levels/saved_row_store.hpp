@@ -1,6 +1,7 @@
 // Rows in memory, with checkpoints in files.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "checker/refine/levels/kept_levels.hpp"
@@ -13,7 +14,8 @@ public:
     /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
     explicit SavedRowStore(KeptWhere where);
 
-    [[nodiscard]] Level levels() const override { return rows_->levels(); }
+    /// While a search goes back, the files have more levels than memory.
+    [[nodiscard]] Level levels() const override { return std::max(rows_->levels(), kept_.files().levels()); }
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
     [[nodiscard]] std::uint64_t size() const override { return rows_->size(); }
     void prefetch(std::uint64_t hash) const override { rows_->prefetch(hash); }
@@ -35,7 +37,8 @@ private:
 
     KeptLevels kept_;
     std::unique_ptr<MemoryRowStore> rows_;
-    KeptLevels::Unsure late_;  ///< rows that an earlier run, which had not all rows at hand, has missed
+    /// Rows that an earlier run, which had not all rows at hand, has missed, with their levels, which ascend.
+    std::vector<std::pair<Level, std::vector<lts::Word>>> late_;
 };
 
 }  // namespace robochart::refine

@@ -32,7 +32,7 @@ struct KeptSettings {
     // For tests: see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
     unsigned filter_bits = 32;
-    unsigned reads_a_step = 5;
+    unsigned reads_a_step = 10;
 };
 
 /// The folder's side of it, at the first rank; the searches are another strategy's, whose ranks all see the folder.

@@ -18,7 +18,7 @@ std::optional<Violation> OnDisk::search(lts::TransitionSystem& system, const Lev
     on_disk.rows.every = std::chrono::hours(1);
     on_disk.rows.disk = true;
     on_disk.rows.most_bytes = std::uint64_t{2048} * ranks_;
-    on_disk.rows.filter_bits = 4;
+    on_disk.rows.filter_bits = 1;
     on_disk.rows.reads_a_step = 0;
     const std::uint64_t before = statistics.rolled_back;
     std::optional<Violation> found = ThreadRanks(ranks_).search(system, on_disk, budget, statistics);

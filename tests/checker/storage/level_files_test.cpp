@@ -11,7 +11,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <random>
 #include <thread>
 
@@ -81,7 +80,10 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     LevelFiles files(where());
     for (std::uint32_t level = 0; level < 13; ++level) files.add_level(rows_of(level));
     expect_levels(files);
-    files.checkpoint({{1, 2, 3, 4, 5, 6}, {{4, {7, 7, 7}}, {6, {1, 0, 0, 2, 0, 0}}}, {{10, 0}, {20, 5}}});
+    const std::vector<std::vector<Word>> unsure{{7, 7, 7, 4}, {}, {1, 0, 0, 6, 2, 0, 0, 6, 7, 7, 7, 4}};
+    files.checkpoint({{1, 2, 3, 4, 5, 6},
+                      [&](const TakeRows& take) { std::for_each(unsure.begin(), unsure.end(), take); },
+                      {{10, 0}, {20, 5}}});
     for (std::uint32_t level = 13; level < 20; ++level) files.add_level(rows_of(level));
 
     const std::vector<Checkpoint> found = newest();
@@ -92,16 +94,13 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     ASSERT_EQ(found[0].expanded.size(), 2U);
     EXPECT_EQ(found[0].expanded[1].transitions, 20U);
     EXPECT_EQ(found[0].expanded[1].chased, 5U);
-    std::map<std::uint32_t, std::vector<Word>> beside;
-    LevelFiles::read_beside(where(), found[0].unsure, {}, [&](std::uint32_t level, std::span<const Word> rows) {
-        beside[level].assign(rows.begin(), rows.end());
-    });
-    EXPECT_EQ(beside, (std::map<std::uint32_t, std::vector<Word>>{{4, {7, 7, 7}}, {6, {1, 0, 0, 2, 0, 0}}}));
+    std::vector<std::vector<Word>> beside;
+    const auto take = [&](std::span<const Word> rows) { beside.emplace_back(rows.begin(), rows.end()); };
+    LevelFiles::read_beside(where(), found[0].unsure, true, {}, take);
+    EXPECT_EQ(beside, (std::vector<std::vector<Word>>{unsure[0], unsure[2]}));
     beside.clear();
-    LevelFiles::read_beside(where(), found[0].marks, {}, [&](std::uint32_t level, std::span<const Word> rows) {
-        beside[level].assign(rows.begin(), rows.end());
-    });
-    EXPECT_EQ(beside, (std::map<std::uint32_t, std::vector<Word>>{{0, {1, 2, 3, 4, 5, 6}}}));
+    LevelFiles::read_beside(where(), found[0].marks, false, {}, take);
+    EXPECT_EQ(beside, (std::vector<std::vector<Word>>{{1, 2, 3, 4, 5, 6}}));
     // It goes on, and what is no longer needed goes.
     for (std::uint32_t level = 13; level < 25; ++level) again.add_level(rows_of(level));
     again.checkpoint({});
@@ -239,8 +238,8 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         if (found.empty()) continue;
         LevelFiles files = adopted(found[0]);
         expect_levels(files);
-        LevelFiles::read_beside(where(), found[0].marks, {},
-                                [&](std::uint32_t, std::span<const Word> rows) { EXPECT_EQ(rows[0], files.levels()); });
+        LevelFiles::read_beside(where(), found[0].marks, false, {},
+                                [&](std::span<const Word> rows) { EXPECT_EQ(rows[0], files.levels()); });
     }
     EXPECT_FALSE(newest().empty());
 }

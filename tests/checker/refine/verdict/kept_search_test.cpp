@@ -65,7 +65,7 @@ protected:
         settings.every = std::chrono::milliseconds(0);
         settings.program = "this program";
         settings.most_bytes = 16U << 10U;
-        settings.filter_bits = 4;
+        settings.filter_bits = 1;
         settings.reads_a_step = 0;
         return settings;
     }

@@ -1,0 +1,119 @@
+#include "checker/refine/levels/rows_aside.hpp"
+
+#include <algorithm>
+
+#include "checker/storage/sort_rows.hpp"
+
+namespace robochart::refine {
+
+using lts::StateIndex;
+using lts::StateStore;
+using lts::StateView;
+using lts::Word;
+
+namespace {
+
+storage::RowKind with_level(storage::RowKind kind) {
+    ++kind.width;
+    return kind;
+}
+
+}  // namespace
+
+/// A row is in the store, and once more with its level when rows are given.
+RowsAside::RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes)
+    : most_(StateStore::most_in(bytes, kind.width, (kind.width + 1) * sizeof(Word))),
+      store_(std::make_unique<StateStore>(kind.width)),
+      runs_(path, with_level(kind)) {}
+
+void RowsAside::add(StateView row, std::uint64_t hash, Level level) {
+    if (store_->size() >= most_) {
+        if (store_->find(row, hash) != lts::no_state) return;
+        write();
+    }
+    const auto [index, fresh] = store_->insert(row, hash);
+    if (fresh && (levels_.empty() || levels_.back().first != level)) levels_.emplace_back(level, index);
+}
+
+std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const {
+    std::vector<Word> rows;
+    rows.reserve((end - first) * (width() + 1));
+    auto level = std::upper_bound(levels_.begin(), levels_.end(), first,
+                                  [](StateIndex wanted, const auto& each) { return wanted < each.second; });
+    for (StateIndex i = first; i < end; ++i) {
+        while (level != levels_.end() && level->second <= i) ++level;
+        rows.insert(rows.end(), (*store_)[i].begin(), (*store_)[i].end());
+        rows.push_back(std::prev(level)->first);
+    }
+    return rows;
+}
+
+/// Whatever is thrown: all rows are in the store, on their way, or in a run.
+void RowsAside::write() {
+    if (unwritten_.empty()) {
+        auto next = std::make_unique<StateStore>(width());
+        next->reserve(most_, {});  // it was full, and will be so again
+        unwritten_ = with_levels(0, static_cast<StateIndex>(store_->size()));
+        levels_.clear();
+        store_ = std::move(next);
+    }
+    storage::sort_rows(unwritten_, width() + 1);
+    runs_.add(unwritten_);
+    unwritten_ = {};
+}
+
+void RowsAside::each_piece(const std::function<void(std::vector<Word>& rows)>& take) const {
+    if (!runs_.empty()) each_of_runs(take);
+    std::vector<Word> rows;
+    const auto give = [&] {
+        storage::sort_rows(rows, width() + 1);
+        take(rows);
+    };
+    if (!unwritten_.empty()) {
+        rows = unwritten_;
+        give();
+    }
+    // What is sorted exists twice meanwhile.
+    const auto size = static_cast<StateIndex>(store_->size());
+    const StateIndex piece = std::max<StateIndex>(size / 2 + size % 2, 32);
+    for (StateIndex first = 0; first < size; first += piece) {
+        rows = with_levels(first, std::min(size, first + piece));
+        give();
+    }
+}
+
+/// Of the same row the one with the least level comes first.
+void RowsAside::each_of_runs(const std::function<void(std::vector<Word>& rows)>& take) const {
+    const std::size_t words = width() + 1;
+    const std::size_t full = most_ * words;
+    std::vector<Word> rows;
+    rows.reserve(std::min(full, runs_.rows() * words));
+    std::vector<Word> last;
+    runs_.merge([&](std::span<const Word> merged) {
+        for (std::size_t at = 0; at < merged.size(); at += words) {
+            const StateView row = merged.subspan(at, words);
+            if (!last.empty() && std::equal(last.begin(), last.end() - 1, row.begin())) continue;
+            last.assign(row.begin(), row.end());
+            if (rows.size() >= full) {
+                take(rows);
+                rows.clear();
+            }
+            rows.insert(rows.end(), row.begin(), row.end());
+        }
+    });
+    if (!rows.empty()) take(rows);
+}
+
+void RowsAside::clear() {
+    store_ = std::make_unique<StateStore>(width());
+    levels_.clear();
+    unwritten_ = {};
+    runs_.clear();
+}
+
+std::uint64_t RowsAside::bytes() const {
+    return store_->bytes() + levels_.capacity() * sizeof(levels_[0]) + unwritten_.capacity() * sizeof(Word) +
+           runs_.bytes();
+}
+
+}  // namespace robochart::refine
