@@ -360,7 +360,7 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
                 ++stops;
             }
             ASSERT_GE(levels.begun, kept) << round;
-            const auto found = storage::newest(folder_.path(), where(LoneExchange(), 1).kind);
+            const std::vector<storage::Checkpoint> found = newest();
             ASSERT_FALSE(found.empty()) << "the first level needs less";
             kept = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
                        return a.levels < b.levels;
@@ -433,6 +433,7 @@ TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     storage::LevelFiles files({where.folder, where.kind, where.place});
     for (const std::vector<lts::Word>& rows : {std::vector<lts::Word>{0}, {1, 2}, {5}}) files.add_level(rows);
     files.checkpoint({{}, [](const storage::TakeRows& take) { take(std::vector<lts::Word>{3, 1}); }, {{3, 0}, {4, 0}}});
+    where.from = storage::newest_in(where.folder);
     int left = 1000;
     where.poll = [&left] {
         if (--left == 0) throw LimitReached("no time");
@@ -443,10 +444,11 @@ TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     EXPECT_THROW(store.roll_back_to(1), LimitReached);
     EXPECT_EQ(store.levels(), 3U);
     store.checkpoint();
-    const auto found = storage::newest(where.folder, where.kind);
+    const std::vector<storage::Checkpoint> found = newest();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].number, 2U);
     EXPECT_EQ(found[0].levels, 3U);
+    where.from = storage::newest_in(where.folder);
     SavedRowStore again(where);
     ASSERT_EQ(again.settle(), 1U);
     again.roll_back_to(1);
