@@ -159,7 +159,8 @@ bool DiskRowStore::wants_to_settle() const {
     if (aside_.empty()) return false;
     if (aside_.on_disk() && aside_.rows() >= kept_.files().rows()) return true;
     const auto settling = static_cast<double>(kept_.files().rows() + aside_.rows());
-    const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 2 * settling;  // the filter is filled anew
+    // Filling the filter anew takes longer for a row than reading it.
+    const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 6 * settling;
     const double in_error = filter_.capacity() == 0 ? 1.0 : std::min(1.0, static_cast<double>(new_) * filter_.error());
     return bounds_.reads_a_step > 0 && in_error * lost >= settling;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -9,6 +10,8 @@ namespace robochart::refine {
 namespace {
 
 constexpr std::size_t counts_size = sizeof(std::uint64_t);
+/// Of so few nobody takes notice.
+constexpr double fewest_errors = 0.25;
 constexpr std::uint64_t full = std::uint64_t{1} << 63U;
 
 }  // namespace
@@ -39,7 +42,10 @@ void RowFilter::reset(std::uint64_t rows) {
         const std::uint64_t most = most_bytes_ / line;
         const std::uint64_t wanted = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
         const std::uint64_t buckets = wanted > most / 4 ? most : wanted;
-        if (buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1) {
+        const bool fits = buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1;
+        // Fewer bits make a filter for more rows, that is not filled anew as soon.
+        const bool fewer = bytes_of_row_ > 1 && errors_with(8 * (bytes_of_row_ - 1), buckets) < fewest_errors;
+        if (fits && !fewer) {
             buckets_ = buckets;
             break;
         }
@@ -47,6 +53,13 @@ void RowFilter::reset(std::uint64_t rows) {
     }
     capacity_ = space_in(buckets_);
     memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));  // of each row so many bytes are read
+}
+
+/// How many rows, about, would be taken for others while it is filled, if so many bits of each were kept.
+double RowFilter::errors_with(unsigned bits, std::uint64_t buckets) {
+    const double places = static_cast<double>(line - counts_size) / (bits / 8);
+    const double compared = places / (63 - places);
+    return static_cast<double>(buckets) * places * compared / std::exp2(bits);
 }
 
 /// In each bucket that is looked at a row is compared with those of a part; buckets are looked at up to one that is not

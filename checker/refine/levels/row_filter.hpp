@@ -15,7 +15,8 @@ namespace robochart::refine {
 class RowFilter {
 public:
     /// Of each hash `most_bits` are kept, 1 to 32, or the next fewer of 24, 16 and 8 for which all rows fit into
-    /// `most_bytes`; where not even these fit, it may have every row.
+    /// `most_bytes`, and those by which one row in all is hardly taken for another; where not even 8 fit, it may have
+    /// every row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
     /// Forgets all rows and gets ready for so many, and for some more where there is memory for them.
@@ -37,6 +38,7 @@ private:
     static constexpr std::size_t line = 64;
 
     void keep_bits(unsigned bits);
+    [[nodiscard]] static double errors_with(unsigned bits, std::uint64_t buckets);
     /// Of twenty places nineteen are taken at most: buckets that are full pass rows on to the next.
     [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 19 / 20; }
     /// The bucket, and in the lower half of its product the part, are in the upper half of the hash; what is kept is in

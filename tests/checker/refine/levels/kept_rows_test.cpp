@@ -595,11 +595,11 @@ TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
 }
 
 // By the size of a row: 32 bits take 64 bytes for 14 rows in 49 parts, 19 of 20 places taken; 24, 16 and 8 the same for
-// 18 in 45, 28 in 35, 56 in 7.
+// 18 in 45, 28 in 35, 56 in 7. With 24 of eleven thousand hardly one is taken for another, of ten million half a one.
 TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
     RowFilter filter(32, 64'000);
     const std::tuple<std::uint64_t, double, double> expected[] = {
-        {11'000, 32, 49}, {14'000, 24, 45}, {22'000, 16, 35}, {44'000, 8, 7}};
+        {11'000, 24, 45}, {14'000, 24, 45}, {22'000, 16, 35}, {44'000, 8, 7}};
     for (const auto& [rows, bits, parts] : expected) {
         filter.reset(rows);
         EXPECT_LE(filter.bytes(), 64'000U);
@@ -613,6 +613,9 @@ TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
         std::mt19937_64 again(rows);
         for (std::uint64_t i = 0; i < rows; ++i) ASSERT_TRUE(filter.may_have(again()));
     }
+    RowFilter large(32, 1U << 26U);
+    large.reset(10'000'000);
+    EXPECT_EQ(large.capacity(), (1U << 20U) * 14U * 19 / 20);
     filter.reset(60'000);
     EXPECT_EQ(filter.capacity(), 0U);
     EXPECT_EQ(filter.bytes(), 0U);
