@@ -6,9 +6,6 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 reports these inside its own standard library at -O2 (GCC bugs 105329, 107852).
   add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
-  if(ROBOCHART_PRECOMPILED)  # where headers are precompiled, one more
-    add_compile_options(-Wno-stringop-overread)
-  endif()
 endif()
 if(ROBOCHART_SANITIZE)
   add_compile_options(-fsanitize=${ROBOCHART_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
