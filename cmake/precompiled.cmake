@@ -1,6 +1,6 @@
 # Headers of the standard library, of fmt and of GoogleTest, which nearly every test reads, are compiled once: two to four
 # seconds of processor time of each group of sources are theirs. Such a build does not notice a header that a test forgets
-# to include; those of the presets `dev` and `clang` do.
+# to include; the other presets do.
 
 set(precompiled_headers
   <algorithm> <array> <charconv> <chrono> <cmath> <cstddef> <cstdint> <deque> <filesystem> <functional> <limits> <map> <memory>
