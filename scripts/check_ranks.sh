@@ -11,7 +11,8 @@ if [[ "${1:-}" == --mpirun ]]; then
   cmake --build --preset release --target robochart-verify robochart-verify-mpi faulty_ranks
   programs=build/release/app
   python3 tests/app/mpi/compare_ranks.py $programs/robochart-verify $programs/mpi/robochart-verify-mpi mpirun tests/app/mpi/scripts
-  python3 tests/app/mpi/keep_ranks.py $programs/robochart-verify mpirun $programs/mpi/robochart-verify-mpi
+  python3 tests/app/mpi/keep_ranks.py $programs/robochart-verify mpirun $programs/mpi/robochart-verify-mpi \
+    build/release/tests/app/mpi/faulty_ranks
   exec python3 tests/app/mpi/end_ranks.py mpirun $programs/mpi/robochart-verify-mpi build/release/tests/app/mpi/faulty_ranks
 fi
 cmake --build --preset release --target tests_cspm

@@ -13,7 +13,9 @@ refine::Limits limits(const Options& o, const std::string& subject) {
         diagnostics::Budget& budget = o.run->budget();
         static_cast<diagnostics::Limits&>(result) = budget.limits();
         result.interrupted = [&budget] { return budget.interrupted(); };
-        result.undisturbed = [run = o.run] { return std::make_shared<std::unique_lock<std::mutex>>(run->edit()); };
+        result.undisturbed = [run = o.run] {
+            return std::make_shared<std::unique_lock<std::recursive_mutex>>(run->edit());
+        };
         if (refine::LevelStrategy* const kept = o.run->kept_searches(o)) result.by_levels = kept;
     }
     result.max_states = o.max_states;

@@ -1,13 +1,14 @@
 #include "app/command/run.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
-#include <algorithm>
-#include <fstream>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -195,6 +196,7 @@ Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const 
 
 int run_command(const char* program, int argc, const char* const* argv,
                 const std::function<Exit(const Options&)>& verb) {
+    allow_many_files();
     try {
         prepare_output();
         const Exit exit = run_verb(argc, argv, verb);
@@ -220,6 +222,17 @@ int run_command(const char* program, int argc, const char* const* argv,
                     error.what());
         return static_cast<int>(Exit::internal);
     }
+}
+
+/// Without a bound there would be programs that close every file that could be open.
+void allow_many_files() {
+    constexpr rlim_t most = rlim_t{1} << 20U;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+    const rlim_t wanted = std::min(limit.rlim_max, most);
+    if (limit.rlim_cur >= wanted) return;
+    limit.rlim_cur = wanted;
+    (void)setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 std::uint64_t default_memory() {

@@ -50,8 +50,8 @@ public:
     /// From now on this is the last word. It may be called by the watching thread, while `edit` is not held, and must
     /// not look at anything else that is being changed.
     void last_word(LastWord);
-    /// To be held while what the last word shows is changed.
-    [[nodiscard]] std::unique_lock<std::mutex> edit() { return std::unique_lock(mutex_); }
+    /// To be held while what the last word shows is changed. A thread may hold it several times.
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> edit() { return std::unique_lock(mutex_); }
     /// The verb has its answer, or knows that it will get none, and prints: limits no longer cut it short.
     void finish();
     /// Whether this run has not yet written a file of this path below `--out`; from now on it has.
@@ -73,7 +73,7 @@ private:
     std::atomic<int> signals_{0};
     std::chrono::steady_clock::time_point first_signal_;  ///< of the watching thread
     std::atomic<bool> over_{false};
-    std::mutex mutex_;
+    std::recursive_mutex mutex_;
     bool finishing_ = false;  ///< under mutex_
     LastWord last_word_;      ///< under mutex_
     std::set<std::string> written_;
@@ -84,6 +84,10 @@ private:
 /// be written, or decided, is said. Returns the exit code.
 int run_command(const char* program, int argc, const char* const* argv,
                 const std::function<Exit(const Options&)>& verb);
+
+/// This program may have as many files open as the system lets it: searches that are kept in files have some at each
+/// thread. To be called at its start.
+void allow_many_files();
 
 /// 16 GiB, or three quarters of the memory that this machine or its control group has if that is less.
 [[nodiscard]] std::uint64_t default_memory();

@@ -55,6 +55,12 @@ MpiProgram::~MpiProgram() {
     MPI_Finalize();
 }
 
+bool MpiProgram::serves_threads() {
+    int provided = MPI_THREAD_SINGLE;
+    MPI_Query_thread(&provided);
+    return provided >= MPI_THREAD_FUNNELED;
+}
+
 void MpiProgram::abort(int code) {
     MPI_Abort(MPI_COMM_WORLD, code);
     std::abort();

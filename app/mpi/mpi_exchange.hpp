@@ -13,6 +13,8 @@ public:
     MpiProgram& operator=(const MpiProgram&) = delete;
     /// Waits for the other ranks.
     ~MpiProgram();
+    /// Whether a program may have several threads, of which the one that has begun MPI calls it.
+    [[nodiscard]] static bool serves_threads();
     /// Ends all ranks at once.
     [[noreturn]] static void abort(int code);
 };

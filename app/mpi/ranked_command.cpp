@@ -33,8 +33,10 @@ void warn_of_few_cores(unsigned threads) {
 
 /// The command as ever, with a strategy for its searches.
 int command(int argc, char** argv, refine::Exchange& exchange) {
-    ranks::ServedRanks served(exchange);
+    ranks::ServedRanks served(exchange, command_identity());
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
+        if (given.threads > 1 && !MpiProgram::serves_threads())
+            throw UsageError("--threads above 1 needs an MPI that serves a program with threads (MPI_THREAD_FUNNELED)");
         warn_of_few_cores(given.threads);
         Options options = given;
         options.by_levels = &served;
@@ -61,10 +63,11 @@ void block_signals() {
 }
 
 int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
+    allow_many_files();
     try {
         if (exchange.rank() == 0) return command(argc, argv, exchange);
         for (const int each : ending) signal(each, SIG_IGN);
-        ranks::serve(exchange);
+        ranks::serve(exchange, command_identity());
         return 0;
     } catch (const std::bad_alloc&) {
         end_all(exchange.rank(), Exit::inconclusive, "there is no more memory");

@@ -1,6 +1,7 @@
 #include "checker/ranks/job.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "checker/machine/transfer.hpp"
 
@@ -15,7 +16,7 @@ using refine::RowKeeping;
 
 namespace {
 
-constexpr std::uint64_t version = 2;
+constexpr std::uint64_t version = 3;
 
 void write(std::string_view text, ByteWriter& out) {
     out.number(text.size());
@@ -39,8 +40,23 @@ void write(const RowKeeping& rows, ByteWriter& out) {
         out.number(part);
 }
 
-RowKeeping read_rows(ByteReader& in) {
+std::chrono::milliseconds read_time(ByteReader& in) {
     constexpr std::uint64_t most_milliseconds = std::uint64_t{1} << 42U;  // the clock can count them
+    const std::uint64_t time = in.number();
+    if (time > most_milliseconds) throw BadBytes("a time is too long");
+    return std::chrono::milliseconds(time);
+}
+
+/// The clocks of machines differ: what is sent is how much time is left.
+void write_deadline(const refine::Limits& limits, ByteWriter& out) {
+    out.number(limits.deadline ? 1 : 0);
+    if (!limits.deadline) return;
+    const auto left = *limits.deadline - std::chrono::steady_clock::now();
+    const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(left).count();
+    out.number(static_cast<std::uint64_t>(std::max<std::int64_t>(milliseconds, 0)));
+}
+
+RowKeeping read_rows(ByteReader& in) {
     RowKeeping rows;
     rows.folder = read_text(in);
     rows.run = read_text(in);
@@ -48,9 +64,7 @@ RowKeeping read_rows(ByteReader& in) {
     rows.from.number = in.number();
     rows.from.ranks = in.word();
     rows.from.greatest = in.number();
-    const std::uint64_t every = in.number();
-    if (every > most_milliseconds) throw BadBytes("a time is too long");
-    rows.every = std::chrono::milliseconds(every);
+    rows.every = read_time(in);
     rows.disk = in.below(2) == 1;
     rows.most_bytes = in.number();
     rows.filter_bits = in.below(33);
@@ -102,8 +116,9 @@ std::shared_ptr<const NormalTable> read_table(ByteReader& in) {
 }  // namespace
 
 std::optional<std::string> encode(const lts::TransitionSystem& system, const LevelQuestion& question,
-                                  const refine::Limits& limits, unsigned threads) {
+                                  const refine::Limits& limits, unsigned threads, std::string_view program) {
     ByteWriter out;
+    write(program, out);
     out.number(version);
     if (!machine::write(system, out)) return std::nullopt;
     out.number(static_cast<std::uint64_t>(question.kind));
@@ -115,11 +130,18 @@ std::optional<std::string> encode(const lts::TransitionSystem& system, const Lev
     out.number(limits.max_states);
     out.number(limits.memory_bytes);
     out.number(threads);
+    write_deadline(limits, out);
     return out.bytes();
+}
+
+std::string sender_of(std::string_view bytes) {
+    ByteReader in(bytes);
+    return read_text(in);
 }
 
 Job decode(std::string_view bytes, process::TermStore& terms) {
     ByteReader in(bytes);
+    (void)read_text(in);
     if (in.number() != version) throw BadBytes("another version has sent the search");
     Job job;
     job.system = machine::read_system(in, terms);
@@ -133,6 +155,7 @@ Job decode(std::string_view bytes, process::TermStore& terms) {
     job.memory_bytes = in.number();
     job.threads = in.word();
     if (job.threads == 0) throw BadBytes("a program has no threads");
+    if (in.below(2) == 1) job.deadline = std::chrono::steady_clock::now() + read_time(in);
     in.finish();
     return job;
 }

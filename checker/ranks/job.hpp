@@ -1,6 +1,7 @@
 // A search as bytes: what rank 0 tells the others.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,13 +19,16 @@ struct Job {
     std::uint64_t max_states = 0;
     std::uint64_t memory_bytes = 0;
     unsigned threads = 1;  ///< of each program
+    std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
 /// The search of a system as bytes, with the limits that hold for every program, and how many threads each has. None
-/// where the system is none that can be sent: a process that stays a term.
+/// where the system is none that can be sent: a process that stays a term. `program`: the identity of the sender.
 [[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
                                                 const refine::LevelQuestion& question, const refine::Limits& limits,
-                                                unsigned threads);
+                                                unsigned threads, std::string_view program);
+/// The identity of the program that has encoded the search, whatever its version. Throws lts::BadBytes.
+[[nodiscard]] std::string sender_of(std::string_view bytes);
 /// The same search. `terms` outlive it; they need not be those of the sender. Throws lts::BadBytes where the bytes are
 /// no search that this version has encoded.
 [[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);

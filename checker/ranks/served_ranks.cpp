@@ -1,10 +1,14 @@
 #include "checker/ranks/served_ranks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "checker/ranks/job.hpp"
+#include "checker/refine/levels/shared_work.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
+#include "checker/storage/storage_error.hpp"
 
 namespace robochart::ranks {
 
@@ -30,7 +34,7 @@ std::optional<refine::Violation> ServedRanks::search(lts::TransitionSystem& syst
                                                      refine::Statistics& statistics) {
     if (others_wait_) throw refine::LimitReached("an error has parted the ranks in an earlier search");
     const unsigned threads = refine::threads_for(system, std::max(1U, budget.limits().threads));
-    const std::optional<std::string> job = encode(system, question, budget.limits(), threads);
+    const std::optional<std::string> job = encode(system, question, budget.limits(), threads, program_);
     if (!job) return refine::ThreadRanks(1).search(system, question, budget, statistics);
     exchange_.begin_together();
     try {
@@ -47,23 +51,28 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
                                                               refine::Budget& budget, refine::Statistics& statistics) {
     std::string sent = job;
     exchange_.broadcast(sent);
-    refine::SharedWork(exchange_).sum({});  // all know what they are to do
+    refine::together(exchange_, [] {});  // all know what they are to do
     return refine::search_by_threads(exchange_, threads, system, question, budget, statistics);
 }
 
 namespace {
 
-/// One search. Its own budget has no deadline and no interrupt: those are the first program's, of which all hear.
-void take_part(Exchange& exchange, const std::string& bytes) {
+/// One search. Its own budget has no interrupt: that is the first program's, of which all hear.
+void take_part(Exchange& exchange, const std::string& bytes, const std::string& program) {
     process::EventTable events;
     process::TermStore terms(events);
     Job job;
-    refine::SharedWork ready(exchange);
-    ready.attempt([&] { job = decode(bytes, terms); });
-    ready.sum({});
+    refine::together(exchange, [&] {
+        if (sender_of(bytes) != program)
+            throw storage::BadFile(
+                fmt::format("program {} is of another build than program 0: all must be one robochart-verify-mpi",
+                            exchange.rank()));
+        job = decode(bytes, terms);
+    });
     refine::Limits limits;
     limits.max_states = job.max_states;
     limits.memory_bytes = job.memory_bytes;
+    limits.deadline = job.deadline;
     refine::Budget budget(limits);
     const refine::PollGuard guard({job.system.get()}, budget);
     refine::Statistics ignored;
@@ -72,14 +81,14 @@ void take_part(Exchange& exchange, const std::string& bytes) {
 
 }  // namespace
 
-void serve(Exchange& exchange) {
+void serve(Exchange& exchange, const std::string& program) {
     for (;;) {
         exchange.begin_together();
         std::string job;
         exchange.broadcast(job);
         if (job.empty()) return;
         try {
-            take_part(exchange, job);
+            take_part(exchange, job, program);
         } catch (const refine::RankLost&) {
             throw;
         } catch (const std::exception&) {

@@ -2,6 +2,9 @@
 // each search sends the others what they need (job.hpp); in between they wait. In each program several threads search.
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "checker/refine/verdict/level_strategy.hpp"
 
 namespace robochart::ranks {
@@ -10,7 +13,8 @@ namespace robochart::ranks {
 /// destroyed; unless they wait. In each program so many threads search as Limits::threads says, or one where that is 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
-    explicit ServedRanks(refine::Exchange& exchange) : exchange_(exchange) {}
+    /// `program`: the identity of this program. The others refuse searches of another one.
+    ServedRanks(refine::Exchange& exchange, std::string program) : exchange_(exchange), program_(std::move(program)) {}
     ServedRanks(const ServedRanks&) = delete;
     ServedRanks& operator=(const ServedRanks&) = delete;
     ~ServedRanks() override;
@@ -32,12 +36,15 @@ private:
                                                      refine::Statistics& statistics);
 
     refine::Exchange& exchange_;
+    std::string program_;
     bool others_wait_ = false;
     bool ended_ = false;
 };
 
 /// What every other program does: takes its part in each search, until rank 0 has no more. What ends a search is the
-/// first one's to report. Throws what has ended it in this program alone, since the others wait for it.
-void serve(refine::Exchange& exchange);
+/// first one's to report. Throws what has ended it in this program alone, since the others wait for it. `program`: its
+/// identity. Where another program has sent the search, which may have other rows and exchange other things, all leave
+/// it together (storage::BadFile).
+void serve(refine::Exchange& exchange, const std::string& program);
 
 }  // namespace robochart::ranks

@@ -210,7 +210,7 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
     const auto bad = [&path](const std::string& cause) {
         throw BadFile(fmt::format("{}: {}", diagnostics::shown(path), cause));
     };
-    if (!file.open()) bad(std::strerror(errno));
+    if (!file.open()) cannot_open(path, errno);
     std::string text;
     std::array<char, 1U << 16U> piece{};
     for (;;) {

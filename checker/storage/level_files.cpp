@@ -42,6 +42,7 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
         const auto number = static_cast<std::uint32_t>(files_.size());
         files_.push_back({std::make_unique<RowFile>(opened(path_in(where_, saved.name), where_.kind, saved, poll)),
                           saved.name, saved.blocks});
+        (void)to_read(number);
         const auto& blocks = files_.back().file->blocks();
         for (std::uint32_t i = 0; i < saved.blocks; ++i) {
             if (blocks[i].level < level || blocks[i].level >= checkpoint.levels)
@@ -63,6 +64,17 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
         }
     }
     number_ = checkpoint.number;
+}
+
+void LevelFiles::rest() {
+    if (open_file_ < files_.size()) files_[open_file_].file->rest();
+    open_file_ = none;
+}
+
+const RowFile& LevelFiles::to_read(std::uint32_t file) {
+    if (file != open_file_) rest();
+    open_file_ = file;
+    return *files_[file].file;
 }
 
 LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
@@ -156,7 +168,7 @@ std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size
     const std::uint64_t skipped = std::min<std::uint64_t>(first / RowFile::rows_of_block, entry.count);
     begin = skipped * RowFile::rows_of_block;
     for (auto i = static_cast<std::uint32_t>(skipped); i < entry.count && given < most; ++i) {
-        const RowFile& file = *files_[entry.file].file;
+        const RowFile& file = to_read(entry.file);
         const std::uint32_t block = entry.first + i;
         const std::uint64_t count = file.blocks()[block].rows;
         if (cached_file_ != entry.file || cached_block_ != block) {
@@ -186,7 +198,7 @@ void LevelFiles::each_block(std::uint32_t level, const TakeRows& visit) {
 void LevelFiles::each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit) {
     const Level& entry = levels_[level];
     if (entry.count == 0) return;
-    const RowFile& file = *files_[entry.file].file;
+    const RowFile& file = to_read(entry.file);
     std::vector<Word> rows;
     for (std::uint32_t block = entry.first, end = block + entry.count; block < end; ++block) {
         if (!wants(file.first(block), block + 1 < end ? file.first(block + 1) : std::span<const Word>())) continue;
@@ -197,7 +209,9 @@ void LevelFiles::each_block_if(std::uint32_t level, const WantsBlock& wants, con
 }
 
 void LevelFiles::finish_last() {
-    if (!files_.empty() && !files_.back().file->finished()) files_.back().file->finish();
+    if (files_.empty() || files_.back().file->finished()) return;
+    files_.back().file->finish();
+    (void)to_read(static_cast<std::uint32_t>(files_.size() - 1));
 }
 
 /// Each piece is a level of the file. A file that could not be written goes, since space is short then.

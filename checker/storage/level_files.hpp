@@ -54,6 +54,9 @@ public:
     using WantsBlock = std::function<bool(std::span<const Word> first, std::span<const Word> next)>;
     void each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit);
 
+    /// Files that are finished are not open until they are read again. Without it one of them is.
+    void rest();
+
     /// Gives rows piece by piece: those of each are ascending, none twice.
     using GivePieces = std::function<void(const TakeRows&)>;
     /// What a checkpoint has beside the levels.
@@ -89,6 +92,7 @@ private:
         std::uint32_t count = 0;  ///< of blocks
         std::uint64_t rows = 0;
     };
+    [[nodiscard]] const RowFile& to_read(std::uint32_t file);
     RowFile& growing();
     File new_file(const RowKind& kind);
     void finish_last();
@@ -100,6 +104,7 @@ private:
     std::uint64_t rows_ = 0;
     std::uint64_t number_ = 0;
     std::uint64_t next_name_ = 0;
+    std::uint32_t open_file_ = 0xFFFFFFFFU;  ///< of those that are finished: the only one that may be open
     // the block that was read last
     std::uint32_t cached_file_ = 0xFFFFFFFFU;
     std::uint32_t cached_block_ = 0;

@@ -193,7 +193,18 @@ void RowFile::bad(std::uint64_t offset, const std::string& cause) const {
     throw BadFile(fmt::format("{}: byte {}: {}", diagnostics::shown(path_), offset, cause));
 }
 
+void RowFile::rest() {
+    if (finished_) file_ = diagnostics::Descriptor();
+}
+
+/// Another file of this name is found out by the checks of its blocks.
+void RowFile::open_to_read() const {
+    file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+    if (!file_.open()) cannot_open(path_, errno);
+}
+
 void RowFile::read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const {
+    if (!file_.open()) open_to_read();
     bytes.resize(count);
     for (std::size_t have = 0; have < count;) {
         const ssize_t got = ::pread(file_.get(), bytes.data() + have, count - have, static_cast<off_t>(offset + have));
@@ -227,9 +238,7 @@ Check RowFile::read_checked(std::size_t block, std::vector<Word>& rows) const {
 
 RowFile RowFile::open(const std::string& path, const RowKind& kind, const std::function<void()>& poll) {
     RowFile opened(path, kind);
-    opened.file_ = diagnostics::Descriptor(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
-    if (!opened.file_.open())
-        throw BadFile(fmt::format("{}: cannot be read: {}", diagnostics::shown(path), std::strerror(errno)));
+    opened.open_to_read();
     struct stat found {};
     if (fstat(opened.file_.get(), &found) != 0 || !S_ISREG(found.st_mode)) opened.bad(0, "this is no file");
     opened.read_head();

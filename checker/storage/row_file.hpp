@@ -61,6 +61,8 @@ public:
     /// more.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
+    /// A finished file is not kept open until it is read again: few may be open at a time.
+    void rest();
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
@@ -91,6 +93,7 @@ private:
     void write_block(std::uint32_t level, std::span<const Word> rows);
     [[nodiscard]] std::string end_of() const;
     void reach_disk();
+    void open_to_read() const;
     [[noreturn]] void bad(std::uint64_t offset, const std::string& cause) const;
     Check read_checked(std::size_t block, std::vector<Word>& rows) const;
     void read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const;
@@ -99,7 +102,7 @@ private:
 
     std::string path_;
     RowKind kind_;
-    diagnostics::Descriptor file_;
+    mutable diagnostics::Descriptor file_;  ///< not open while it rests
     std::vector<Block> blocks_;
     std::vector<Word> firsts_;   ///< rows, of the blocks
     std::vector<Check> checks_;  ///< of the blocks; while it is written or opened

@@ -22,4 +22,8 @@ public:
     using diagnostics::LimitReached::LimitReached;
 };
 
+/// Of a file that cannot be opened for reading, with the error of the system (errno). Throws LimitReached where too
+/// many files are open, which says nothing of the file, and else BadFile.
+[[noreturn]] void cannot_open(const std::string& path, int error);
+
 }  // namespace robochart::storage

@@ -42,6 +42,7 @@ public:
     DiskRowStore& operator=(const DiskRowStore&) = delete;
 
     [[nodiscard]] Level levels() const override { return kept_.files().levels(); }
+    [[nodiscard]] std::optional<std::uint64_t> rows_before() const override { return kept_.rows_before(); }
     [[nodiscard]] std::uint64_t rows(Level level) const override;
     [[nodiscard]] std::uint64_t size() const override { return kept_.files().rows() + rows(levels()); }
     void prefetch(std::uint64_t hash) const override {

@@ -63,9 +63,9 @@ public:
     [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 
     /// All ranks know that all leave what they do together (SharedWork), until `begin_together`.
-    void leave_together() { left_together_ = true; }
-    void begin_together() { left_together_ = false; }
-    [[nodiscard]] bool left_together() const { return left_together_; }
+    virtual void leave_together() { left_together_ = true; }
+    virtual void begin_together() { left_together_ = false; }
+    [[nodiscard]] virtual bool left_together() const { return left_together_; }
 
 protected:
     void count(const Messages& out);

@@ -82,21 +82,27 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Lev
     for (const storage::Checkpoint& each : found) {
         all.emplace_back(storage::FolderOf{where_.folder, where_.kind, each.place});
         all.back().adopt(each, where_.poll);
+        all.back().rest();
     }
     const std::size_t width = where_.kind.width;
     Words rows;
+    std::uint64_t before = 0;
     for (Level level = 0; level < levels; ++level) {
         rows.clear();
-        for (storage::LevelFiles& files : all)
+        for (storage::LevelFiles& files : all) {
+            before += files.rows(level);
             files.each_block(level, [&](std::span<const Word> block) {
                 poll();
                 for (std::size_t at = 0; at < block.size(); at += width)
                     if (const StateView row = block.subspan(at, width); !where_.mine || where_.mine(row))
                         rows.insert(rows.end(), row.begin(), row.end());
             });
+            files.rest();
+        }
         storage::sort_rows(rows, width);
         files_.add_level(rows);
     }
+    rows_before_ = before;
 }
 
 bool KeptLevels::checkpoint_due() const {

@@ -41,6 +41,9 @@ public:
     /// storage::BadFile, and what `unsure` throws.
     void load(SearchRecord& record, const TakeUnsure& unsure);
 
+    /// How many rows those levels had at all ranks that there were; none where load has not divided them anew.
+    [[nodiscard]] std::optional<std::uint64_t> rows_before() const { return rows_before_; }
+
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
     [[nodiscard]] const storage::LevelFiles& files() const { return files_; }
     [[nodiscard]] bool checkpoint_due() const;
@@ -60,6 +63,7 @@ private:
 
     KeptWhere where_;
     storage::LevelFiles files_;
+    std::optional<std::uint64_t> rows_before_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -103,8 +103,10 @@ void LevelSearch::keep() {
         if (store_.levels() > 0) store_.checkpoint();
         return;
     }
+    exchange_.begin_together();  // an error of this rank alone in what follows is one that others do not know of
     SharedWork last(exchange_);
     checkpoint(last);
+    exchange_.leave_together();
 }
 
 /// The run is not ended by force before all have written theirs.
@@ -152,6 +154,11 @@ void LevelSearch::begin() {
     before_ = figures_until(store_.record().expanded.size());
     agree(0);
     work_.attempt([this] {
+        if (agreed_.known == 0) throw std::logic_error("no rank has the initial state");
+        const std::optional<std::uint64_t> before = store_.rows_before();
+        if (before && *before != agreed_.known)
+            throw std::logic_error(
+                fmt::format("of {} states of the checkpoint the ranks have {}", *before, agreed_.known));
         if (store_.levels() == 0) close_level_of_store();
     });
     work_.sum({});
@@ -168,7 +175,10 @@ void LevelSearch::expand_level(Level level) {
     do {
         {
             const Timed timed(level_seconds_[level]);
-            work_.attempt([&] { expand_some(level, next); });
+            work_.attempt([&] {
+                budget_.check();  // after all that the ranks have waited
+                expand_some(level, next);
+            });
         }
         if (exchange_.ranks() > 1) batches_.exchange(exchange_);
         {

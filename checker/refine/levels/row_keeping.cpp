@@ -1,8 +1,6 @@
 #include "checker/refine/levels/row_keeping.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,21 +8,27 @@
 
 #include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
+#include "checker/storage/file_lock.hpp"
 #include "diagnostics/escape.hpp"
 
 namespace robochart::refine {
 namespace {
 
-/// Files of a folder of the same name on another machine would be those of other rows.
+/// Files of a folder of the same name on another machine would be those of other rows. That the file is still the one
+/// of this name when it is locked says that no other run has begun meanwhile.
 std::shared_ptr<const diagnostics::Descriptor> use_folder(const RowKeeping& keeping, unsigned rank) {
     const std::string path = keeping.folder + "/" + run_name;
     const auto refuse = [&](const std::string& why) {
         throw storage::BadFile(fmt::format("{}: rank {}: {}: all ranks must see the folder that rank 0 sees",
                                            diagnostics::shown(path), rank, why));
     };
-    auto file =
-        std::make_shared<diagnostics::Descriptor>(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
-    if (!file->open() || ::flock(file->get(), LOCK_SH | LOCK_NB) != 0) refuse(std::strerror(errno));
+    auto file = std::make_shared<diagnostics::Descriptor>(storage::open_to_lock(path, false));
+    if (!file->open() && (errno == EMFILE || errno == ENFILE)) storage::cannot_open(path, errno);
+    if (!file->open()) refuse(std::strerror(errno));
+    if (const std::string why =
+            storage::lock(*file, path, storage::Lock::shared, "another run has begun to use this folder");
+        !why.empty())
+        refuse(why);
     std::string found(keeping.run.size() + 1, '\0');
     const ssize_t size = ::read(file->get(), found.data(), found.size());
     if (size < 0) refuse(std::strerror(errno));

@@ -57,6 +57,10 @@ public:
     /// How many rows all levels have.
     [[nodiscard]] virtual std::uint64_t size() const = 0;
 
+    /// Where the store continues a run of another number of ranks: how many rows that had, at all ranks. All ranks now
+    /// have as many together.
+    [[nodiscard]] virtual std::optional<std::uint64_t> rows_before() const { return std::nullopt; }
+
     /// Asks memory for what `enter` will look at.
     virtual void prefetch(std::uint64_t /*hash*/) const {}
     /// Enters a row into the open level, if it is new. `hash` is lts::StateStore::hash(row). May throw LimitReached

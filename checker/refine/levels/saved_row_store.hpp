@@ -16,6 +16,7 @@ public:
 
     /// While a search goes back, the files have more levels than memory.
     [[nodiscard]] Level levels() const override { return std::max(rows_->levels(), kept_.files().levels()); }
+    [[nodiscard]] std::optional<std::uint64_t> rows_before() const override { return kept_.rows_before(); }
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
     [[nodiscard]] std::uint64_t size() const override { return rows_->size(); }
     void prefetch(std::uint64_t hash) const override { rows_->prefetch(hash); }

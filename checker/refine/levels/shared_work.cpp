@@ -81,4 +81,10 @@ void SharedWork::leave(Kind worst) {
     throw RankFailed("rank " + std::to_string(first - texts.begin()) + ": " + why);
 }
 
+void together(Exchange& exchange, const std::function<void()>& part) {
+    SharedWork work(exchange);
+    work.attempt(part);
+    work.sum({});
+}
+
 }  // namespace robochart::refine

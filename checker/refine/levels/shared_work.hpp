@@ -42,4 +42,8 @@ private:
     std::vector<std::uint64_t> values_;
 };
 
+/// Each rank does its part of something, which may be nothing, and goes on when all have. Where one cannot, all throw
+/// (SharedWork::sum).
+void together(Exchange& exchange, const std::function<void()>& part);
+
 }  // namespace robochart::refine

@@ -12,11 +12,11 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "checker/refine/levels/shared_work.hpp"
+#include "checker/refine/search/thread_team.hpp"
 #include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
@@ -254,7 +254,6 @@ public:
           heard_(threads),
           lost_(threads) {
         for (unsigned thread = 0; thread < threads; ++thread) exchanges_.push_back(meeting_.exchange(thread));
-        others_.reserve(threads);
     }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
@@ -265,13 +264,11 @@ public:
 
     /// Starts all but the caller's.
     void start() {
-        const std::size_t threads = exchanges_.size();
         try {
-            for (std::size_t thread = 1; thread < threads; ++thread) others_.emplace_back(&Team::be, this, thread);
-        } catch (const std::system_error& error) {
-            const std::string who = programs_.ranks() > 1 ? fmt::format("program {}: ", programs_.rank()) : "";
-            throw diagnostics::LimitReached(
-                fmt::format("{}{} threads cannot be started: {}", who, threads, error.what()));
+            start_threads(others_, static_cast<unsigned>(exchanges_.size()), [this](unsigned thread) { be(thread); });
+        } catch (const diagnostics::LimitReached& limit) {
+            if (programs_.ranks() == 1) throw;
+            throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
         }
     }
     /// The caller's part, then the end of all.
@@ -316,9 +313,7 @@ private:
 void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work) {
     if (threads == 1) return work(programs);
     std::optional<Team> team;
-    SharedWork ready(programs);
-    ready.attempt([&] { team.emplace(programs, threads, work).start(); });
-    ready.sum({});
+    together(programs, [&] { team.emplace(programs, threads, work).start(); });
     team->finish();
 }
 

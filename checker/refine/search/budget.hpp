@@ -25,6 +25,10 @@ public:
         if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) poll();
         work_ += pieces;
     }
+    /// Looks at the limits of the run now. Throws LimitReached.
+    void check() { run_.check(); }
+    /// Looks now: whether a limit of the run is reached, or it is interrupted.
+    [[nodiscard]] bool over() { return !run_.reached().empty(); }
     /// So many states are kept now. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;

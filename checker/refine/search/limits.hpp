@@ -40,7 +40,8 @@ struct Limits : diagnostics::Limits {
     /// Searches go by levels, as this says (verdict/level_strategy.hpp); null: they do not. Verdicts do not depend on
     /// it.
     LevelStrategy* by_levels = nullptr;
-    /// While what it gives lives, a run that is to end is not ended by force; may be empty.
+    /// While what it gives lives, a run that is to end is not ended by force; a thread may ask for it again meanwhile.
+    /// May be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
@@ -57,7 +58,7 @@ struct Statistics {
     std::uint64_t replicas = 0;  ///< the most equal components whose exchange gives no further state; 0: none
     std::uint64_t distinguished = 0;  ///< equal components that the question distinguishes, so that it does
     std::uint64_t ranks = 0;          ///< of a search by levels, in all programs; 0: it was another one
-    // Of a search whose rows are on disk, at the first rank.
+    // Of a search whose rows are on disk, the greatest of all ranks.
     std::uint64_t settled = 0;      ///< times that files were read through for rows put aside
     std::uint64_t rolled_back = 0;  ///< times that the search went back
 };

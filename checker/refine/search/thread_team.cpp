@@ -1,6 +1,11 @@
 #include "checker/refine/search/thread_team.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <system_error>
+
+#include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -17,11 +22,29 @@ void await_change(const std::atomic<unsigned>& value, unsigned old) {
 
 }  // namespace
 
+void start_threads(std::vector<std::thread>& threads, unsigned size, const std::function<void(unsigned)>& work) {
+    threads.reserve(size);
+    try {
+        for (unsigned number = 1; number < size; ++number) threads.emplace_back(work, number);
+    } catch (const std::system_error& error) {
+        throw diagnostics::LimitReached(fmt::format("{} threads cannot be started: {}", size, error.what()));
+    }
+}
+
 ThreadTeam::ThreadTeam(unsigned size) {
-    for (unsigned member = 1; member < size; ++member) helpers_.emplace_back([this, member] { help(member); });
+    try {
+        start_threads(helpers_, size, [this](unsigned member) { help(member); });
+    } catch (...) {
+        end();
+        throw;
+    }
 }
 
 ThreadTeam::~ThreadTeam() {
+    end();
+}
+
+void ThreadTeam::end() {
     over_ = true;
     round_.fetch_add(1);
     round_.notify_all();

@@ -9,9 +9,13 @@
 
 namespace robochart::refine {
 
+/// Starts threads that do `work`, with the numbers 1, 2, ... below `size`, and adds them to `threads`, which is empty.
+/// Throws LimitReached where one cannot be started; those before it are then in `threads`, for the caller to end.
+void start_threads(std::vector<std::thread>& threads, unsigned size, const std::function<void(unsigned)>& work);
+
 class ThreadTeam {
 public:
-    /// `size` counts the caller's thread too.
+    /// `size` counts the caller's thread too. Throws LimitReached where a thread cannot be started.
     explicit ThreadTeam(unsigned size);
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
@@ -24,6 +28,7 @@ public:
 
 private:
     void help(unsigned member);
+    void end();
 
     const std::function<void(unsigned)>* work_ = nullptr;
     std::atomic<unsigned> round_ = 0;

@@ -1,8 +1,6 @@
 #include "checker/refine/verdict/kept_search.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <fstream>
 #include <random>
 
+#include "checker/storage/file_lock.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 
@@ -22,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* const questions_name = "questions";
+constexpr const char* const lock_name = "lock";
 constexpr const char* const finished_prefix = "finished-";
 constexpr std::size_t search_digits = 16;
 constexpr std::size_t longest_line = 4096;
@@ -87,57 +87,68 @@ KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(
     if (settings_.program.empty())
         refuse(settings_.folder,
                "this program was built without a build ID, by which it knows what it has written itself");
-    std::error_code code;
-    if (!settings_.resume) fs::create_directories(settings_.folder, code);
-    const std::string shown = diagnostics::shown(settings_.folder);
-    folder_ = diagnostics::Descriptor(::open(settings_.folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!folder_.open()) {
-        const std::string why = code ? code.message() : std::strerror(errno);
-        if (settings_.resume) refuse(settings_.folder, why);
-        throw storage::CannotWrite(fmt::format("cannot write into {}: {}", shown, why));
-    }
-    if (::flock(folder_.get(), LOCK_EX | LOCK_NB) != 0) refuse(settings_.folder, "another run is using this folder");
-    if (settings_.resume) {
-        if (!fs::exists(path(questions_name), code)) refuse(settings_.folder, "there is no checkpoint in this folder");
-        read_questions();
-        remove_left_over();
-    } else {
-        take_empty_folder();
-    }
+    lock_folder();
+    look_at_folder();
+    if (settings_.resume) read_questions();
+    remove_left_over();
+    if (!settings_.resume) write_questions();  // from then on the folder is known as one of this program
     answers_.emplace(path("answers"), settings_.program, std::uint64_t{512} << 20U);
 }
 
-/// From then on the folder is known as one of this program.
-void KeptSearch::take_empty_folder() const {
+/// A folder that this run must not use gets no file.
+void KeptSearch::lock_folder() {
+    std::error_code made, ignored;
+    if (!settings_.resume) fs::create_directories(settings_.folder, made);
+    if (!made && !fs::exists(path(lock_name), ignored)) look_at_folder();
+    lock_ = storage::open_to_lock(path(lock_name), true);
+    if (!lock_.open()) {
+        if (settings_.resume) storage::cannot_open(path(lock_name), errno);
+        const std::string why = made ? made.message() : std::strerror(errno);
+        throw storage::CannotWrite(fmt::format("cannot write into {}: {}", diagnostics::shown(settings_.folder), why));
+    }
+    if (const std::string why =
+            storage::lock(lock_, path(lock_name), storage::Lock::exclusive, "another run is using this folder");
+        !why.empty())
+        refuse(settings_.folder, why);
+}
+
+/// Refuses it where this run must not use it.
+void KeptSearch::look_at_folder() const {
     std::error_code code;
-    if (fs::exists(path(questions_name), code))
+    const bool there = fs::exists(path(questions_name), code);
+    if (settings_.resume && !there)
+        refuse(settings_.folder, code ? code.message() : "there is no checkpoint in this folder");
+    if (settings_.resume) return;
+    if (there)
         refuse(settings_.folder,
                "it has what an earlier run has found: --resume goes on from there; else name another folder");
     for (fs::directory_iterator at(settings_.folder, code); !code && at != fs::directory_iterator(); at.increment(code))
-        if (!is_unfinished(*at))
+        if (!is_unfinished(*at) && at->path().filename() != lock_name)
             refuse(settings_.folder, "there are other files in this folder: name one that is empty or not there");
     if (code) refuse(settings_.folder, code.message());
-    remove_left_over();
-    write_questions();
+}
+
+/// The lock goes first: where a file of another machine is removed while it is open, something else stays there.
+void KeptSearch::remove_folder() {
+    std::error_code ignored;
+    fs::remove_all(path("answers"), ignored);
+    fs::remove(path(questions_name), ignored);
+    fs::remove(path(lock_name), ignored);
+    lock_ = diagnostics::Descriptor();
+    fs::remove(settings_.folder, ignored);  // if nothing else is in it
 }
 
 /// What is left is needed to go on, unless nothing was ever asked.
 KeptSearch::~KeptSearch() {
     if (!asked_.empty() || !earlier_.empty() || !answers_) return;
-    std::error_code ignored;
-    fs::remove(path("answers"), ignored);  // a folder only if it is empty
-    fs::remove(path(questions_name), ignored);
-    fs::remove(settings_.folder, ignored);
+    remove_folder();
 }
 
 void KeptSearch::all_asked() {
     if (decided_ < asked_.size() || asked_.size() < earlier_.size() || asked_.empty()) return;
     folders_ = std::move(answered_);
     remove_searches();
-    std::error_code ignored;
-    fs::remove_all(path("answers"), ignored);
-    fs::remove(path(questions_name), ignored);
-    fs::remove(settings_.folder, ignored);  // if nothing else is in it
+    remove_folder();
 }
 
 void KeptSearch::read_questions() {
@@ -267,9 +278,14 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
             fmt::format("cannot make the folder {}: {}", diagnostics::shown(rows.folder), std::strerror(errno)));
     folders_.push_back(rows.folder);
     const std::string run = rows.folder + "/" + run_name;
-    if (const diagnostics::Descriptor earlier(::open(run.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-        earlier.open() && ::flock(earlier.get(), LOCK_EX | LOCK_NB) != 0)
-        refuse(settings_.folder, "ranks of an earlier run are still using this folder");
+    // Held until it is replaced: no rank of an earlier run begins in between.
+    const diagnostics::Descriptor earlier = storage::open_to_lock(run, false);
+    if (!earlier.open() && errno != ENOENT) storage::cannot_open(run, errno);
+    if (earlier.open())
+        if (const std::string why = storage::lock(earlier, run, storage::Lock::exclusive,
+                                                  "ranks of an earlier run are still using this folder");
+            !why.empty())
+            refuse(settings_.folder, why);
     rows.run = unforeseeable();
     if (const std::string error = diagnostics::replace_file(run, rows.run); !error.empty())
         throw storage::CannotWrite(error);

@@ -1,6 +1,7 @@
 // Searches by levels whose rows are kept in files of a folder: as checkpoints, or because memory does not hold them
 // (docs/search.md, "Checkpoints", "Out of core"). The folder has
 //
+//   lock               that a run has locked as long as it uses the folder
 //   questions          the questions asked so far, in order, and which program asked them
 //   answers/           what has been found about those that are decided
 //   search-HEX/        the levels and checkpoints of a search of a question that is not decided
@@ -61,7 +62,9 @@ private:
         std::string digest;  ///< in hexadecimal
         std::string text;
     };
-    void take_empty_folder() const;
+    void lock_folder();
+    void look_at_folder() const;
+    void remove_folder();
     void read_questions();
     [[noreturn]] void refuse_question(std::size_t place, const std::string& instead) const;
     void write_questions() const;
@@ -72,7 +75,7 @@ private:
 
     KeptSettings settings_;
     LevelStrategy& ranks_;
-    diagnostics::Descriptor folder_;  ///< locked
+    diagnostics::Descriptor lock_;  ///< of the folder
     std::optional<diagnostics::Cache> answers_;
     std::vector<Asked> earlier_;                   ///< those that the folder was written for
     std::vector<Asked> asked_;                     ///< by this run

@@ -1,9 +1,12 @@
 #include "checker/refine/verdict/level_strategy.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "checker/refine/levels/shared_work.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/levels/undisturbed_exchange.hpp"
 #include "checker/refine/search/poll_guard.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 
@@ -44,21 +47,21 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
     }
 }
 
-std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
-                                        Exchange& exchange, Budget& budget, Statistics& statistics) {
+namespace {
+
+using StoreFigures = DiskRowStore::Figures;
+
+/// `figures`: those of the store, when it is no longer there.
+std::optional<Violation> search_with_store(lts::TransitionSystem& system, const LevelQuestion& question,
+                                           Exchange& exchange, Budget& budget, Statistics& statistics,
+                                           StoreFigures& figures) {
     constexpr std::uint64_t pieces_a_poll = 256;
-    const auto report = [&statistics](const DiskRowStore::Figures& figures) {
-        statistics.settled += figures.settled;
-        statistics.rolled_back += figures.rolled_back;
-    };
-    SharedWork ready(exchange);
     std::unique_ptr<RowStore> store;
-    ready.attempt([&] {
+    together(exchange, [&] {
         store = make_row_store(
             question.rows, question.row_width(system.width()), exchange, [&budget] { budget.charge(pieces_a_poll); },
-            report);
+            [&figures](const StoreFigures& found) { figures = found; });
     });
-    ready.sum({});
     const std::unique_ptr<Monitor> monitor = monitor_of(question);
     LevelSearch search(system, *monitor, *store, exchange, budget, question.divergence);
     const LevelTally tally(search, exchange.ranks(), statistics);
@@ -66,6 +69,51 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     if (!finding && question.divergence) finding = search.first_divergence();
     if (!finding) return std::nullopt;
     return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
+}
+
+/// When no rank has files open any more: the folder may be removed, or used by the next search. The figures are the
+/// greatest of all ranks.
+void end_of_stores(Exchange& exchange, const StoreFigures& figures, Statistics& statistics) {
+    const auto word = [](std::uint64_t figure) {
+        return static_cast<lts::Word>(std::min<std::uint64_t>(figure, std::numeric_limits<lts::Word>::max()));
+    };
+    lts::Word settled = 0, rolled_back = 0;
+    for (const Words& each : exchange.gather({word(figures.settled), word(figures.rolled_back)})) {
+        settled = std::max(settled, each[0]);
+        rolled_back = std::max(rolled_back, each[1]);
+    }
+    statistics.settled += settled;
+    statistics.rolled_back += rolled_back;
+}
+
+std::optional<Violation> search_with_files(lts::TransitionSystem& system, const LevelQuestion& question,
+                                           Exchange& exchange, Budget& budget, Statistics& statistics) {
+    StoreFigures figures;
+    std::optional<Violation> found;
+    try {
+        found = search_with_store(system, question, exchange, budget, statistics, figures);
+    } catch (...) {
+        if (!exchange.left_together()) throw;
+        exchange.begin_together();
+        end_of_stores(exchange, figures, statistics);
+        exchange.leave_together();
+        throw;
+    }
+    end_of_stores(exchange, figures, statistics);
+    return found;
+}
+
+}  // namespace
+
+std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
+                                        Exchange& exchange, Budget& budget, Statistics& statistics) {
+    StoreFigures none;
+    if (question.rows.folder.empty()) return search_with_store(system, question, exchange, budget, statistics, none);
+    const auto& undisturbed = budget.limits().undisturbed;
+    if (exchange.rank() != 0 || !undisturbed) return search_with_files(system, question, exchange, budget, statistics);
+    // Only the first rank knows how the run is ended.
+    UndisturbedExchange waiting(exchange, undisturbed, [&budget] { return budget.over(); });
+    return search_with_files(system, question, waiting, budget, statistics);
 }
 
 unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
@@ -80,12 +128,10 @@ std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads,
     as_ranks(programs, threads, [&](Exchange& exchange) {
         const bool first = exchange.rank() % threads == 0;
         std::unique_ptr<lts::TransitionSystem> another;
-        SharedWork ready(exchange);
-        ready.attempt([&] {
+        together(exchange, [&] {
             if (!first) another = system.another();
             if (!first && !another) throw std::logic_error("the system serves one thread only");
         });
-        ready.sum({});
         Budget own(quiet);
         const PollGuard guard({another.get()}, own);
         Statistics ignored;

@@ -34,7 +34,8 @@ struct LevelQuestion {
 [[nodiscard]] std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question);
 
 /// One rank's part of a search; collective. What is found is added to the statistics, also if a limit ends it. Where a
-/// rank cannot make the store of its rows, all leave the search together (SharedWork).
+/// rank cannot make the store of its rows, all leave the search together (SharedWork). Rows that are kept in files: it
+/// ends when no rank has one of them open any more, and the first rank has Limits::undisturbed while it waits.
 std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
 

@@ -1,6 +1,7 @@
-// robochart-verify-mpi, of which one program meets an error of its own.
+// robochart-verify-mpi, of which one program meets an error of its own, or is at work for long.
 //
-//   faulty_ranks NUMBER CALL error|memory ARGUMENT...    the program's call of its exchange, from 0 on, that throws
+//   faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    the program's call of its exchange, from 0 on, before
+//                                                              which it throws or does nothing for three seconds
 #include <cstdlib>
 #include <string>
 
@@ -15,7 +16,10 @@ int main(int argc, char** argv) {
     if (argc < 4) return EXIT_FAILURE;
     robochart::app::MpiExchange exchange;
     const bool faulty = exchange.rank() == std::stoul(argv[1]);
-    const auto fault = std::string(argv[3]) == "memory" ? FaultyExchange::Fault::memory : FaultyExchange::Fault::error;
+    const std::string what = argv[3];
+    const auto fault = what == "memory"  ? FaultyExchange::Fault::memory
+                       : what == "sleep" ? FaultyExchange::Fault::sleep
+                                         : FaultyExchange::Fault::error;
     argv[3] = argv[0];
     argc -= 3;
     argv += 3;

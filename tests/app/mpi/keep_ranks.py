@@ -3,7 +3,7 @@
 numbers of ranks and by threads of the command; each time the answers, figures and counterexamples of a run that nobody
 ends. Exits with 1 where something differs. With --sample only a limit ends them.
 
-    keep_ranks.py COMMAND MPIEXEC PROGRAM [--sample]"""
+    keep_ranks.py COMMAND MPIEXEC PROGRAM FAULTY [--sample]"""
 
 import json
 import os
@@ -81,13 +81,18 @@ class Kept:
         while ranks_left(self.folder) and time.monotonic() < limit:
             time.sleep(0.02)
 
-    def checkpoint_of(self, ranks: int) -> bool:
-        """Whether the last checkpoint is one of so many ranks, and complete."""
+    def checkpoints(self) -> list[tuple[str, int, int, bool]]:
+        """Of each the folder, its number, of how many ranks it is, and whether it is complete."""
         parts = {}
         for path in Path(self.kept).glob("search-*/checkpoint-*-of-*"):
             number, rank, _, of_all = path.name.removeprefix("checkpoint-").split("-")
-            parts.setdefault((int(number), int(of_all)), set()).add(int(rank))
-        return bool(parts) and max(parts)[1] == ranks and len(parts[max(parts)]) == ranks
+            parts.setdefault((path.parent.name, int(number), int(of_all)), set()).add(rank)
+        return [(*each, len(ranks) == each[2]) for each, ranks in parts.items()]
+
+    def checkpoint_of(self, ranks: int) -> bool:
+        """Whether the last checkpoint is one of so many ranks, and complete."""
+        found = max((each[1:] for each in self.checkpoints()), default=(0, 0, False))
+        return found[1:] == (ranks, True)
 
 
 def limits(kept: Kept) -> None:
@@ -108,9 +113,10 @@ def limits(kept: Kept) -> None:
 def kills(kept: Kept, seed: int) -> None:
     """mpirun, or one of its ranks, is killed at random moments."""
     numbers = random.Random(seed)
-    ended = 0
+    ended = went_on = 0
     for turn in range(24):
         ranks = numbers.randint(1, 4)
+        before = sum(complete for *_, complete in kept.checkpoints())
         more = ["--every", "0.0002", *(["--disk", kept.kept] if numbers.random() < 0.5 else [])]
         child = subprocess.Popen(kept.mpirun(ranks, *more), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                  env=kept.environment)
@@ -125,9 +131,11 @@ def kills(kept: Kept, seed: int) -> None:
                 pass
         output, errors = child.communicate(timeout=120)
         kept.wait_for_ranks()
+        went_on += before > 0 and "begins anew" not in errors
         if child.returncode in (0, BAD_INPUT) or "begins anew" in errors and kept.checkpoint_of(ranks):
             kept.expect(f"turn {turn} of seed {seed}", False, f"exit {child.returncode}\n{output}{errors}")
     kept.expect(f"{ended} kills", ended > 10, "too few")
+    kept.expect(f"{went_on} runs from a checkpoint", went_on > 5, "too few")
     ran = kept.run(kept.mpirun(3))
     kept.expect("three ranks to the end", kept.results(ran) == kept.expected, kept.results(ran))
 
@@ -144,6 +152,15 @@ def interrupt(kept: Kept) -> None:
     kept.wait_for_ranks()
     kept.expect("SIGTERM to mpirun", "the run was interrupted" in output and kept.checkpoint_of(3),
                 f"exit {child.returncode}\n{output[:2000]}{errors[-2000:]}")
+    kept.expect_results("two ranks to the end", kept.run(kept.mpirun(2)))
+
+
+def deadline(kept: Kept, faulty: str) -> None:
+    """The second rank is at work for longer than the first one is left alone behind a limit."""
+    program = [faulty, "1", "30", "sleep", *kept.here("--timeout", "1.5")]
+    kept.expect_end("a limit while a rank is at work", kept.run([kept.mpiexec, "--oversubscribe", "-n", "2", *program]),
+                    INCONCLUSIVE, "the time limit was reached")
+    kept.expect("its checkpoint", kept.checkpoint_of(2), "it is not there, or not complete")
     kept.expect_results("two ranks to the end", kept.run(kept.mpirun(2)))
 
 
@@ -173,12 +190,14 @@ def other_folder(kept: Kept) -> None:
 
 def main() -> int:
     command, mpiexec, program = (os.path.abspath(each) if "/" in each else each for each in sys.argv[1:4])
-    sample = "--sample" in sys.argv[4:]
+    faulty = os.path.abspath(sys.argv[4])
+    sample = "--sample" in sys.argv[5:]
     with tempfile.TemporaryDirectory() as folder:
         kept = Kept(command, mpiexec, program, folder, 6 if sample else 8)
         kept.expect("a run that nobody ends", kept.expected.startswith(f"exit {FAILS}\n['holds'"), kept.expected)
         limits(kept)
         if not sample:
+            deadline(kept, faulty)
             for part in (full_disk, other_folder):
                 part(kept)
             with tempfile.TemporaryDirectory() as other:

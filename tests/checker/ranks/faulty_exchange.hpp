@@ -1,19 +1,21 @@
 // An exchange of a rank that meets an error of its own in the midst of what all ranks do together.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <new>
 #include <stdexcept>
+#include <thread>
 
 #include "checker/refine/levels/exchange.hpp"
 
 namespace robochart::ranks {
 
 /// Passes everything on to another exchange; at its call of this number it throws instead, before the others hear
-/// anything of it.
+/// anything of it, or sleeps for three seconds, as if it were at work.
 class FaultyExchange final : public refine::Exchange {
 public:
-    enum class Fault { error, memory };
+    enum class Fault { error, memory, sleep };
     /// `call`: counted from 0 on.
     FaultyExchange(refine::Exchange& real, std::uint64_t call, Fault fault) : real_(real), left_(call), fault_(fault) {}
 
@@ -36,10 +38,13 @@ public:
         real_.broadcast(bytes);
     }
     [[nodiscard]] bool has_failed() const { return failed_; }
+    /// How many calls there are left until it fails.
+    [[nodiscard]] std::uint64_t left() const { return left_; }
 
 private:
     void call() {
         if (left_-- != 0) return;
+        if (fault_ == Fault::sleep) return std::this_thread::sleep_for(std::chrono::seconds(3));
         failed_ = true;
         if (fault_ == Fault::memory) throw std::bad_alloc();
         throw std::logic_error("an injected error");

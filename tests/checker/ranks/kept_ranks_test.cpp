@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "checker/machine/compiler.hpp"
@@ -16,10 +19,12 @@
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
+#include "checker/storage/file_lock.hpp"
 #include "diagnostics/files.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
 #include "tests/checker/ranks/faulty_exchange.hpp"
+#include "tests/checker/ranks/program.hpp"
 
 namespace robochart::ranks {
 namespace {
@@ -109,8 +114,8 @@ protected:
     Answers by_ranks(unsigned count, bool disk, std::uint64_t most_states = 1'000'000, unsigned threads = 1) {
         Answers answers;
         refine::as_ranks(count, [&](refine::Exchange& exchange) {
-            if (exchange.rank() != 0) return serve(exchange);
-            ServedRanks served(exchange);
+            if (exchange.rank() != 0) return serve(exchange, program);
+            ServedRanks served(exchange, program);
             KeptSearch search(settings(disk), served);
             answers = decide(search, most_states, threads);
         });
@@ -196,8 +201,8 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
         std::string why;
         refine::as_ranks(2, [&](refine::Exchange& exchange) {
             OtherFolder own(exchange, kept(), other);
-            if (exchange.rank() != 0) return serve(own);
-            ServedRanks served(exchange);
+            if (exchange.rank() != 0) return serve(own, program);
+            ServedRanks served(exchange, program);
             KeptSearch search(settings(false), served);
             try {
                 (void)decide(search, 1'000'000);
@@ -221,8 +226,8 @@ TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
         const auto work = [&](refine::Exchange& real) {
             const bool own = real.rank() == failing;
             FaultyExchange faulty(real, own ? 30 : ~std::uint64_t{0}, FaultyExchange::Fault::memory);
-            if (real.rank() != 0) return serve(faulty);
-            ServedRanks served(faulty);
+            if (real.rank() != 0) return serve(faulty, program);
+            ServedRanks served(faulty, program);
             KeptSearch search(settings(false), served);
             EXPECT_THAT(decide(search, 1'000'000)[0], HasSubstr("there is no more memory"));
             EXPECT_TRUE(served.others_wait());
@@ -250,6 +255,138 @@ TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
         }
     }
     EXPECT_EQ(by_ranks(2, false), expected);
+}
+
+// An error of one rank alone in the midst of the last checkpoint: the others wait for it, which it knows.
+TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
+    const auto stop_at = [&](std::uint64_t call, std::uint64_t& left) {
+        bool failed = false;
+        const auto work = [&](refine::Exchange& real) {
+            if (real.rank() != 0) return serve(real, program);
+            FaultyExchange faulty(real, call, FaultyExchange::Fault::memory);
+            ServedRanks served(faulty, program);
+            KeptSearch search(settings(false), served);
+            refine::Limits limits;
+            limits.by_levels = &search;
+            limits.max_states = 300;
+            search.begin_question("deadlock free");
+            search.identify_question(diagnostics::Hasher().finish());
+            const refine::Verdict verdict = refine::deadlock_free(*cells_, refine::Model::failures, limits);
+            EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
+            left = faulty.left();
+            failed = faulty.has_failed();
+            EXPECT_EQ(served.others_wait(), failed) << call;
+            if (failed) throw std::runtime_error("the first rank ends");
+        };
+        try {
+            refine::as_ranks(2, work);
+        } catch (const std::exception&) {
+            EXPECT_TRUE(failed);
+        }
+        fs::remove_all(kept());
+        return failed;
+    };
+    std::uint64_t left = 0;
+    EXPECT_FALSE(stop_at(std::uint64_t{1} << 32U, left));
+    const std::uint64_t calls = (std::uint64_t{1} << 32U) - left;
+    ASSERT_GT(calls, 20U);
+    for (std::uint64_t call = calls - 4; call < calls; ++call) EXPECT_TRUE(stop_at(call, left)) << call;
+}
+
+/// Of a rank that comes back late from whatever all do together.
+class LateExchange final : public refine::Exchange {
+public:
+    /// `late` is called then.
+    LateExchange(refine::Exchange& real, std::function<void()> late) : real_(real), late_(std::move(late)) {}
+    [[nodiscard]] unsigned rank() const override { return real_.rank(); }
+    [[nodiscard]] unsigned ranks() const override { return real_.ranks(); }
+    void all_to_all(const refine::Messages& out, refine::Messages& in) override {
+        real_.all_to_all(out, in);
+        late_();
+    }
+    void sum(std::span<std::uint64_t> values) override {
+        real_.sum(values);
+        late_();
+    }
+    [[nodiscard]] std::vector<refine::Words> gather(const refine::Words& own) override {
+        std::vector<refine::Words> all = real_.gather(own);
+        late_();
+        return all;
+    }
+    void broadcast(std::string& bytes) override {
+        real_.broadcast(bytes);
+        late_();
+    }
+
+private:
+    refine::Exchange& real_;
+    std::function<void()> late_;
+};
+
+// The first rank may remove the folder of a search that has ended, or begin another one in it.
+TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
+    const auto late = [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
+    for (const std::uint64_t most_states : {50U, 300U})
+        refine::as_ranks(2, [&](refine::Exchange& real) {
+            LateExchange exchange(real, late);
+            if (real.rank() != 0) return serve(exchange, program);
+            ServedRanks served(real, program);
+            KeptSearch kept(settings(false), served);
+            refine::Limits limits;
+            limits.by_levels = &kept;
+            limits.max_states = most_states;
+            kept.begin_question("deadlock free");
+            kept.identify_question(diagnostics::Hasher().finish());
+            const refine::Verdict verdict = refine::deadlock_free(*cells_, refine::Model::failures, limits);
+            EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
+            const std::string run = search() + "/" + refine::run_name;
+            const diagnostics::Descriptor file = storage::open_to_lock(run, false);
+            ASSERT_TRUE(file.open());
+            EXPECT_EQ(storage::lock(file, run, storage::Lock::exclusive, "in use"), "");
+        });
+}
+
+// A limit while the first rank waits for another one: it is not ended by force before the checkpoint is complete.
+TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
+    std::atomic<bool> interrupted{false};
+    std::atomic<int> held{0}, disturbed{0};
+    const auto undisturbed = [&]() -> std::shared_ptr<void> {
+        ++held;
+        const auto release = [&](void*) {
+            if (--held == 0 && interrupted && storage::newest_in(search()).ranks != 2) ++disturbed;
+        };
+        return {&held, release};
+    };
+    refine::as_ranks(2, [&](refine::Exchange& real) {
+        int calls = 0;
+        // The other rank is at work, at a moment when all have found some levels.
+        const auto at_work = [&] {
+            if (++calls != 30) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it comes back from the call before
+            const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+            while (held == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+            EXPECT_GT(held, 0) << "the first rank could be ended by force";
+            interrupted = true;
+        };
+        LateExchange exchange(real, at_work);
+        if (real.rank() != 0) return serve(exchange, program);
+        ServedRanks served(real, program);
+        KeptSettings own = settings(false);
+        own.every = std::chrono::hours(1);
+        KeptSearch kept(own, served);
+        refine::Limits limits;
+        limits.by_levels = &kept;
+        limits.undisturbed = undisturbed;
+        limits.interrupted = [&] { return interrupted.load(); };
+        kept.begin_question("deadlock free");
+        kept.identify_question(diagnostics::Hasher().finish());
+        const refine::Verdict verdict = refine::deadlock_free(*cells_, refine::Model::failures, limits);
+        EXPECT_EQ(verdict.reason, "the run was interrupted");
+    });
+    EXPECT_TRUE(interrupted);
+    EXPECT_EQ(storage::newest_in(search()).ranks, 2U);
+    EXPECT_EQ(disturbed, 0);
+    EXPECT_EQ(held, 0);
 }
 
 }  // namespace

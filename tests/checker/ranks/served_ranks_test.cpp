@@ -2,6 +2,8 @@
 // rank.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <new>
 #include <random>
 #include <span>
@@ -19,6 +21,7 @@
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
 #include "tests/checker/ranks/faulty_exchange.hpp"
+#include "tests/checker/ranks/program.hpp"
 
 namespace robochart::ranks {
 namespace {
@@ -37,8 +40,8 @@ using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
 std::vector<std::string> by_programs(unsigned programs, unsigned threads, bool reduction, const Ask& ask) {
     std::vector<std::string> answers;
     refine::as_ranks(programs, [&](refine::Exchange& exchange) {
-        if (exchange.rank() != 0) return serve(exchange);
-        ServedRanks strategy(exchange);
+        if (exchange.rank() != 0) return serve(exchange, program);
+        ServedRanks strategy(exchange, program);
         refine::Limits limits;
         limits.reduction = reduction;
         limits.threads = threads;
@@ -154,9 +157,9 @@ TEST_F(Cells, EndTogetherWhateverProgramFails) {
                 const bool own = real.rank() == failing;
                 FaultyExchange faulty(real, own ? call : ~std::uint64_t{0}, fault);
                 if (real.rank() != 0) {
-                    serve(faulty);
+                    serve(faulty, program);
                 } else {
-                    ServedRanks strategy(faulty);
+                    ServedRanks strategy(faulty, program);
                     refine::Limits limits;
                     limits.threads = threads;
                     limits.by_levels = &strategy;
@@ -206,7 +209,14 @@ TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
     int refused = 0;
     for (int round = 0; round < 300; ++round) {
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
-        std::string bytes = ranks::encode(system, {}, {}, 1).value();
+        refine::LevelQuestion question;
+        question.kind = refine::LevelQuestion::Kind::deadlock;
+        question.rows.folder = "/shared/kept/search-0123456789abcdef";
+        question.rows.run = "0123456789abcdef";
+        question.rows.from = {7, 3, 9};
+        refine::Limits limits;
+        limits.deadline = std::chrono::steady_clock::now() + std::chrono::hours(1);
+        std::string bytes = ranks::encode(system, question, limits, 1, program).value();
         if (round % 3 == 0)
             bytes.resize(numbers() % bytes.size());
         else
@@ -225,6 +235,45 @@ TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
         }
     }
     EXPECT_GT(refused, 100);
+}
+
+// The others poll the deadline of the first program, too.
+TEST(Transfer, HasTheTimeThatIsLeft) {
+    Scripted s;
+    for (process::Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2030);
+    SupercombinatorSystem system(rules.next(s.stop()), s.store);
+    refine::Limits limits;
+    EXPECT_FALSE(decode(encode(system, {}, limits, 1, program).value(), s.store).deadline);
+    for (const auto left : {std::chrono::hours(-1), std::chrono::hours(0), std::chrono::hours(5)}) {
+        const auto now = std::chrono::steady_clock::now();
+        limits.deadline = now + left;
+        const auto got = decode(encode(system, {}, limits, 1, program).value(), s.store).deadline;
+        ASSERT_TRUE(got);
+        EXPECT_GE(*got, now + std::max(left, std::chrono::hours(0)));
+        EXPECT_LT(*got, now + std::max(left, std::chrono::hours(0)) + std::chrono::hours(1));
+    }
+}
+
+// Another build may have other rows: no search begins, and all know it.
+TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
+    const auto system = compiler.compile(cells(), {});
+    for (const unsigned threads : {1U, 2U})
+        refine::as_ranks(3, [&](refine::Exchange& exchange) {
+            if (exchange.rank() != 0) return serve(exchange, exchange.rank() == 1 ? program : "another build");
+            ServedRanks strategy(exchange, program);
+            refine::Limits limits;
+            limits.threads = threads;
+            limits.by_levels = &strategy;
+            for (int search = 0; search < 2; ++search) try {
+                    (void)refine::deadlock_free(*system, refine::Model::failures, limits);
+                    ADD_FAILURE() << "it is searched";
+                } catch (const storage::BadFile& refused) {
+                    EXPECT_STREQ(refused.what(),
+                                 "program 2 is of another build than program 0: all must be one robochart-verify-mpi");
+                }
+            EXPECT_FALSE(strategy.others_wait());
+        });
 }
 
 /// Of a rank that has no memory left for a sum: the others do not know.
@@ -247,7 +296,7 @@ private:
 // What the others do not know of is not passed over: they wait for this rank.
 TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
     ShortOfMemory exchange;
-    EXPECT_THROW(serve(exchange), std::bad_alloc);
+    EXPECT_THROW(serve(exchange, program), std::bad_alloc);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
+#include "tests/open_files_limit.hpp"
 
 namespace robochart::storage {
 namespace {
@@ -310,6 +311,22 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
     EXPECT_EQ(refused(whole), "");
     fs::remove(folder_.path() + "/rows-0-of-1-0");
     EXPECT_THAT(refused(whole), HasSubstr("rows-0-of-1-0: cannot be read"));
+}
+
+// One file for each checkpoint, of which hardly any is open.
+TEST_F(Levels, NeedFewOpenFiles) {
+    constexpr std::uint32_t levels = 30;
+    const tests::OpenFilesLimit limit(6);
+    LevelFiles files(where());
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        files.add_level(rows_of(level));
+        files.checkpoint({});
+    }
+    expect_levels(files);
+    LevelFiles again(where());
+    again.adopt(read(folder_.path(), where().kind, newest_in(folder_.path())).at(0), {});
+    ASSERT_EQ(again.levels(), levels);
+    expect_levels(again);
 }
 
 }  // namespace

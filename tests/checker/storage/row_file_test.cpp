@@ -14,6 +14,7 @@
 
 #include "diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
+#include "tests/open_files_limit.hpp"
 
 namespace robochart::storage {
 namespace {
@@ -250,6 +251,18 @@ TEST_F(RowFiles, CanBeFinishedWhenThereIsSpaceAgain) {
     again.read(0, rows);
     again.read(1, rows);
     EXPECT_EQ(rows, (std::vector<Word>{5, 6, 1}));
+}
+
+// What is open at the same time says nothing of the file.
+TEST_F(RowFiles, AreNotDamagedWhereTooManyAreOpen) {
+    (void)written("many");
+    const tests::OpenFilesLimit limit(0);
+    try {
+        (void)RowFile::open(path("many"), kind(2), {});
+        ADD_FAILURE() << "it is opened";
+    } catch (const diagnostics::LimitReached& reached) {
+        EXPECT_THAT(reached.what(), AllOf(HasSubstr(path("many")), HasSubstr("Too many open files")));
+    }
 }
 
 }  // namespace

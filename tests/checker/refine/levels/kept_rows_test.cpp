@@ -21,6 +21,7 @@
 #include "checker/refine/levels/level_search.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
+#include "checker/refine/search/thread_team.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
@@ -548,6 +549,10 @@ int end_without_stacks(const std::string& words, const std::function<void()>& wo
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(ThreadTeams, EndWhereAThreadCannotBeStarted) {
+    EXPECT_EQ(end_without_stacks("200 threads cannot be started", [] { const ThreadTeam team(200); }), 3);
 }
 
 TEST(Ranks, EndWhereAThreadCannotBeStarted) {

@@ -2,11 +2,17 @@
 // kills at any moment; and refusals where the folder is another's.
 #include "checker/refine/verdict/kept_search.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -14,8 +20,30 @@
 
 #include "checker/lts/graph.hpp"
 #include "checker/refine/verdict/check.hpp"
+#include "checker/storage/file_lock.hpp"
 #include "diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
+
+namespace {
+
+/// Whether the file system has locks.
+bool has_locks = true;
+
+}  // namespace
+
+/// Locks as NFS has them (flock(2), "NFS details"): one that excludes others wants a file that is open for writing, and
+/// other machines see nothing of locks of folders.
+extern "C" int flock(int file, int operation) noexcept {
+    struct stat found {};
+    (void)::fstat(file, &found);
+    if (S_ISDIR(found.st_mode)) return 0;
+    const bool writable = (::fcntl(file, F_GETFL) & O_ACCMODE) != O_RDONLY;
+    if (!has_locks || ((operation & LOCK_EX) != 0 && !writable)) {
+        errno = has_locks ? EBADF : ENOLCK;
+        return -1;
+    }
+    return static_cast<int>(::syscall(SYS_flock, file, operation));
+}
 
 namespace robochart::refine {
 namespace {
@@ -355,6 +383,35 @@ TEST_F(KeptSearches, RefuseQuestionsThatAreNoList) {
     fs::remove(kept() + "/questions");
     fs::create_symlink("/dev/zero", kept() + "/questions");
     EXPECT_THAT(why(), HasSubstr("questions: this is no file"));
+}
+
+TEST_F(KeptSearches, SayWhereTheFileSystemHasNoLocks) {
+    {
+        KeptSearch search(settings(false, false), threads_);
+        (void)decide(search, 2000);
+    }
+    has_locks = false;
+    const std::string why = refusal([&] { KeptSearch search(settings(true, false), threads_); });
+    has_locks = true;
+    EXPECT_THAT(why, HasSubstr("kept: it cannot be locked: No locks available: the file system must have locks"));
+    KeptSearch search(settings(true, false), threads_);
+    EXPECT_EQ(decide(search), in_memory());
+}
+
+// A run that has removed the folder's lock has ended with it: a lock on what is no longer there is none.
+TEST_F(KeptSearches, LockTheFileThatIsThere) {
+    const std::string path = folder_.path() + "/lock";
+    const diagnostics::Descriptor before = storage::open_to_lock(path, true);
+    ASSERT_TRUE(before.open());
+    fs::remove(path);
+    EXPECT_EQ(storage::lock(before, path, storage::Lock::exclusive, "in use"), "in use");
+    const diagnostics::Descriptor after = storage::open_to_lock(path, true);
+    EXPECT_EQ(storage::lock(before, path, storage::Lock::shared, "in use"), "in use");
+    EXPECT_EQ(storage::lock(after, path, storage::Lock::shared, "in use"), "");
+    EXPECT_EQ(storage::lock(after, path, storage::Lock::exclusive, "in use"), "");
+    fs::remove(path);
+    fs::create_symlink("elsewhere", path);
+    EXPECT_FALSE(storage::open_to_lock(path, true).open());
 }
 
 }  // namespace

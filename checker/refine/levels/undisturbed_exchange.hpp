@@ -1,0 +1,42 @@
+// An exchange of a rank that is not ended by force while it waits for others.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "checker/refine/levels/exchange.hpp"
+
+namespace robochart::refine {
+
+/// Passes everything on to another exchange. While it waits there, it has what Limits::undisturbed gives; from when a
+/// limit has been reached meanwhile it has it as long as it lives: until all ranks have heard of the limit and written
+/// what they have found.
+class UndisturbedExchange final : public Exchange {
+public:
+    /// `over`: whether a limit is reached. `real` outlives this.
+    UndisturbedExchange(Exchange& real, std::function<std::shared_ptr<void>()> undisturbed, std::function<bool()> over)
+        : real_(real), undisturbed_(std::move(undisturbed)), over_(std::move(over)) {}
+
+    [[nodiscard]] unsigned rank() const override { return real_.rank(); }
+    [[nodiscard]] unsigned ranks() const override { return real_.ranks(); }
+    [[nodiscard]] unsigned ranks_here() const override { return real_.ranks_here(); }
+    void all_to_all(const Messages& out, Messages& in) override;
+    void sum(std::span<std::uint64_t> values) override;
+    [[nodiscard]] std::vector<Words> gather(const Words& own) override;
+    void broadcast(std::string& bytes) override;
+    [[nodiscard]] std::uint64_t bytes() const override { return real_.bytes(); }
+    void leave_together() override { real_.leave_together(); }
+    void begin_together() override { real_.begin_together(); }
+    [[nodiscard]] bool left_together() const override { return real_.left_together(); }
+
+private:
+    /// While it lives the rank waits.
+    class Wait;
+
+    Exchange& real_;
+    std::function<std::shared_ptr<void>()> undisturbed_;
+    std::function<bool()> over_;
+    std::shared_ptr<void> held_;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,10 @@
+// The identity of the programs in the tests of ranks.
+#pragma once
+
+#include <string>
+
+namespace robochart::ranks {
+
+inline const std::string program = "a build";
+
+}  // namespace robochart::ranks
