@@ -563,6 +563,7 @@ Exit refusal(const Project& project) {
     const std::array about_options{&rules::bad_option,
                                    &ir::rules::unknown_constant_option,
                                    &ir::rules::bad_constant_value,
+                                   &ir::rules::constant_named_twice,
                                    &ir::rules::unknown_range_option,
                                    &ir::rules::bad_range,
                                    &ir::rules::ranges_not_nested,
