@@ -100,8 +100,13 @@ const Rule ambiguous_constant{
     "A constant that an operation requires is its caller's constant of that name. Where callers have constants of "
     "their own, the operation would need one process for each; give it a parameter instead."};
 
+const Rule constant_named_twice{
+    "RC-S24", Severity::error, "--const {} and --const {} both name the constant {}",
+    "A constant has one value. Its own name means all constants of that name, the end of a path those whose paths end "
+    "so: keep one of the two, or name each constant by a path that means no other."};
+
 namespace {
-const std::array<const Rule*, 19> table{&unsupported_construct,
+const std::array<const Rule*, 20> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
@@ -119,7 +124,8 @@ const std::array<const Rule*, 19> table{&unsupported_construct,
                                         &function_by_contract,
                                         &no_beginning,
                                         &declared_twice,
-                                        &no_literals};
+                                        &no_literals,
+                                        &constant_named_twice};
 }  // namespace
 
 std::span<const Rule* const> all() {

@@ -26,6 +26,7 @@ extern const diagnostics::Rule function_by_contract;         // RC-S20
 extern const diagnostics::Rule no_beginning;                 // RC-S21
 extern const diagnostics::Rule declared_twice;               // RC-S22
 extern const diagnostics::Rule no_literals;                  // RC-S23
+extern const diagnostics::Rule constant_named_twice;         // RC-S24
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

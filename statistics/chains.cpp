@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -85,8 +86,46 @@ struct PairVisits {
     }
 };
 
-/// How many triples of states are permitted whose last is not the only one.
-double triples(const Permitted& permitted) {
+/// The states that followed, at the last look.
+std::set<std::size_t> seen_next(const std::map<std::size_t, PairVisits>& befores) {
+    std::set<std::size_t> result;
+    for (const auto& [before, visits] : befores)
+        for (const auto& [next, count] : visits.looked) result.insert(next);
+    return result;
+}
+
+/// Intervals of many pairs, of which many have the same counts.
+class KnownIntervals {
+public:
+    explicit KnownIntervals(Looks looks) : looks_(looks) {}
+    const Interval& at(std::uint64_t successes, std::uint64_t visits) {
+        const auto [found, added] = known_.try_emplace({successes, visits});
+        if (added) found->second = looks_.at(successes, visits).value();
+        return found->second;
+    }
+
+private:
+    Looks looks_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known_;
+};
+
+/// The two states before `state` whose intervals for `next` are farthest apart, if any are.
+OrderContradiction farthest_apart(std::size_t state, std::size_t next, const std::map<std::size_t, PairVisits>& befores,
+                                  KnownIntervals& intervals) {
+    OrderContradiction both{state, next, 0, 0, {0, 1}, {0, 1}};
+    for (const auto& [before, visits] : befores) {
+        if (visits.looked_visits == 0) continue;
+        const auto seen = visits.looked.find(next);
+        const Interval& here = intervals.at(seen == visits.looked.end() ? 0 : seen->second, visits.looked_visits);
+        if (here.high < both.after_less.high) both.less = before, both.after_less = here;
+        if (here.low > both.after_more.low) both.more = before, both.after_more = here;
+    }
+    return both;
+}
+
+}  // namespace
+
+double order_triples(const Permitted& permitted) {
     double count = 0;
     for (std::size_t state = 0; state < permitted.size(); ++state) {
         const std::size_t next = permitted_of(permitted[state]);
@@ -97,30 +136,21 @@ double triples(const Permitted& permitted) {
     return std::max(count, 1.0);
 }
 
-}  // namespace
-
 std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>& sequences,
-                                                      const Permitted& permitted, double error) {
+                                                      const Permitted& permitted, double error,
+                                                      const std::function<void()>& poll) {
     std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by the middle state, then by the one before
     for (const StateSequence& each : sequences)
         for (std::size_t at = 2; at < each.size(); ++at) pairs[each[at - 1]][each[at - 2]].add(each[at]);
-    const Looks looks = TransitionCounts::looks(error / triples(permitted));
+    KnownIntervals intervals(TransitionCounts::looks(error / order_triples(permitted)));
     std::optional<OrderContradiction> worst;
     for (const auto& [state, befores] : pairs) {
         if (befores.size() < 2) continue;
-        std::map<std::size_t, OrderContradiction> by_next;
-        for (const auto& [before, visits] : befores)
-            for (std::size_t next = 0; next < permitted.size(); ++next) {
-                if (!permitted[state][next] || visits.looked_visits == 0) continue;
-                const auto seen = visits.looked.find(next);
-                const Interval here = *looks.at(seen == visits.looked.end() ? 0 : seen->second, visits.looked_visits);
-                OrderContradiction& both =
-                    by_next.try_emplace(next, OrderContradiction{state, next, before, before, here, here})
-                        .first->second;
-                if (here.high < both.after_less.high) both.less = before, both.after_less = here;
-                if (here.low > both.after_more.low) both.more = before, both.after_more = here;
-            }
-        for (const auto& [next, both] : by_next) {
+        // After what nobody saw follow all intervals have 0 in common; after the only one that may follow, 1.
+        if (permitted_of(permitted[state]) < 2) continue;
+        for (const std::size_t next : seen_next(befores)) {
+            if (poll) poll();
+            const OrderContradiction both = farthest_apart(state, next, befores, intervals);
             const double apart = both.after_more.low - both.after_less.high;
             if (apart > (worst ? worst->after_more.low - worst->after_less.high : 0)) worst = both;
         }

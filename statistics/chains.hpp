@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -71,8 +72,13 @@ struct OrderContradiction {
 /// the other, the intervals for what comes next, at their last look, hold jointly, the error divided among all
 /// permitted triples; in a chain of order 1 those of one middle state have a point in common. So one is contradicted
 /// with a chance of at most `error`, however few its visits are. The one whose intervals are farthest apart.
+/// `poll` is called again and again, and may throw.
 [[nodiscard]] std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>&, const Permitted&,
-                                                                    double error);
+                                                                    double error,
+                                                                    const std::function<void()>& poll = {});
+/// How many triples of states are permitted whose last is not the only one that may follow: among them the error is
+/// divided. At least 1.
+[[nodiscard]] double order_triples(const Permitted&);
 
 /// Whether a number of fresh successes contradicts what was predicted: their interval at this error has no point in
 /// common with the prediction.

@@ -208,15 +208,21 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     return Parsed{options, Exit::success, ""};
 }
 
-ir::InstantiationOptions instantiation_options(const Options& o, std::string& error) {
-    ir::InstantiationOptions result;
-    for (const std::string& text : o.constants) {
+ir::GivenConstants given_constants(const std::vector<std::string>& texts, std::string& error) {
+    ir::GivenConstants result;
+    for (const std::string& text : texts) {
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0)
             error = fmt::format("--const {}: expected NAME=VALUE", diagnostics::shown(text));
-        else
-            result.constants[text.substr(0, equals)] = text.substr(equals + 1);
+        else if (!result.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
+            error = fmt::format("--const {} is given twice", diagnostics::shown(text.substr(0, equals)));
     }
+    return result;
+}
+
+ir::InstantiationOptions instantiation_options(const Options& o, std::string& error) {
+    ir::InstantiationOptions result;
+    result.constants = given_constants(o.constants, error);
     for (const std::string& text : o.ranges) {
         const auto equals = text.find('=');
         const auto dots = text.find("..");

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/command/options.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 #include "semantics/ir/instantiation.hpp"
 
 namespace robochart::app {
@@ -17,6 +19,9 @@ struct Parsed {
 };
 
 [[nodiscard]] Parsed parse_command_line(int argc, const char* const* argv);
+
+/// Names and values of NAME=VALUE. Malformed ones, and a name that is given twice, give a message in `error`.
+[[nodiscard]] ir::GivenConstants given_constants(const std::vector<std::string>&, std::string& error);
 
 /// The instantiation part of the options. Malformed pairs give a message in `error`.
 [[nodiscard]] ir::InstantiationOptions instantiation_options(const Options&, std::string& error);

@@ -132,9 +132,11 @@ struct Options {
     std::string strategy = "auto";       ///< emit cpp: how the code finds what an event does
     std::string print;                   ///< phase to print, "" for none
     std::vector<std::string> constants;  ///< NAME=VALUE
-    std::vector<std::string> ranges;     ///< TYPE=LOW..HIGH
-    std::vector<std::string> allowed;    ///< codes of warnings not wanted
-    std::uint32_t trials = 0;            ///< simulate: instead of the scenario's; 0: as it says
+    /// NAME=VALUE of a scenario, a swarm or a log: for the constants that no name of `constants` means.
+    std::vector<std::string> weaker_constants;
+    std::vector<std::string> ranges;   ///< TYPE=LOW..HIGH
+    std::vector<std::string> allowed;  ///< codes of warnings not wanted
+    std::uint32_t trials = 0;          ///< simulate: instead of the scenario's; 0: as it says
     std::optional<std::uint64_t>
         seed;  ///< simulate: instead of the scenario's; prism: of the paths; tune: of the search
     std::uint64_t tuning_trials = 1000;    ///< tune: budget of the search

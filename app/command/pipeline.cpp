@@ -32,6 +32,7 @@
 #include "frontend/project/project.hpp"
 #include "frontend/project/units.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
 #include "semantics/rules.hpp"
@@ -121,6 +122,7 @@ void find_shared_names(Project& project) {
 void complete(const std::vector<Part>& parts, const Options& options) {
     std::string error;
     const ir::InstantiationOptions given = instantiation_options(options, error);
+    const ir::GivenConstants weaker = given_constants(options.weaker_constants, error);
     if (!error.empty()) {
         parts.front().project->diagnostics.report(rules::bad_option, {}, {error});
         return;
@@ -134,6 +136,7 @@ void complete(const std::vector<Part>& parts, const Options& options) {
     for (const Part& part : parts) {
         if (!acceptable(*part.project, options)) continue;
         ir::InstantiationOptions wanted = given;
+        wanted.constants.merge(ir::not_overridden(part.project->system, weaker, given.constants));
         const auto has = [&](const Part& each, const std::string& name) {
             return ir::names_constant(each.project->system, name);
         };
@@ -434,8 +437,7 @@ Options with_swarm(Options options) {
     const csp_emit::Swarm swarm = swarm_of(options, sources, found);
     if (!found.ok()) return options;
     for (const csp_emit::SwarmConstant& each : swarm.constants)
-        if (!each.value.empty() && !is_set(options.constants, each.name.text))
-            options.constants.push_back(each.name.text + "=" + each.value);
+        if (!each.value.empty()) options.weaker_constants.push_back(each.name.text + "=" + each.value);
     for (const csp_emit::SwarmRange& each : swarm.ranges)
         if (!is_set(options.ranges, each.type.text))
             options.ranges.push_back(fmt::format("{}={}..{}", each.type.text, each.low, each.high));
@@ -563,6 +565,7 @@ Exit refusal(const Project& project) {
     const std::array about_options{&rules::bad_option,
                                    &ir::rules::unknown_constant_option,
                                    &ir::rules::bad_constant_value,
+                                   &ir::rules::constant_named_twice,
                                    &ir::rules::unknown_range_option,
                                    &ir::rules::bad_range,
                                    &ir::rules::ranges_not_nested,

@@ -243,7 +243,7 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     if (!header.component.empty() && header.component != stepped.name)
         throw Unsayable{fmt::format("{}: is a log of {}", path, header.component)};
     for (const std::string& each : header.constants)
-        if (!has_constant(stepped, each))
+        if (!stepped.any_constants && !has_constant(stepped, each))
             throw Unsayable{fmt::format("{}: is a log of the model with {} (--const {})", path,
                                         diagnostics::shown(each), diagnostics::shown(each))};
     return cycles;

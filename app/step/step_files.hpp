@@ -17,6 +17,7 @@ struct Stepped {
     std::string model;                 ///< the file or folder
     const Project* project = nullptr;  ///< null: a process of a script
     csp_emit::Time time = csp_emit::Time::timed;
+    bool any_constants = false;  ///< are logs of the model with other constants followed too?
 };
 
 /// What an event is in a log.

@@ -27,7 +27,8 @@ public:
     /// The first run of the log, as far as the component goes its way.
     runs::Run of(const ComparedLog& log) {
         runs::Stepper& stepper = stepper_of(log);
-        const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed};
+        // The log was compared with this model: what it says of constants is settled.
+        const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed, true};
         const Followed followed = follow_log(stepper, stepped, log.path, *options_.run);
         runs::Run run = stepper.run(csp_emit::Time::timed);
         run.end.why = followed.error.empty() ? "the end of the run" : followed.error;

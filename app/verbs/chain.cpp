@@ -157,8 +157,9 @@ private:
         for (std::size_t from = 1; from < states_->size(); ++from)
             for (std::size_t to = 1; to < states_->size(); ++to)
                 if (counts_->count(from, to) > 0) ++result_.seen;
-        result_.order = simulation::order_finding(asked, permitted_, sequences);
         try {
+            result_.order = simulation::order_finding(asked, permitted_, sequences, &options_.run->budget());
+            result_.order_asked = true;
             for (const simulation::ChainAsked& each : asked) {
                 result_.answers.push_back(
                     simulation::chain_answer(scenario_, each, permitted_, sequences, trials_, &options_.run->budget()));

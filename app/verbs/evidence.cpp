@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
@@ -32,10 +33,8 @@ Evidence::Files files_of(const Project& project) {
 
 Options over_the_model(const Options& options, const simulation::Scenario& scenario, std::size_t controller,
                        Verb verb) {
-    Options wanted = options;
+    Options wanted = options_for(scenario, options, controller);
     wanted.verb = verb;
-    wanted.inputs = {model_of(scenario, options.inputs.front(), controller)};
-    wanted.constants = constants_of(scenario, options, controller);
     wanted.progress = ProgressMode::never;
     wanted.seed.reset();
     return wanted;
@@ -46,8 +45,19 @@ std::string in_front(const simulation::Scenario& scenario, std::size_t controlle
     return controller == 0 ? "" : scenario.controller_name(controller) + ": ";
 }
 
-void decide_assertions_of(const Options& wanted, const std::string& name, Evidence& evidence) {
-    const std::vector<Part> parts = load_parts(wanted);
+/// A model with its constants, however they were given.
+using ModelRead = std::vector<std::string>;
+ModelRead model_read(const Options& wanted, const std::vector<Part>& parts) {
+    ModelRead subject{wanted.inputs.front()};
+    for (const Part& part : parts) {
+        subject.push_back(part.project->name);
+        for (const std::string& each : constants_of(*part.project)) subject.push_back(each);
+    }
+    return subject;
+}
+
+void decide_assertions_of(const Options& wanted, const std::vector<Part>& parts, const std::string& name,
+                          Evidence& evidence) {
     if (!parts.empty())  // they share their sources
         for (const auto& [file, digest] : files_of(*parts.front().project))
             evidence.model.emplace_back(name + file, digest);
@@ -77,24 +87,26 @@ void decide_assertions_of(const Options& wanted, const std::string& name, Eviden
 }  // namespace
 
 void decide_assertions(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
-    std::set<std::pair<std::string, std::vector<std::string>>> done;
+    std::set<ModelRead> done;
     for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
         const Options wanted = over_the_model(options, scenario, controller, Verb::check);
-        if (done.emplace(wanted.inputs.front(), wanted.constants).second)
-            decide_assertions_of(wanted, in_front(scenario, controller), evidence);
+        const std::vector<Part> parts = load_parts(wanted);
+        if (done.insert(model_read(wanted, parts)).second)
+            decide_assertions_of(wanted, parts, in_front(scenario, controller), evidence);
     }
 }
 
 void decide_conformance(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
-    std::set<std::tuple<std::string, std::string, std::vector<std::string>>> done;
+    std::set<std::pair<std::string, ModelRead>> done;
     for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
         Options wanted = over_the_model(options, scenario, controller, Verb::conform);
         wanted.component = scenario.controller_at(controller).component.text;
         wanted.cycle = scenario.units_per_step;
         wanted.cycle_given = true;
-        if (!done.emplace(wanted.inputs.front(), wanted.component, wanted.constants).second) continue;
+        const std::vector<Part> parts = load_parts(wanted);
+        if (!done.emplace(wanted.component, model_read(wanted, parts)).second) continue;
         Report report;
-        for (const Part& part : load_parts(wanted))
+        for (const Part& part : parts)
             if (acceptable(*part.project, wanted) && !part.again &&
                 !code_components(part.project->system, wanted.component).empty())
                 check_conformance(*part.project, wanted, report);

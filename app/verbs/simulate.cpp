@@ -59,11 +59,6 @@ std::string name_in(const std::string& constant) {
     return constant.substr(0, constant.find('='));
 }
 
-/// Whose constant it is: a controller's number, and its name there.
-simulation::AddressedConstant address_of(const simulation::Scenario& scenario, const std::string& constant) {
-    return simulation::addressed(scenario, name_in(constant)).value_or(simulation::AddressedConstant{});
-}
-
 /// What `--const` names and is no controller of the scenario.
 void check_addresses(Project& project, const simulation::Scenario& scenario, const Options& options) {
     for (const std::string& each : options.constants) {
@@ -83,28 +78,22 @@ void check_addresses(Project& project, const simulation::Scenario& scenario, con
 
 }  // namespace
 
-std::vector<std::string> constants_of(const simulation::Scenario& scenario, const Options& options) {
-    std::vector<std::string> result = options.constants;
-    for (std::size_t number = 0; number < scenario.controllers(); ++number)
-        for (const std::string& each : scenario.controller_at(number).constants) {
-            const auto same = [&](const std::string& one) {
-                const simulation::AddressedConstant address = address_of(scenario, one);
-                return address.controller == number && address.constant == name_in(each);
-            };
-            if (std::none_of(options.constants.begin(), options.constants.end(), same))
-                result.push_back(number == 0 ? each : fmt::format("{}.{}", scenario.controller_name(number), each));
-        }
-    return result;
+Options options_for(const simulation::Scenario& scenario, Options options, std::size_t controller) {
+    std::vector<std::string> own;
+    for (const std::string& each : options.constants) {
+        const auto address = simulation::addressed(scenario, name_in(each));
+        if (address && address->controller == controller)
+            own.push_back(address->constant + each.substr(std::min(each.find('='), each.size())));
+    }
+    options.inputs = {model_of(scenario, options.inputs.front(), controller)};
+    options.constants = std::move(own);
+    options.weaker_constants = scenario.controller_at(controller).constants;
+    return options;
 }
 
-std::vector<std::string> constants_of(const simulation::Scenario& scenario, const Options& options,
-                                      std::size_t controller) {
+std::vector<std::string> constants_of(const Project& project) {
     std::vector<std::string> result;
-    for (const std::string& each : constants_of(scenario, options)) {
-        const simulation::AddressedConstant address = address_of(scenario, each);
-        if (address.controller == controller)
-            result.push_back(address.constant + each.substr(std::min(each.find('='), each.size())));
-    }
+    for (const auto& [name, value] : project.asked.constants) result.push_back(fmt::format("{}={}", name, value));
     return result;
 }
 
@@ -141,10 +130,8 @@ cpp_emit::DriveEmission emitted(Simulation& simulation, Project& project, const 
 /// wrong with it is shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
-    other.model = model_of(simulation.scenario, options.inputs.front(), number);
-    Options wanted = options;
-    wanted.inputs = {other.model};
-    wanted.constants = constants_of(simulation.scenario, options, number);
+    const Options wanted = options_for(simulation.scenario, options, number);
+    other.model = wanted.inputs.front();
     other.project = load(wanted);
     if (acceptable(*other.project, wanted))
         other.emission =
@@ -268,7 +255,7 @@ simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t 
     wanted.folder = options.log;
     wanted.component = simulation.scenario.kind_at(kind).component.text;
     wanted.model = model_of(simulation.scenario, options.inputs.front(), kind);
-    wanted.constants = constants_of(simulation.scenario, options, kind);
+    wanted.constants = constants_of(simulation.project_of(kind));
     wanted.first = simulation.scenario.first_robot(kind);
     wanted.scenario = simulation.scenario.name.text;
     wanted.budget = &options.run->budget();
@@ -363,9 +350,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
         simulation->project->diagnostics.report(rules::bad_option, {}, {"one scenario at a time"});
     if (simulation->project->diagnostics.ok()) check_addresses(*simulation->project, simulation->scenario, options);
     if (!simulation->project->diagnostics.ok()) return simulation;
-    Options model = options;
-    model.inputs = {model_of(simulation->scenario, options.inputs.front(), 0)};
-    model.constants = constants_of(simulation->scenario, options, 0);
+    const Options model = options_for(simulation->scenario, options, 0);
     simulation->project = load(model);
     if (!acceptable(*simulation->project, options)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);

@@ -31,6 +31,10 @@ struct Simulation {
     std::vector<OtherController> others;  ///< of the scenario's other kinds, and of its environment
     simulation::Plan plan;                ///< refers to the scenario
 
+    /// The model of a controller (Scenario::controller_at).
+    [[nodiscard]] const Project& project_of(std::size_t controller) const {
+        return controller == 0 ? *project : *others[controller - 1].project;
+    }
     /// What drives robots of a kind (Scenario::kind_at).
     [[nodiscard]] const cpp_emit::DriveEmission& emission_of(std::size_t kind) const {
         return kind == 0 ? emission : others[kind - 1].emission;
@@ -57,18 +61,17 @@ void add_trials(const Simulation&, diagnostics::Hasher&);
 /// path.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
-/// "NAME=VALUE", or "KIND.NAME=VALUE" of models of other controllers, for all of a scenario's models: those of the
-/// options in their order, then those of the scenario (`const ...` in `robots` and `environment`) that the options do
-/// not give. The robots are simulated with them, so all that is said of the models is decided with them.
-[[nodiscard]] std::vector<std::string> constants_of(const simulation::Scenario&, const Options&);
-/// Of the model of one controller alone, without the name of its kind.
-[[nodiscard]] std::vector<std::string> constants_of(const simulation::Scenario&, const Options&,
-                                                    std::size_t controller);
+/// The options for the model of one controller: its path, the constants of `--const` that are its, and where these
+/// leave one open those of the scenario (`const ...` in `robots` and `environment`). The robots are simulated with
+/// them, so all that is said of the models is decided with them.
+[[nodiscard]] Options options_for(const simulation::Scenario&, Options, std::size_t controller);
+/// "NAME=VALUE" of all constants that the model was given.
+[[nodiscard]] std::vector<std::string> constants_of(const Project&);
 
 /// What was found in the scenario and its model, and what in the models of the other controllers.
 void show_all_diagnostics(const Simulation&, const Options&);
 
-/// What is decided with the constants of constants_of, added to the evidence: the assertions of the scenario's models
+/// What is decided with the constants of options_for, added to the evidence: the assertions of the scenario's models
 /// and the digests of their files; whether the code of each controller conforms; the scenario's claims, of which
 /// false is returned where the scenario cannot be run: the diagnostics of the simulation's project say why. In what is
 /// said of other controllers than the first its name stands in front, "leaders: A1"; two with one model and the same

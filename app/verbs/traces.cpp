@@ -85,10 +85,12 @@ public:
         conformance::TraceChecker* checker = nullptr;
     };
 
+    [[nodiscard]] diagnostics::Budget& budget() const { return options_.run->budget(); }
+
     /// Nothing, with a finding, where there is none.
     std::optional<Found> of(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
-        const std::vector<Part>* const parts = with(constants_of(header));
+        const std::vector<Part>* const parts = with(header.constants);
         if (parts == nullptr) return std::nullopt;
         std::vector<Candidate> all = found(*parts, wanted);
         if (all.empty()) all = found(*parts, "");
@@ -114,24 +116,15 @@ private:
         std::string error;
     };
 
-    /// Those that the options do not give: as `--component` and `--cycle`, `--const` is stronger than the log.
-    [[nodiscard]] std::vector<std::string> constants_of(const conformance::TraceHeader& header) const {
-        std::vector<std::string> result;
-        const auto name = [](const std::string& constant) { return constant.substr(0, constant.find('=')); };
-        for (const std::string& each : header.constants)
-            if (std::none_of(options_.constants.begin(), options_.constants.end(),
-                             [&](const std::string& one) { return name(one) == name(each); }))
-                result.push_back(each);
-        return result;
-    }
-    /// The model with these constants. Null, with a finding, where it cannot be read with them.
+    /// The model with these constants where the options leave them open: as `--component` and `--cycle`, `--const` is
+    /// stronger than the log. Null, with a finding, where it cannot be read with them.
     const std::vector<Part>* with(const std::vector<std::string>& constants) {
         if (constants.empty()) return &parts_;
         auto [known, fresh] = others_.try_emplace(constants);
         std::vector<Part>& parts = known->second;
         if (fresh) {
             Options wanted = options_;
-            wanted.constants.insert(wanted.constants.end(), constants.begin(), constants.end());
+            wanted.weaker_constants = constants;
             parts = load_parts(wanted);
         }
         for (const Part& part : parts)
@@ -172,14 +165,16 @@ private:
     std::map<std::tuple<const Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 
-/// The header alone, as far as it is in order: which component the log is of.
-conformance::TraceHeader peek(const std::string& path) {
+/// The header alone, as far as it is in order: which component the log is of, with which constants. Throws
+/// diagnostics::LimitReached.
+conformance::TraceHeader peek(const std::string& path, diagnostics::Budget& budget) {
     std::ifstream in(path, std::ios::binary);
     conformance::LineReader lines(in);
     conformance::TraceHeader header;
     std::vector<conformance::TraceToken> tokens;
     try {
-        for (int n = 0; n < 200 && lines.next(); ++n) {
+        while (lines.next()) {
+            budget.poll();
             conformance::split_line(lines.text(), tokens);
             if (tokens.empty()) continue;
             if (tokens.front().text == "run") break;
@@ -211,11 +206,12 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
                                    {path, error ? error.message() : "it is not a regular file that may be read"});
         return;
     }
-    const auto found = checkers.of(peek(path));
+    const conformance::TraceHeader header = peek(path, checkers.budget());
+    const auto found = checkers.of(header);
     if (!found) return;
     ++totals.logs;
     ComparedLog compared{path, found->project, found->component, {}, std::nullopt};
-    const auto report = found->checker->check(in, [&](const conformance::RunReport& run) {
+    const auto report = found->checker->check(in, header.constants, [&](const conformance::RunReport& run) {
         if (totals.reported.size() < max_reported) totals.reported.push_back({path, run});
         if (!compared.wrong) compared.wrong = run;
     });

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
@@ -17,6 +16,7 @@
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 #include "semantics/ir/query.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "simulation/tuning/race.hpp"
@@ -290,13 +290,8 @@ private:
         scenario_ = simulation->scenario;
         project_ = std::move(simulation->project);
         others_ = std::move(simulation->others);
-        if (!project_->diagnostics.ok()) return false;
+        if (!acceptable(*project_, options_)) return false;
         if (varied_.empty()) report("tune takes constants with values to try: --const NAME=LOW..HIGH or NAME=A,B,C");
-        std::set<std::pair<std::size_t, std::string>> names;
-        for (const std::string& each : asked_.constants)
-            if (const auto address = simulation::addressed(scenario_, split(each).first);
-                address && !names.emplace(address->controller, address->constant).second)
-                report(fmt::format("--const {} is given twice", diagnostics::shown(split(each).first)));
         if (!scenario_.variations.empty()) report("tune takes a scenario in which nothing varies");
         if (scenario_.claims.empty())
             project_->diagnostics.report(simulation::rules::missing, scenario_.name.span,
@@ -314,12 +309,32 @@ private:
             report(fmt::format("--const {}={}: {}", diagnostics::shown(name), diagnostics::shown(value), error));
     }
 
+    /// The model of a controller, as it was read first.
+    [[nodiscard]] const Project& project_of(std::size_t controller) const {
+        return controller == 0 ? *project_ : *others_.at(controller - 1).project;
+    }
+
+    /// The constants that do not vary: those of `--const`, and of the scenario what it leaves open.
+    [[nodiscard]] Pairs fixed_constants() const {
+        Pairs result;
+        for (const std::string& each : options_.constants) result.push_back(split(each));
+        for (std::size_t number = 0; number < scenario_.controllers(); ++number) {
+            ir::GivenConstants left = project_of(number).asked.constants;
+            for (const std::string& each : asked_.constants)
+                if (const auto address = simulation::addressed(scenario_, split(each).first);
+                    address && address->controller == number)
+                    left.erase(address->constant);
+            const std::string name = number == 0 ? "" : scenario_.controller_name(number) + ".";
+            for (const auto& [constant, value] : left) result.emplace_back(name + constant, value);
+        }
+        return result;
+    }
+
     [[nodiscard]] simulation::ParameterKind kind_of(const std::string& name) const {
         using simulation::ParameterKind;
         const auto address = simulation::addressed(scenario_, name);
         if (!address) return ParameterKind::other;
-        const ir::System& system =
-            address->controller == 0 ? project_->system : others_.at(address->controller - 1).project->system;
+        const ir::System& system = project_of(address->controller).system;
         for (const ir::NamedConstant& each : ir::named_constants(system)) {
             if (each.path != address->constant && !each.path.ends_with("::" + address->constant)) continue;
             const ir::TypeKind kind = system.type(each.type).kind;
@@ -362,11 +377,8 @@ private:
             diagnostics::program_identity().empty() ? "" : content_digest(diagnostics::program_identity());
         for (std::size_t p = 0; p < parameters_.size(); ++p)
             certificate_.constants.emplace_back(parameters_[p].name, parameters_[p].value(winner[p]));
-        // Those of the winner are last in the options, and first in the certificate.
-        std::vector<std::string> others = constants_of(scenario_, options);
-        const auto fixed = static_cast<std::ptrdiff_t>(options_.constants.size());
-        others.erase(others.begin() + fixed, others.begin() + fixed + static_cast<std::ptrdiff_t>(parameters_.size()));
-        for (const std::string& each : others) certificate_.constants.push_back(split(each));
+        const Pairs fixed = fixed_constants();
+        certificate_.constants.insert(certificate_.constants.end(), fixed.begin(), fixed.end());
         certificate_.ranges = options_.ranges;
         SearchRecord& search = certificate_.search;
         search.parameters = varied_;

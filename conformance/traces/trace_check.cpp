@@ -3,6 +3,7 @@
 #include "conformance/traces/trace_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -49,9 +50,11 @@ TraceChecker::Form& TraceChecker::form(const Observation& observation, bool late
 /// One log while it is read.
 class TraceChecker::LogRun {
 public:
-    LogRun(TraceChecker& checker, std::istream& in, const std::function<void(const RunReport&)>& tell)
+    LogRun(TraceChecker& checker, std::istream& in, const std::vector<std::string>& constants,
+           const std::function<void(const RunReport&)>& tell)
         : checker_(checker),
           model_(*checker.model_),
+          constants_(constants),
           tell_(tell),
           lines_(in),
           reads_(model_.interface().inputs.size()) {
@@ -135,6 +138,13 @@ private:
             throw TraceFault{&rules::log_of_other,
                              {fmt::format("cycles of {} time units", header.cycle),
                               fmt::format("cycles of {}", model_.cycle_length())}};
+        if (header.constants != constants_)
+            throw TraceFault{&rules::log_of_other, {with_constants(header.constants), with_constants(constants_)}};
+    }
+
+    [[nodiscard]] static std::string with_constants(const std::vector<std::string>& constants) {
+        return constants.empty() ? "a model without chosen constants"
+                                 : fmt::format("a model with {}", fmt::join(constants, ", "));
     }
 
     // ------------------------------------------------------------ runs
@@ -349,6 +359,7 @@ private:
 
     TraceChecker& checker_;
     CyclicModel& model_;
+    const std::vector<std::string>& constants_;
     const std::function<void(const RunReport&)>& tell_;
     LineReader lines_;
     std::vector<TraceToken> tokens_;
@@ -370,8 +381,9 @@ private:
     bool done_ = false;   ///< a verdict is there: the rest of the run is only read
 };
 
-LogReport TraceChecker::check(std::istream& in, const std::function<void(const RunReport&)>& tell) {
-    return LogRun(*this, in, tell).check();
+LogReport TraceChecker::check(std::istream& in, const std::vector<std::string>& constants,
+                              const std::function<void(const RunReport&)>& tell) {
+    return LogRun(*this, in, constants, tell).check();
 }
 
 }  // namespace robochart::conformance

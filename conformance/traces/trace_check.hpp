@@ -66,9 +66,11 @@ public:
                  const diagnostics::SourceManager&);
     ~TraceChecker();
 
-    /// Reads one log to its end, or to the first line that cannot be read. `tell` gets every run that is not accepted.
-    /// Throws process::Interrupted at a limit.
-    LogReport check(std::istream&, const std::function<void(const RunReport&)>& tell);
+    /// Reads one log to its end, or to the first line that cannot be read. `constants`: those of its header, as the
+    /// model was chosen by them; other ones are a fault (RC-L04). `tell` gets every run that is not accepted. Throws
+    /// process::Interrupted at a limit.
+    LogReport check(std::istream&, const std::vector<std::string>& constants,
+                    const std::function<void(const RunReport&)>& tell);
 
 private:
     struct Form;

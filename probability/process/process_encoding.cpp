@@ -10,6 +10,7 @@
 #include "probability/process/explored_process.hpp"
 #include "probability/process/observers.hpp"
 #include "probability/process/subgraph.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -103,7 +104,7 @@ prism::Constant ProcessEncoding::constant(const std::string& path) {
 }
 
 const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& constants) {
-    ir::InstantiationOptions wanted = options_.instantiation;
+    ir::GivenConstants chosen;
     std::string text;
     for (const auto& [path, value] : constants) {
         if (path.find("::") == std::string::npos) continue;  // of an assertion file
@@ -112,7 +113,7 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
         const ir::ConstantSource source = ir::constant_source(system_, found.seat->module, found.seat->controller,
                                                               found.seat->part, *found.seat->machine, found.id);
         for (const ir::NamedConstant& each : ir::named_constants(system_))
-            if (each.name == source.name) wanted.constants[each.path] = literal_of(system_, declared, value);
+            if (each.name == source.name) chosen[each.path] = literal_of(system_, declared, value);
         text += fmt::format("{}={};", path, value.text());
     }
     for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.valid() ? ".val;" : ";");
@@ -123,6 +124,9 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
     made->constants = text;
     diagnostics::Diagnostics findings;
     if (options_.budget != nullptr) findings.within(options_.budget);
+    ir::InstantiationOptions wanted = options_.instantiation;
+    wanted.constants = ir::not_overridden(system_, options_.instantiation.constants, chosen);
+    wanted.constants.merge(chosen);
     ir::Instantiation instantiation = ir::instantiate(system_, wanted, findings);
     if (!findings.ok()) throw Wrong(first_error(findings));
     made->process = explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,

@@ -2,6 +2,9 @@
 #include "semantics/instantiate/constants.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "diagnostics/spelling.hpp"
 #include "semantics/evaluate/carrier.hpp"
@@ -113,15 +116,45 @@ bool names_constant(const System& system, const std::string& option) {
                        [&](const NamedConstant& each) { return means(option, each.path); });
 }
 
-ChosenConstants chosen_constants(const System& system, const std::map<std::string, std::string>& options,
-                                 Literals& literals, Diagnostics& diagnostics) {
+GivenConstants not_overridden(const System& system, const GivenConstants& weaker, const GivenConstants& stronger) {
+    const auto constants = named_constants(system);
+    const auto overridden = [&](const std::string& path) {
+        return std::any_of(stronger.begin(), stronger.end(),
+                           [&](const auto& option) { return means(option.first, path); });
+    };
+    GivenConstants result;
+    for (const auto& [option, text] : weaker) {
+        std::vector<std::string> left;
+        bool all = true;
+        for (const NamedConstant& each : constants) {
+            if (!means(option, each.path)) continue;
+            if (overridden(each.path))
+                all = false;
+            else
+                left.push_back(each.path);
+        }
+        if (all) result.emplace(option, text);
+        if (!all)
+            for (const std::string& path : left) result.emplace(path, text);
+    }
+    return result;
+}
+
+ChosenConstants chosen_constants(const System& system, const GivenConstants& options, Literals& literals,
+                                 Diagnostics& diagnostics) {
     ChosenConstants chosen;
+    std::map<std::string, std::string> chosen_by;  // which option names a constant, by its path
+    std::set<std::pair<std::string, std::string>> refused;
     const auto constants = named_constants(system);
     for (const auto& [option, text] : options) {
         bool known = false;
         for (const auto& constant : constants) {
             if (!means(option, constant.path)) continue;
             known = true;
+            const auto [by, first] = chosen_by.emplace(constant.path, option);
+            if (!first && refused.emplace(by->second, option).second)
+                diagnostics.report(rules::constant_named_twice, {}, {by->second, option, constant.path});
+            if (!first) continue;
             const ExprPtr value = parse_literal(system, constant.type, text);
             if (!value) {
                 diagnostics.report(rules::bad_constant_value, {}, {option, text, system.type(constant.type).name});

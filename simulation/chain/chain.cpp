@@ -142,10 +142,14 @@ std::vector<statistics::StateSequence> sequences_of(const Scenario& scenario, co
 }
 
 std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>& asked, const statistics::Permitted& permitted,
-                                          const std::vector<statistics::StateSequence>& sequences) {
+                                          const std::vector<statistics::StateSequence>& sequences,
+                                          diagnostics::Budget* budget) {
     if (asked.empty()) return std::nullopt;
-    const double confidence = asked.front().confidence;
-    const auto found = statistics::order_contradiction(sequences, permitted, 1 - confidence);
+    double confidence = 0;
+    for (const ChainAsked& each : asked) confidence = std::max(confidence, each.confidence);
+    const auto found = statistics::order_contradiction(sequences, permitted, 1 - confidence, [budget] {
+        if (budget != nullptr) budget->poll();
+    });
     if (!found) return std::nullopt;
     return OrderFinding{confidence, *found};
 }

@@ -60,10 +60,11 @@ struct OrderFinding {
     statistics::OrderContradiction found;
 };
 
-/// Looks for that in all sequences, at the confidence of the first question, by intervals that hold jointly; none: they
-/// do not tell (statistics::order_contradiction).
+/// Looks for that in all sequences, at the greatest confidence of the questions, by intervals that hold jointly; none:
+/// they do not tell (statistics::order_contradiction). Throws diagnostics::LimitReached.
 [[nodiscard]] std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>&, const statistics::Permitted&,
-                                                        const std::vector<statistics::StateSequence>&);
+                                                        const std::vector<statistics::StateSequence>&,
+                                                        diagnostics::Budget* = nullptr);
 
 /// A transition that trials took although the robots' steps exclude it.
 struct Excluded {

@@ -97,6 +97,7 @@ std::string study_text(const Scenario& scenario, const ChainStates& states, cons
 }
 
 std::string order_text(const ChainStates& states, const ChainResult& result) {
+    if (!result.order_asked) return "not asked: whether what follows a state depends on the one before it\n";
     if (!result.order) return "nothing shows that what follows a state depends on the one before it\n";
     const statistics::OrderContradiction& found = result.order->found;
     const auto after = [&](std::size_t before, const statistics::Interval& each) {
@@ -234,6 +235,7 @@ std::string chain_json(const Scenario& scenario, const ChainStates& states, cons
                     {"seen", result.seen},
                     {"excluded", result.excluded},
                     {"proof", result.proof},
+                    {"orderAsked", result.order_asked},
                     {"order", order_json(states, result)},
                     {"interrupted", result.interrupted},
                     {"cpuSeconds", diagnostics::rounded(result.cpu_seconds, 3)},

@@ -19,12 +19,13 @@ struct ChainResult {
     std::size_t excluded = 0;           ///< of them
     std::size_t seen = 0;               ///< of them, in the trials that estimate
     std::uint32_t trials = 0;           ///< that estimate; as many check
+    bool order_asked = false;           ///< were all trials asked about the order?
     std::optional<OrderFinding> order;  ///< what refutes the chain whatever it is asked
     bool interrupted = false;
     double cpu_seconds = 0;
 
     [[nodiscard]] bool refuted() const;
-    /// An answer is refuted or what it claims fails.
+    /// The order or an answer is refuted, or what it claims fails.
     [[nodiscard]] bool fails() const;
     /// All questions answered, none open.
     [[nodiscard]] bool complete() const;

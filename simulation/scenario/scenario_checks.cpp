@@ -189,13 +189,15 @@ bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagno
         --regions;
         if (placement.kind == Placement::Kind::linked) {
             const double least = 2 * scenario.world.body.radius;
-            if (placement.link < least) {
+            // 3.5 cm and 0.035 m are not the same double.
+            if (placement.link < least * (1 - 1e-9)) {
                 diagnostics.report(
                     rules::out_of_range, placement.span,
                     {fmt::format("robots that are linked are at least a diameter apart, {:g} cm", least)});
                 return false;
             }
-            if (!world.place_linked(here, placement.pose.at, placement.link)) return refuse(here, placement.span);
+            if (!world.place_linked(here, placement.pose.at, std::max(placement.link, least)))
+                return refuse(here, placement.span);
             continue;
         }
         const Region region = region_of(placement, here, scenario.world.arena);

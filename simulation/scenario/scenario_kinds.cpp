@@ -13,6 +13,10 @@ void ScenarioReader::robots() {
     RobotKind kind;
     kind.robots = static_cast<std::uint32_t>(in_.count(1, most_robots_, "the number of robots"));
     if (!in_.at("{") && !in_.at("for")) kind.kind = new_name("'{', or a name for these robots");
+    const std::string environment = scenario_.controller_name(scenario_.kinds());
+    if (kind.kind.text == environment)
+        in_.report(rules::said_twice, kind.kind.span,
+                   {fmt::format("the name '{}', which is that of what acts on the world,", environment)});
     if (in_.take("for")) return other_kind(std::move(kind), begin);
     if (!said_.emplace("robots", begin).second)
         in_.report(rules::said_twice, begin, {"'robots' (others have a name, `for` and a component of their own)"});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "simulation/scenario/rules.hpp"
 #include "simulation/scenario/scenario_reader.hpp"
@@ -41,8 +42,13 @@ void ScenarioReader::vary() {
     }
     variation.span = diagnostics::join(begin, in_.last_span());
     if (in_.failed()) return;
+    // `pace` is `leaders.pace` where the first kind of robots is called so.
+    const auto subject = [&](const Variation& each) {
+        const auto address = each.what == Varied::constant ? addressed(scenario_, each.constant) : std::nullopt;
+        return address ? std::pair(address->controller, address->constant) : std::pair(std::size_t{0}, each.constant);
+    };
     const auto same = [&](const Variation& other) {
-        return other.what == variation.what && other.constant == variation.constant && other.option == variation.option;
+        return other.what == variation.what && subject(other) == subject(variation) && other.option == variation.option;
     };
     if (std::any_of(scenario_.variations.begin(), scenario_.variations.end(), same))
         in_.report(rules::said_twice, variation.span, {fmt::format("'{}'", in_.text_since(begin))});

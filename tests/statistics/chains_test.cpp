@@ -106,6 +106,43 @@ StateSequence remembering(double after_equal, double after_other, std::mt19937_6
     return sequence;
 }
 
+/// The error is divided among the permitted triples, and of each part look k takes 1 / (k (k + 1)). State 2 alone has
+/// two successors, and two states may stand before it: four triples. Where all is permitted there are 27.
+TEST(Order, DividesTheErrorAmongWhatIsPermitted) {
+    const Permitted holes{{false, false, true}, {false, false, true}, {true, true, false}};
+    EXPECT_EQ(order_triples(holes), 4);
+    EXPECT_EQ(order_triples(all_permitted(3)), 27);
+    EXPECT_EQ(order_triples({{false, true}, {true, false}}), 1) << "nothing is open";
+    const auto found = [](std::size_t visits, const Permitted& permitted) {
+        std::vector<StateSequence> all(visits, {0, 2, 0});
+        all.insert(all.end(), visits, {1, 2, 1});
+        return order_contradiction(all, permitted, 0.1).value();
+    };
+    const auto expect = [](const OrderContradiction& seen, std::uint64_t visits, double error) {
+        EXPECT_EQ(seen.state, 2U);
+        EXPECT_EQ(seen.next, 0U);
+        EXPECT_EQ(seen.less, 1U);
+        EXPECT_EQ(seen.more, 0U);
+        EXPECT_EQ(seen.after_less, clopper_pearson(0, visits, error));
+        EXPECT_EQ(seen.after_more, clopper_pearson(visits, visits, error));
+    };
+    expect(found(16, holes), 16, 0.1 / (4 * 1 * 2));
+    expect(found(20, holes), 16, 0.1 / (4 * 1 * 2));
+    expect(found(24, holes), 24, 0.1 / (4 * 2 * 3));
+    expect(found(16, all_permitted(3)), 16, 0.1 / (27 * 1 * 2));
+}
+
+/// A run's limits reach it, and it does not take the cube of the states where few are seen.
+TEST(Order, Polls) {
+    std::vector<StateSequence> all(200, {0, 2, 0});
+    all.insert(all.end(), 200, {1, 2, 1});
+    int polled = 0;
+    EXPECT_TRUE(order_contradiction(all, all_permitted(500), 0.1, [&] { ++polled; }));
+    EXPECT_EQ(polled, 2) << "of each successor that was seen";
+    EXPECT_THROW((void)order_contradiction(all, all_permitted(3), 0.1, [] { throw std::runtime_error("limit"); }),
+                 std::runtime_error);
+}
+
 /// Of 200 repetitions with a chain of order 1 at most a tenth is contradicted, and each of order 2.
 TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
     std::mt19937_64 random(7);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/files.hpp"
@@ -190,6 +191,86 @@ TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     EXPECT_THAT(changed("const pace 3"), HasSubstr("error[RC-L01]: expected `const NAME=VALUE`"));
     EXPECT_THAT(changed("const pace="), HasSubstr("error[RC-L01]"));
     EXPECT_THAT(changed("const pace=-1"), HasSubstr("error[RC-L04]"));
+}
+
+/// A name of a constant is another one's in whatever spelling: `--const` goes before the log, and what is given twice
+/// is refused.
+TEST(KindsOfRobots, LogsGiveWayToEverySpellingOfAConstant) {
+    const Folder folder({{"leader.rct", leader},
+                         {"three.trace", "robochart-trace 1\ncomponent lead::Leader\n" + std::string(4000, '\n') +
+                                             "const pace=3\nrun a\nback! tock\ntock\ntock\nhalt! tock\n"}});
+    const auto compared = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"conform", folder / "leader.rct", "--traces", folder / "three.trace"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    const Ran own = compared({});
+    EXPECT_EQ(own.exit, 0) << "the constant is read wherever in the header it stands: " << own.out << own.err;
+    for (const char* name : {"pace", "Leader::pace", "lead::Leader::pace"}) {
+        EXPECT_EQ(compared({"--const", std::string(name) + "=3"}).exit, 0) << name;
+        const Ran other = compared({"--const", std::string(name) + "=5", "--html", folder / "page.html"});
+        EXPECT_EQ(other.exit, 1) << name << other.out << other.err;
+        EXPECT_THAT(contents(folder / "page.html"), HasSubstr("cycle 4 cannot be followed")) << "it is stepped through";
+    }
+    const Ran both = compared({"--const", "Leader::pace=5", "--const", "pace=3"});
+    EXPECT_EQ(both.exit, 4);
+    EXPECT_THAT(both.err, HasSubstr("error[RC-S24]: --const Leader::pace and --const pace both name the constant "
+                                    "lead::Leader::pace"));
+    EXPECT_THAT(compared({"--const", "pace=5", "--const", "pace=3"}).err, HasSubstr("--const pace is given twice"));
+}
+
+/// One kind alone: it goes back 1 cm in each time unit, `pace` of them.
+std::string alone(const std::string& constant, const std::string& asked) {
+    return "scenario Alone for lead::Leader {\n\tstep 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 1 seed 1\n"
+           "\tarena 400 cm by 400 cm\n\tlight goal at (-10 cm, 0 cm)\n\trobots 1 leaders { radius 3 cm axle 5 cm "
+           "wheel 10 cm/s " +
+           constant +
+           "\n\t\tplace at (0 cm, 0 cm) heading 0 deg }\n\tactuator motors is differential_drive\n"
+           "\tdrive motors by forward(-10 cm/s) on back\n\tdrive motors by stop on halt\n"
+           "\tmeasure way is distance(goal)\n\t" +
+           asked + "\n}\n";
+}
+
+/// In a sweep, in a search and in its certificate the scenario's value gives way to every spelling.
+TEST(KindsOfRobots, ScenariosGiveWayToEverySpellingOfAConstant) {
+    const std::string asked = "accept probability way <= 0.5 cm at end >= 90 % with confidence 90 %";
+    const Folder folder(
+        {{"leader.rct", leader},
+         {"sweep.scenario", alone("const pace = 3", asked + " vary const Leader::pace in 3, 10")},
+         {"twice.scenario", alone("", asked + " vary const pace in 3, 10 vary const leaders.pace in 3, 10")},
+         {"search.scenario", alone("const pace = 10", asked)}});
+    const Ran swept = run({"simulate", folder / "sweep.scenario", "--no-pictures", "--no-cache", "--format", "json"});
+    const auto points = nlohmann::json::parse(swept.out).at("points");
+    EXPECT_EQ(points.at(0).at("claims").at(0).at("answer"), "refuted");
+    EXPECT_EQ(points.at(1).at("claims").at(0).at("answer"), "proved");
+    const Ran twice = run({"simulate", folder / "twice.scenario"});
+    EXPECT_EQ(twice.exit, 2);
+    EXPECT_THAT(twice.err, HasSubstr("error[RC-M05]"));
+    const auto tuned = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{
+            "tune", folder / "search.scenario", "--budget", "40", "--format", "json", "--out", folder / "out"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    const Ran found = tuned({"--const", "Leader::pace=3,4"});
+    EXPECT_EQ(found.exit, 1) << "neither reaches the goal, as the scenario's ten does: " << found.out << found.err;
+    std::map<std::string, std::string> certified;
+    for (const auto& each : nlohmann::json::parse(found.out).at("certificate").at("constants"))
+        certified[each.at("name")] = each.at("value");
+    EXPECT_THAT(certified.at("Leader::pace"), ::testing::AnyOf("3", "4"));
+    EXPECT_FALSE(certified.contains("pace")) << "the scenario's name for it means the leader's too";
+    const Ran both = tuned({"--const", "Leader::pace=3,4", "--const", "pace=10"});
+    EXPECT_EQ(both.exit, 4) << both.out;
+    EXPECT_THAT(both.out + both.err, HasSubstr("RC-S24"));
+    EXPECT_EQ(tuned({"--const", "pace=3,4", "--const", "leaders.pace=10"}).exit, 4);
+}
+
+/// With denied warnings of any model there is no search.
+TEST(KindsOfRobots, NoSearchWhereWarningsAreDenied) {
+    const Herd herd(claim);
+    const Ran ran = run({"tune", herd / "herd/herd.scenario", "--const", "leaders.pace=2,10", "--deny-warnings"});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("warnings are denied"));
 }
 
 /// After ten time units at the goal, 3 cm on the way after three.

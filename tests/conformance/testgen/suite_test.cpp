@@ -141,7 +141,7 @@ TEST(TestSuites, AreRunsOfTheModel) {
         TraceChecker checker(*suites.model, {"M"}, suites.limits, suites.project.sources);
         std::istringstream in(log);
         std::string reported;
-        const LogReport report = checker.check(in, [&](const RunReport& run) { reported += run.what + "\n"; });
+        const LogReport report = checker.check(in, {}, [&](const RunReport& run) { reported += run.what + "\n"; });
         EXPECT_FALSE(report.fault.has_value()) << report.fault->text;
         EXPECT_EQ(report.accepted, tests.size()) << reported;
         if (folder == stores.path()) {

@@ -33,10 +33,10 @@ public:
     LogReport check(const std::string& runs, const std::string& header = "") {
         return whole("robochart-trace 1\ncomponent M\n" + header + runs);
     }
-    LogReport whole(const std::string& text) {
+    LogReport whole(const std::string& text, const std::vector<std::string>& constants = {}) {
         std::istringstream in(text);
         reported.clear();
-        return checker_->check(in, [this](const RunReport& run) { reported.push_back(run); });
+        return checker_->check(in, constants, [this](const RunReport& run) { reported.push_back(run); });
     }
 
     std::vector<RunReport> reported;
@@ -50,6 +50,19 @@ private:
 
 Replay aggregation() {
     return {"corpus/aggregation", "module"};
+}
+
+/// What was chosen by other constants than the header's is refused, not compared.
+TEST(Traces, AHeaderWithOtherConstantsIsRefused) {
+    Replay replay("corpus/aggregation", "module");
+    const std::string log = "robochart-trace 1\ncomponent M\nconst pace=3\nrun a\n";
+    EXPECT_FALSE(replay.whole(log, {"pace=3"}).fault);
+    for (const std::vector<std::string>& chosen : {std::vector<std::string>{}, {"pace=4"}, {"pace=3", "speed=1"}}) {
+        const LogReport report = replay.whole(log, chosen);
+        ASSERT_TRUE(report.fault);
+        EXPECT_EQ(report.fault->fault.rule, &rules::log_of_other);
+        EXPECT_EQ(report.runs, 0U);
+    }
 }
 
 constexpr const char* start = "run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock\n";

@@ -6,6 +6,7 @@
 
 #include "semantics/evaluate/carrier.hpp"
 #include "semantics/evaluate/evaluate.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/query.hpp"
@@ -186,6 +187,26 @@ TEST(Instantiate, WrongConstantOptionsAreReported) {
     EXPECT_EQ(codes(with_constants(), {{{"c", "1.5"}}, {}}), Codes{"RC-S11"});
     EXPECT_EQ(codes(with_constants(), {{{"r", "1"}}, {}}), Codes{"RC-S11"});
     EXPECT_EQ(codes(with_constants(), {{{"d", "99999999999999999999"}}, {}}), Codes{"RC-S11"});
+}
+
+/// "S::c" is no other constant than "c": which value is meant cannot be known, in whatever order the names stand.
+TEST(Instantiate, TwoNamesOfOneConstantAreRefused) {
+    EXPECT_EQ(codes(with_constants(), {{{"c", "1"}, {"S::c", "2"}}, {}}), Codes{"RC-S24"});
+    EXPECT_EQ(codes(with_constants(), {{{"S::c", "1"}, {"P::S::c", "2"}}, {}}), Codes{"RC-S24"});
+    EXPECT_EQ(codes(with_constants(), {{{"ref::c", "1"}, {"c", "2"}}, {}}), Codes{"RC-S24"});
+    EXPECT_EQ(codes(with_constants(), {{{"S::c", "1"}, {"ref::c", "2"}}, {}}), Codes{});
+}
+
+TEST(Instantiate, StrongerNamesOverrideHoweverTheyAreSpelled) {
+    const System system = with_constants();
+    EXPECT_EQ(not_overridden(system, {{"c", "1"}, {"d", "2"}}, {}), (GivenConstants{{"c", "1"}, {"d", "2"}}));
+    EXPECT_EQ(not_overridden(system, {{"S::c", "1"}, {"d", "2"}}, {{"c", "3"}}), (GivenConstants{{"d", "2"}}));
+    EXPECT_EQ(not_overridden(system, {{"P::S::d", "2"}}, {{"d", "3"}}), GivenConstants{});
+    EXPECT_EQ(not_overridden(system, {{"d", "2"}}, {{"P::S::d", "3"}, {"ref::d", "3"}}), GivenConstants{});
+    // Of all constants of the name one is left.
+    EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), (GivenConstants{{"P::K::ref::c", "1"}}));
+    EXPECT_EQ(not_overridden(system, {{"none", "1"}}, {{"c", "3"}}), (GivenConstants{{"none", "1"}}))
+        << "it is reported";
 }
 
 TEST(Instantiate, ChosenRanges) {

@@ -189,6 +189,7 @@ TEST(Transitions, ObeyLimits) {
     const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{true, true}, {true, true}}});
     diagnostics::Budget budget;
     budget.interrupt();
+    EXPECT_THROW(budget.check(), diagnostics::LimitReached);
     EXPECT_THROW((void)states.permitted(&budget), diagnostics::LimitReached);
 }
 
@@ -314,6 +315,9 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
 
     ChainResult result;
     result.questions = 1;
+    EXPECT_THAT(order_text(states, result), HasSubstr("not asked"));
+    result.order_asked = true;
+    EXPECT_THAT(order_text(states, result), HasSubstr("nothing shows"));
     result.order = lasting;
     EXPECT_TRUE(result.fails());
     EXPECT_THAT(order_text(states, result), HasSubstr("REFUTED with confidence 95 %"));
@@ -322,6 +326,28 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     answer.of_no_chain = true;
     EXPECT_EQ(answer_word(answer), "REFUTED");
     EXPECT_THAT(answers_text(result), HasSubstr("its order is refuted"));
+}
+
+/// Where questions have several confidences the chain is not refuted at less than the greatest.
+TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
+    const ReadChain read(
+        "abstract by near every 1 s estimate average near with confidence 90 % "
+        "estimate time until near >= 100 % with confidence 99 %",
+        "1");
+    const ChainStates states(read.scenario, std::nullopt);
+    diagnostics::Diagnostics found;
+    const auto asked = chain_asked(read.scenario, states, found);
+    ASSERT_EQ(asked.size(), 2U);
+    // After an equal state another follows always, after another never.
+    const statistics::StateSequence twos{1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2};
+    const std::vector<statistics::StateSequence> all(40, twos);
+    const auto finding = order_finding(asked, statistics::all_permitted(states.size()), all);
+    ASSERT_TRUE(finding);
+    EXPECT_NEAR(finding->confidence, 0.99, 1e-12);
+    diagnostics::Budget budget;
+    budget.interrupt();
+    EXPECT_THROW((void)order_finding(asked, statistics::all_permitted(states.size()), all, &budget),
+                 diagnostics::LimitReached);
 }
 
 /// A trial that did what is excluded (RC-M18) is found, with its place.

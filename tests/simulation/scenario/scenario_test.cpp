@@ -261,6 +261,33 @@ TEST(Start, SaysWhatCannotBe) {
     EXPECT_EQ(Read(outside).findings(), "7:11 RC-M03 the obstacle lies outside the arena\n");
 }
 
+/// 0.035 m is a little more than 3.5 cm as a double.
+TEST(Start, RobotsMayBeLinkedWithinTheirDiameter) {
+    const std::string linked = replaced(good, "place random in (40 cm, 40 cm) to (-40 cm, -40 cm)",
+                                        "place linked around (50 cm, 10 cm) within 7 cm");
+    for (const char* radius : {"radius 3.5 cm", "radius 0.035 m", "radius 35 mm"}) {
+        Read read(replaced(linked, "radius 35 mm", radius));
+        ASSERT_EQ(read.findings(), "") << radius;
+        EXPECT_TRUE(start(read.scenario, 0, read.diagnostics)) << radius << read.findings();
+    }
+}
+
+/// `pace` of the first kind is `all.pace` where that is its name; the word `environment` is no kind's.
+TEST(Scenario, AControllersConstantHasOneName) {
+    const auto findings = [](const std::string& name, const std::string& varied) {
+        const std::string named = replaced(good, "robots 12 {", "robots 12 " + name + " {");
+        std::string text = replaced(named, "	pictures at 0 s, 1 s\n", "	" + varied + "\n");
+        for (std::size_t at = text.find("\taccept"); at != std::string::npos; at = text.find("\taccept"))
+            text.erase(at, text.find('\n', at) - at);
+        return Read(text).findings();
+    };
+    EXPECT_EQ(findings("all", "vary const pace in 1, 2 vary const S::pace in 1, 2"), "") << "the model is to say";
+    EXPECT_THAT(findings("all", "vary const pace in 1, 2 vary const all.pace in 1, 2"), HasSubstr("RC-M05"));
+    EXPECT_EQ(findings("all", "vary const all.pace in 1, 2"), "");
+    EXPECT_THAT(findings("environment", "vary const pace in 1, 2"),
+                HasSubstr("RC-M05 the name 'environment', which is that of what acts on the world, is said twice"));
+}
+
 /// Twelve robots: all of them can fail, thirteen cannot. Where their number varies, each point takes what it has.
 TEST(Scenario, NoMoreRobotsFailThanThereAre) {
     const auto findings = [](const std::string& items) {
