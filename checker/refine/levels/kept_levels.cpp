@@ -13,6 +13,10 @@ using lts::StateView;
 using lts::Word;
 using Words = std::vector<Word>;
 
+std::string path_of(const char* what, const KeptWhere& where) {
+    return fmt::format("{}/{}-{}-of-{}", where.folder, what, where.place.rank, where.place.ranks);
+}
+
 KeptLevels::KeptLevels(KeptWhere where)
     : where_(std::move(where)), files_({where_.folder, where_.kind, where_.place}) {}
 
@@ -80,27 +84,52 @@ void KeptLevels::check(const storage::Checkpoint& found) const {
                         storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
-/// The rows of this rank out of the files of all that there were.
+/// The rows of this rank out of the files of all that there were: of each a run, which are merged.
 void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
         all.emplace_back(storage::FolderOf{where_.folder, where_.kind, each.place});
         all.back().adopt(each, where_.poll);
     }
-    const std::size_t width = where_.kind.width;
-    Words rows;
+    storage::SortedRuns runs(path_of("runs", where_), where_.kind);
     for (Level level = 0; level < levels; ++level) {
-        rows.clear();
-        for (storage::LevelFiles& files : all)
-            files.each_block(level, [&](std::span<const Word> block) {
+        if (where_.kind.width == 0) {
+            files_.add_level(Words());
+            continue;
+        }
+        std::uint64_t rows = 0;
+        for (storage::LevelFiles& files : all) rows += add_mine(files, level, runs);
+        files_.add_level([&](const storage::TakeRows& take) {
+            runs.merge([&](std::span<const Word> piece) {
                 poll();
-                for (std::size_t at = 0; at < block.size(); at += width)
-                    if (const StateView row = block.subspan(at, width); !where_.mine || where_.mine(row))
-                        rows.insert(rows.end(), row.begin(), row.end());
+                take(piece);
             });
-        storage::sort_rows(rows, width);
-        files_.add_level(rows);
+        });
+        runs.clear();
+        if (files_.rows(level) != rows)
+            throw storage::BadFile(fmt::format("{}/{}: a row of level {} is also in the part of another thread",
+                                               diagnostics::shown(where_.folder),
+                                               storage::name_of(found[0].number, found[0].place), level));
     }
+}
+
+/// Those rows of a level that are this rank's, as a run. Gives how many.
+std::uint64_t KeptLevels::add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs) {
+    const std::size_t width = where_.kind.width;
+    std::uint64_t rows = 0;
+    Words mine;
+    runs.add([&](const storage::TakeRows& take) {
+        from.each_block(level, [&](std::span<const Word> block) {
+            poll();
+            mine.clear();
+            for (std::size_t at = 0; at < block.size(); at += width)
+                if (const StateView row = block.subspan(at, width); !where_.mine || where_.mine(row))
+                    mine.insert(mine.end(), row.begin(), row.end());
+            rows += mine.size() / width;
+            take(mine);
+        });
+    });
+    return rows;
 }
 
 bool KeptLevels::checkpoint_due() const {

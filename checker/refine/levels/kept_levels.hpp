@@ -10,6 +10,7 @@
 
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/level_files.hpp"
+#include "checker/storage/sorted_runs.hpp"
 
 namespace robochart::refine {
 
@@ -29,6 +30,9 @@ struct KeptWhere {
     /// While what it gives lives, a run that is to end is not ended by force; may be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
 };
+
+/// Of a file beside the levels.
+[[nodiscard]] std::string path_of(const char* what, const KeptWhere& where);
 
 class KeptLevels {
 public:
@@ -58,6 +62,7 @@ public:
 private:
     void check(const storage::Checkpoint& found) const;
     void redistribute(const std::vector<storage::Checkpoint>& found, Level levels);
+    std::uint64_t add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs);
 
     KeptWhere where_;
     storage::LevelFiles files_;
