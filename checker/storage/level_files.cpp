@@ -18,10 +18,9 @@ std::string path_in(const FolderOf& where, const std::string& name) {
     return where.folder + "/" + name;
 }
 
-/// Of rows with their levels behind.
-RowKind with_level(RowKind kind) {
-    ++kind.width;
-    return kind;
+bool is_there(const std::string& path) {
+    struct stat found {};
+    return ::lstat(path.c_str(), &found) == 0;
 }
 
 RowFile opened(const std::string& path, const RowKind& kind, const SavedFile& saved,
@@ -41,7 +40,7 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
     for (const SavedFile& saved : checkpoint.files) {
         const auto number = static_cast<std::uint32_t>(files_.size());
         files_.push_back({std::make_unique<RowFile>(opened(path_in(where_, saved.name), where_.kind, saved, poll)),
-                          saved.name, saved.blocks});
+                          saved.name, saved.blocks, true});
         (void)to_read(number);
         const auto& blocks = files_.back().file->blocks();
         for (std::uint32_t i = 0; i < saved.blocks; ++i) {
@@ -64,6 +63,7 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
         }
     }
     number_ = checkpoint.number;
+    saved_levels_ = checkpoint.levels;
 }
 
 void LevelFiles::rest() {
@@ -80,9 +80,8 @@ const RowFile& LevelFiles::to_read(std::uint32_t file) {
 LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
     for (;;) {
         const std::string name = fmt::format("rows-{}-of-{}-{}", where_.place.rank, where_.place.ranks, next_name_++);
-        struct stat found {};
-        if (::lstat(path_in(where_, name).c_str(), &found) == 0) continue;  // of an earlier run
-        return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), kind)), name, 0};
+        if (is_there(path_in(where_, name))) continue;  // of an earlier run
+        return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), kind)), name, 0, false};
     }
 }
 
@@ -125,27 +124,16 @@ void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     levels_.push_back(entry);
 }
 
-/// Levels that no checkpoint has are in the last file, which grows.
 std::uint32_t LevelFiles::give_up(std::uint32_t count) {
-    std::uint32_t given = 0;
-    for (; given < count && !levels_.empty() && !files_.empty() && !files_.back().file->finished(); ++given) {
-        const Level& last = levels_.back();
-        if (last.count > 0) {
-            if (last.file + 1 != files_.size()) break;
-            files_.back().file->cut(last.first);
-            files_.back().used = last.first;
-        }
-        rows_ -= last.rows;
-        levels_.pop_back();
-    }
-    cached_file_ = none;
+    const std::uint32_t given = std::min(count, levels() - std::min(levels(), saved_levels_));
+    forget_from(levels() - given);
     return given;
 }
 
-/// Later levels stay in their files, which are finished, but no longer count.
+/// A file that no checkpoint names is cut back, also if it was finished, and grows again. One that is named stays, and
+/// some of its blocks no longer count.
 void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
-    finish_last();
     for (std::size_t i = level; i < levels_.size(); ++i) {
         const Level& entry = levels_[i];
         rows_ -= entry.rows;
@@ -153,10 +141,11 @@ void LevelFiles::forget_from(std::uint32_t level) {
     }
     levels_.resize(level);
     cached_file_ = none;
-    while (!files_.empty() && files_.back().used == 0) {
-        if (number_ == 0) ::unlink(files_.back().file->path().c_str());  // else a checkpoint may name it
-        files_.pop_back();
-    }
+    for (; !files_.empty() && files_.back().used == 0; files_.pop_back())
+        if (!files_.back().named) ::unlink(files_.back().file->path().c_str());
+    if (files_.empty() || files_.back().named) return;
+    File& last = files_.back();
+    if (last.used < last.file->blocks().size()) last.file->cut(last.used);
 }
 
 std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows) {
@@ -233,16 +222,34 @@ SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
     return {made.name, made.file->blocks().size(), made.file->check()};
 }
 
-/// The last file of levels comes last: it grows no more then, nor can levels in it be given up.
+void LevelFiles::note_written(const Checkpoint& made) {
+    number_ = made.number;
+    saved_levels_ = made.levels;
+    for (File& each : files_)
+        if (each.used > 0) each.named = true;
+}
+
+/// Where it fails, what it has written beside the levels goes, since space is short; but not if the checkpoint has its
+/// name and the folder alone may not have reached the disk.
 void LevelFiles::checkpoint(const Beside& beside) {
     Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
-    made.marks = save(where_.kind, [&](const TakeRows& take) { take(beside.marks); });
-    if (beside.unsure) made.unsure = save(with_level(where_.kind), beside.unsure);
-    finish_last();
-    for (const File& each : files_)
-        if (each.used > 0) made.files.push_back({each.name, each.used, each.file->check()});
-    write(where_.folder, where_.kind, made);
-    number_ = made.number;
+    try {
+        made.marks = save(where_.kind, [&](const TakeRows& take) { take(beside.marks); });
+        if (beside.unsure) made.unsure = save(with_level(where_.kind), beside.unsure);
+        finish_last();
+        for (const File& each : files_)
+            if (each.used > 0) made.files.push_back({each.name, each.used, each.file->check()});
+        write(where_.folder, where_.kind, made);
+    } catch (...) {
+        if (is_there(path_in(where_, name_of(made.number, made.place)))) {
+            note_written(made);
+        } else {
+            for (const SavedFile* file : {&made.marks, &made.unsure})
+                if (!file->name.empty()) ::unlink(path_in(where_, file->name).c_str());
+        }
+        throw;
+    }
+    note_written(made);
     remove_old(where_.folder, where_.kind, where_.place);
 }
 

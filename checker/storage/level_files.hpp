@@ -38,10 +38,11 @@ public:
     /// Appends the next level, whose rows `give` gives piece by piece: ascending, none twice, in pieces of
     /// RowFile::rows_of_block rows but for the last. Throws what `give` throws, too.
     void add_level(const std::function<void(const TakeRows&)>& give);
-    /// Gives up the last levels, at most `count`, which no checkpoint has, so that there is space for others. Gives how
-    /// many.
+    /// Gives up the last levels, at most `count`, so that there is space for others: those above the number of levels
+    /// of the last checkpoint. Gives how many.
     std::uint32_t give_up(std::uint32_t count);
-    /// From now on this level and later ones are not there.
+    /// From now on this level and later ones are not there. What they take on the disk is free, but in files that a
+    /// checkpoint names.
     void forget_from(std::uint32_t level);
 
     /// Appends the rows of a level from number `first` on, at most `most`, to `rows`; gives how many. Throws BadFile.
@@ -85,6 +86,7 @@ private:
         std::unique_ptr<RowFile> file;
         std::string name;
         std::uint64_t used = 0;  ///< blocks
+        bool named = false;      ///< by a checkpoint, so that it stays as it is
     };
     struct Level {
         std::uint32_t file = 0;
@@ -97,12 +99,14 @@ private:
     File new_file(const RowKind& kind);
     void finish_last();
     SavedFile save(const RowKind& kind, const GivePieces& give);
+    void note_written(const Checkpoint& made);
 
     FolderOf where_;
     std::vector<File> files_;
     std::vector<Level> levels_;
     std::uint64_t rows_ = 0;
     std::uint64_t number_ = 0;
+    std::uint32_t saved_levels_ = 0;  ///< of the last checkpoint
     std::uint64_t next_name_ = 0;
     std::uint32_t open_file_ = 0xFFFFFFFFU;  ///< of those that are finished: the only one that may be open
     // the block that was read last

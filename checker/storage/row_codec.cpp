@@ -1,6 +1,7 @@
 #include "checker/storage/row_codec.hpp"
 
 #include <limits>
+#include <stdexcept>
 
 namespace robochart::storage {
 namespace {
@@ -47,7 +48,8 @@ void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out
         const Word* const row = &rows[at];
         const Word* const before = row - width;
         std::size_t k = 0;
-        while (row[k] == before[k]) ++k;
+        while (k < width && row[k] == before[k]) ++k;
+        if (k == width) throw std::logic_error("a row is there twice");
         put(std::uint64_t{row[k] - before[k] - 1} * width + (width - 1 - k), out);
         for (std::size_t i = k + 1; i < width; ++i) put(row[i] ^ before[i], out);
     }

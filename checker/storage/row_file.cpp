@@ -71,6 +71,11 @@ std::string cause_of_failure(const std::string& path, const char* cause) {
 
 }  // namespace
 
+RowKind with_level(RowKind kind) {
+    ++kind.width;
+    return kind;
+}
+
 RowFile::RowFile(std::string path, const RowKind& kind) : path_(std::move(path)), kind_(kind) {}
 
 RowFile RowFile::create(const std::string& path, const RowKind& kind) {
@@ -80,7 +85,12 @@ RowFile RowFile::create(const std::string& path, const RowKind& kind) {
     if (!made.file_.open()) cannot_write(path, std::strerror(errno));
     const std::string head = head_of(kind);
     std::copy_n(head.end() - check_size, check_size, made.head_check_.begin());
-    made.write(head);
+    try {
+        made.write(head);
+    } catch (const CannotWrite&) {
+        ::unlink(path.c_str());
+        throw;
+    }
     return made;
 }
 
@@ -118,8 +128,13 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     }
 }
 
-/// Also of what was written behind the last block: a part of one, or of the end.
+/// Also what was written behind the last block: a part of one, or the end. A finished file may rest, or be open to read.
 void RowFile::cut(std::size_t blocks) {
+    if (finished_) {
+        file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+        if (!file_.open()) lost_ = cause_of_failure(path_, std::strerror(errno));
+    }
+    finished_ = false;
     for (; blocks_.size() > blocks; blocks_.pop_back()) rows_ -= blocks_.back().rows;
     checks_.resize(blocks);
     firsts_.resize(blocks * kind_.width);
@@ -180,7 +195,6 @@ void RowFile::finish() {
         throw;
     }
     finished_ = true;
-    checks_ = {};
 }
 
 void RowFile::reach_disk() {

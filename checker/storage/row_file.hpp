@@ -31,6 +31,9 @@ struct RowKind {
     diagnostics::Digest search{};
 };
 
+/// That of such rows with their levels behind, a word more.
+[[nodiscard]] RowKind with_level(RowKind kind);
+
 /// Takes some rows.
 using TakeRows = std::function<void(std::span<const Word>)>;
 
@@ -54,7 +57,8 @@ public:
     /// Appends rows of one level, ascending, none twice, after those of this level that are there. Throws CannotWrite;
     /// the file is then as it was before, also after any other exception.
     void append(std::uint32_t level, std::span<const Word> rows);
-    /// Takes the blocks from this number on back, of a file that is not finished.
+    /// Takes the blocks from this number on back, of a file that was created and that nobody counts on; it is then not
+    /// finished.
     void cut(std::size_t blocks);
     /// Nothing more is appended; what was is on the disk. Throws CannotWrite; the file is then as before. Where it has
     /// failed to reach the disk, nobody knows what of it has: it can be read, but neither be finished nor grow any
@@ -105,7 +109,7 @@ private:
     mutable diagnostics::Descriptor file_;  ///< not open while it rests
     std::vector<Block> blocks_;
     std::vector<Word> firsts_;   ///< rows, of the blocks
-    std::vector<Check> checks_;  ///< of the blocks; while it is written or opened
+    std::vector<Check> checks_;  ///< of the blocks, of a file that was created, and while one is opened
     std::uint64_t rows_ = 0;
     std::uint64_t size_ = 0;
     bool finished_ = false;

@@ -27,11 +27,6 @@ std::vector<Word> sorted_rows(const StateStore& store, StateIndex first, StateIn
     return rows;
 }
 
-std::string path_of(const char* what, const KeptWhere& where) {
-    return where.folder + "/" + what + "-" + std::to_string(where.place.rank) + "-of-" +
-           std::to_string(where.place.ranks);
-}
-
 }  // namespace
 
 DiskRowStore::DiskRowStore(KeptWhere where, Bounds bounds)
@@ -303,7 +298,12 @@ void DiskRowStore::roll_back_to(Level level) {
     if (level == levels()) return;  // what was missing has joined it
     ++figures_.rolled_back;
     empty_open();
-    runs_.add([&](const storage::TakeRows& take) { kept_.files().each_block(level, take); });
+    runs_.add([&](const storage::TakeRows& take) {
+        kept_.files().each_block(level, [&](std::span<const Word> block) {
+            kept_.poll();
+            take(block);
+        });
+    });
     kept_.files().forget_from(level);
     fill_filter();
     for (StateIndex i = 0; i < late_->size() && late_level_ == level; ++i)

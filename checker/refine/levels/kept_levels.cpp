@@ -13,6 +13,10 @@ using lts::StateView;
 using lts::Word;
 using Words = std::vector<Word>;
 
+std::string path_of(const char* what, const KeptWhere& where) {
+    return fmt::format("{}/{}-{}-of-{}", where.folder, what, where.place.rank, where.place.ranks);
+}
+
 KeptLevels::KeptLevels(KeptWhere where)
     : where_(std::move(where)), files_({where_.folder, where_.kind, where_.place}) {}
 
@@ -76,7 +80,7 @@ void KeptLevels::check(const storage::Checkpoint& found) const {
                         storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
-/// The rows of this rank out of the files of all that there were.
+/// The rows of this rank out of the files of all that there were: of each a run, which are merged.
 void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
@@ -84,25 +88,51 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Lev
         all.back().adopt(each, where_.poll);
         all.back().rest();
     }
-    const std::size_t width = where_.kind.width;
-    Words rows;
     std::uint64_t before = 0;
+    storage::SortedRuns runs(path_of("runs", where_), where_.kind);
     for (Level level = 0; level < levels; ++level) {
-        rows.clear();
+        if (where_.kind.width == 0) {
+            files_.add_level(Words());
+            continue;
+        }
+        std::uint64_t rows = 0;
         for (storage::LevelFiles& files : all) {
             before += files.rows(level);
-            files.each_block(level, [&](std::span<const Word> block) {
-                poll();
-                for (std::size_t at = 0; at < block.size(); at += width)
-                    if (const StateView row = block.subspan(at, width); !where_.mine || where_.mine(row))
-                        rows.insert(rows.end(), row.begin(), row.end());
-            });
+            rows += add_mine(files, level, runs);
             files.rest();
         }
-        storage::sort_rows(rows, width);
-        files_.add_level(rows);
+        files_.add_level([&](const storage::TakeRows& take) {
+            runs.merge([&](std::span<const Word> piece) {
+                poll();
+                take(piece);
+            });
+        });
+        runs.clear();
+        if (files_.rows(level) != rows)
+            throw storage::BadFile(fmt::format("{}/{}: a row of level {} is also in the part of another thread",
+                                               diagnostics::shown(where_.folder),
+                                               storage::name_of(found[0].number, found[0].place), level));
     }
     rows_before_ = before;
+}
+
+/// Those rows of a level that are this rank's, as a run. Gives how many.
+std::uint64_t KeptLevels::add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs) {
+    const std::size_t width = where_.kind.width;
+    std::uint64_t rows = 0;
+    Words mine;
+    runs.add([&](const storage::TakeRows& take) {
+        from.each_block(level, [&](std::span<const Word> block) {
+            poll();
+            mine.clear();
+            for (std::size_t at = 0; at < block.size(); at += width)
+                if (const StateView row = block.subspan(at, width); !where_.mine || where_.mine(row))
+                    mine.insert(mine.end(), row.begin(), row.end());
+            rows += mine.size() / width;
+            take(mine);
+        });
+    });
+    return rows;
 }
 
 bool KeptLevels::checkpoint_due() const {

@@ -10,6 +10,7 @@
 
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/level_files.hpp"
+#include "checker/storage/sorted_runs.hpp"
 #include "diagnostics/descriptor.hpp"
 
 namespace robochart::refine {
@@ -29,6 +30,9 @@ struct KeptWhere {
     /// Open as long as this rank uses the folder; null: nobody asks.
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
+
+/// Of a file beside the levels.
+[[nodiscard]] std::string path_of(const char* what, const KeptWhere& where);
 
 class KeptLevels {
 public:
@@ -60,6 +64,7 @@ public:
 private:
     void check(const storage::Checkpoint& found) const;
     void redistribute(const std::vector<storage::Checkpoint>& found, Level levels);
+    std::uint64_t add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs);
 
     KeptWhere where_;
     storage::LevelFiles files_;

@@ -11,20 +11,11 @@ using lts::StateStore;
 using lts::StateView;
 using lts::Word;
 
-namespace {
-
-storage::RowKind with_level(storage::RowKind kind) {
-    ++kind.width;
-    return kind;
-}
-
-}  // namespace
-
 /// A row is in the store, and once more with its level when rows are given.
 RowsAside::RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes)
     : most_(StateStore::most_in(bytes, kind.width, (kind.width + 1) * sizeof(Word))),
       store_(std::make_unique<StateStore>(kind.width)),
-      runs_(path, with_level(kind)) {}
+      runs_(path, storage::with_level(kind)) {}
 
 void RowsAside::add(StateView row, std::uint64_t hash, Level level) {
     if (store_->size() >= most_) {

@@ -46,13 +46,14 @@ std::optional<Level> SavedRowStore::settle() {
 /// The levels before are written if they have not been, and read again. Until that is done, the files have all that
 /// there was: a checkpoint in the midst of it is one of before.
 void SavedRowStore::roll_back_to(Level level) {
-    save_levels();
+    save_levels(true);
     auto rows = std::make_unique<MemoryRowStore>(width());
     rows_.swap(rows);
     rows.reset();
     load_until(level);
     if (level < kept_.files().levels())
         kept_.files().each_block(level, [this](std::span<const lts::Word> block) {
+            kept_.poll();
             for (std::size_t at = 0; at < block.size(); at += width()) {
                 const StateView row = block.subspan(at, width());
                 rows_->enter(row, StateStore::hash(row));
@@ -64,9 +65,10 @@ void SavedRowStore::roll_back_to(Level level) {
     late_.clear();  // the others are found again, in the levels that they belong to
 }
 
-void SavedRowStore::save_levels() {
+void SavedRowStore::save_levels(bool polled) {
     std::vector<lts::Word> rows;
     for (Level level = kept_.files().levels(); level < rows_->levels(); ++level) {
+        if (polled) kept_.poll();
         rows.clear();
         rows_->read(level, 0, rows_->rows(level), rows);
         storage::sort_rows(rows, width());
@@ -84,7 +86,7 @@ void SavedRowStore::checkpoint() {
     storage::sort_rows(late, width() + 1);
     const auto unsure = [&](const storage::TakeRows& take) { take(late); };
     try {
-        save_levels();
+        save_levels(false);
         kept_.checkpoint(record(), unsure);
     } catch (const storage::CannotWrite&) {
         if (kept_.files().levels() > 0) kept_.checkpoint_of_fewer(record(), unsure);

@@ -34,7 +34,7 @@ public:
 
 private:
     void load_until(Level level);
-    void save_levels();
+    void save_levels(bool polled);
 
     KeptLevels kept_;
     std::unique_ptr<MemoryRowStore> rows_;

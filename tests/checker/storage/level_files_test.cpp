@@ -114,6 +114,58 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     EXPECT_EQ(files_there(), 3U) << "a checkpoint and the files of two runs";
 }
 
+// Of a level of four blocks those are given that are wanted, by their first rows and those of the next.
+TEST_F(Levels, AreReadBlockByBlock) {
+    LevelFiles files(where());
+    std::vector<Word> rows;
+    const Word count = 3 * RowFile::rows_of_block + 5;
+    for (Word i = 0; i < count; ++i) rows.insert(rows.end(), {2 * i, 0, 1});
+    files.add_level(rows_of(0));
+    files.add_level(rows);
+    const Word last = 3 * RowFile::rows_of_block;
+    const std::pair<Word, std::vector<Word>> wanted[] = {
+        {0, {0}},                                                // the first row
+        {2 * RowFile::rows_of_block, {RowFile::rows_of_block}},  // that of a block
+        {2 * RowFile::rows_of_block - 1, {0}},                   // a gap between blocks
+        {2 * RowFile::rows_of_block + 7, {RowFile::rows_of_block}},
+        {2 * count - 2, {last}},  // the last row
+        {2 * count, {last}},      // behind all
+    };
+    for (const auto& [row, blocks] : wanted) {
+        std::vector<Word> given;
+        const auto wants = [&row = row](std::span<const Word> first, std::span<const Word> next) {
+            return first[0] <= row && (next.empty() || row < next[0]);
+        };
+        files.each_block_if(1, wants, [&](std::span<const Word> block) {
+            given.push_back(block[0] / 2);
+            const std::size_t whole = block[0] / 2 == last ? 5 : RowFile::rows_of_block;
+            EXPECT_EQ(block.size(), whole * width);
+        });
+        EXPECT_EQ(given, blocks) << row;
+    }
+}
+
+// What a roll-back forgets takes no space, and levels behind it can be given up, but for those of the last checkpoint.
+TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
+    LevelFiles files(where());
+    for (std::uint32_t level = 0; level < 4; ++level) files.add_level(rows_of(level));
+    files.checkpoint({});
+    for (std::uint32_t level = 4; level < 12; ++level) files.add_level(rows_of(level));
+    files.forget_from(9);
+    expect_levels(files);
+    EXPECT_EQ(files.give_up(2), 2U);
+    EXPECT_EQ(files.levels(), 7U);
+    EXPECT_EQ(files.give_up(100), 3U);
+    EXPECT_EQ(files.give_up(1), 0U);
+    EXPECT_EQ(files.levels(), 4U);
+    EXPECT_EQ(files_there(), 2U) << "the checkpoint and the file of its levels";
+    for (std::uint32_t level = 4; level < 10; ++level) files.add_level(rows_of(level));
+    files.forget_from(2);
+    EXPECT_EQ(files.give_up(1), 0U) << "the last checkpoint has more";
+    files.add_level(rows_of(2));
+    expect_levels(files);
+}
+
 // What is forgotten is still there for the checkpoint before.
 TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
     LevelFiles files(where());

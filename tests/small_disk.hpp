@@ -1,0 +1,52 @@
+// A disk of few bytes in all, which no limit on the size of a file can stand for.
+#pragma once
+
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+#include <string>
+
+namespace robochart::tests {
+
+inline void write_to(const char* path, const std::string& text) {
+    const int file = ::open(path, O_WRONLY | O_CLOEXEC);
+    if (file < 0) return;
+    (void)!::write(file, text.data(), text.size());
+    ::close(file);
+}
+
+/// What `work` returns (less than 100) in a process of its own, which alone sees a disk of so many KiB at `folder`; 100
+/// where the system allows no such disk, 101 where the process ends in another way.
+inline int on_small_disk(const std::string& folder, unsigned kibibytes, const std::function<int()>& work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        int result = 101;
+        try {
+            const std::string user = "0 " + std::to_string(getuid()) + " 1",
+                              group = "0 " + std::to_string(getgid()) + " 1";
+            bool own = unshare(CLONE_NEWNS) == 0;
+            if (!own && unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0) {
+                own = true;
+                write_to("/proc/self/setgroups", "deny");
+                write_to("/proc/self/uid_map", user);
+                write_to("/proc/self/gid_map", group);
+            }
+            const std::string size = "mode=700,size=" + std::to_string(kibibytes) + "k";
+            if (!own || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+                mount("none", folder.c_str(), "tmpfs", 0, size.c_str()) != 0)
+                _exit(100);
+            result = work();
+        } catch (...) {
+        }
+        _exit(result);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status)) return 101;
+    return WEXITSTATUS(status);
+}
+
+}  // namespace robochart::tests
