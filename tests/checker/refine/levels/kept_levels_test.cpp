@@ -26,6 +26,7 @@ std::string gone_on_from(const std::vector<Word>& first, const std::vector<Word>
         files.add_level(rank == 0 ? first : second);
         files.checkpoint({});
     }
+    where.from = storage::newest_in(where.folder);
     KeptLevels levels(where);
     SearchRecord record(1);
     try {
