@@ -128,7 +128,8 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     }
 }
 
-/// Also what was written behind the last block: a part of one, or the end. A finished file may rest, or be open to read.
+/// Also what was written behind the last block: a part of one, or the end. A finished file may rest, or be open to
+/// read.
 void RowFile::cut(std::size_t blocks) {
     if (finished_) {
         file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
