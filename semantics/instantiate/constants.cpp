@@ -124,18 +124,13 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
     };
     GivenConstants result;
     for (const auto& [option, text] : weaker) {
-        std::vector<std::string> left;
-        bool all = true;
+        bool known = false, left = false;
         for (const NamedConstant& each : constants) {
             if (!means(option, each.path)) continue;
-            if (overridden(each.path))
-                all = false;
-            else
-                left.push_back(each.path);
+            known = true;
+            left = left || !overridden(each.path);
         }
-        if (all) result.emplace(option, text);
-        if (!all)
-            for (const std::string& path : left) result.emplace(path, text);
+        if (left || !known) result.emplace(option, text);
     }
     return result;
 }

@@ -13,8 +13,9 @@ namespace robochart::ir {
 /// (RC-S24).
 using GivenConstants = std::map<std::string, std::string>;
 
-/// Of `weaker` what `stronger` leaves open, however the names are spelled: a name that `stronger` overrides in part is
-/// replaced by the paths of the constants that are left. Names that the system does not have stay.
+/// Of `weaker` the names that `stronger` does not override, however they are spelled. One that it overrides in part
+/// stays, so that both together are refused (RC-S24): values flow from a constant to those of its parts, and nobody
+/// would know which was meant. Names that the system does not have stay.
 [[nodiscard]] GivenConstants not_overridden(const System&, const GivenConstants& weaker,
                                             const GivenConstants& stronger);
 

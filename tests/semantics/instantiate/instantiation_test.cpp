@@ -203,8 +203,8 @@ TEST(Instantiate, StrongerNamesOverrideHoweverTheyAreSpelled) {
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}, {"d", "2"}}, {{"c", "3"}}), (GivenConstants{{"d", "2"}}));
     EXPECT_EQ(not_overridden(system, {{"P::S::d", "2"}}, {{"d", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"d", "2"}}, {{"P::S::d", "3"}, {"ref::d", "3"}}), GivenConstants{});
-    // Of all constants of the name one is left.
-    EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), (GivenConstants{{"P::K::ref::c", "1"}}));
+    // Of all constants of the name one is left: both names together are refused.
+    EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), (GivenConstants{{"c", "1"}}));
     EXPECT_EQ(not_overridden(system, {{"none", "1"}}, {{"c", "3"}}), (GivenConstants{{"none", "1"}}))
         << "it is reported";
 }
