@@ -86,7 +86,7 @@ int run_command(const char* program, int argc, const char* const* argv,
                 const std::function<Exit(const Options&)>& verb);
 
 /// This program may have as many files open as the system lets it: searches that are kept in files have some at each
-/// thread. To be called at its start.
+/// thread. To be called at the start of a program that does not call run_command.
 void allow_many_files();
 
 /// 16 GiB, or three quarters of the memory that this machine or its control group has if that is less.

@@ -63,9 +63,9 @@ void block_signals() {
 }
 
 int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
-    allow_many_files();
     try {
         if (exchange.rank() == 0) return command(argc, argv, exchange);
+        allow_many_files();  // the command does so itself
         for (const int each : ending) signal(each, SIG_IGN);
         ranks::serve(exchange, command_identity());
         return 0;

@@ -91,10 +91,6 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Lev
     std::uint64_t before = 0;
     storage::SortedRuns runs(path_of("runs", where_), where_.kind);
     for (Level level = 0; level < levels; ++level) {
-        if (where_.kind.width == 0) {
-            files_.add_level(Words());
-            continue;
-        }
         std::uint64_t rows = 0;
         for (storage::LevelFiles& files : all) {
             before += files.rows(level);

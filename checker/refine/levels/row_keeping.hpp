@@ -24,8 +24,9 @@ struct RowKeeping {
     std::chrono::milliseconds every{0};  ///< between checkpoints
     bool disk = false;                   ///< rows that memory does not hold stay in files
     std::uint64_t most_bytes = 0;        ///< disk: in memory, of all ranks of a program together
-    unsigned filter_bits = 32;           ///< disk: DiskRowStore::Bounds
-    unsigned reads_a_step = 5;           ///< disk: DiskRowStore::Bounds
+    // disk: as in DiskRowStore::Bounds
+    unsigned filter_bits = DiskRowStore::Bounds{}.filter_bits;
+    unsigned reads_a_step = DiskRowStore::Bounds{}.reads_a_step;
 };
 
 /// The file by which a rank knows that it sees the folder of the first rank. While a rank uses the folder it has a

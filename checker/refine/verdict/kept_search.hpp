@@ -32,8 +32,8 @@ struct KeptSettings {
     std::function<void(const std::string&)> say;
     // For tests: see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
-    unsigned filter_bits = 32;
-    unsigned reads_a_step = 10;
+    unsigned filter_bits = RowKeeping{}.filter_bits;
+    unsigned reads_a_step = RowKeeping{}.reads_a_step;
 };
 
 /// The folder's side of it, at the first rank; the searches are another strategy's, whose ranks all see the folder.
