@@ -156,14 +156,14 @@ public:
         if (!name.starts_with(space) && name.find('|') != std::string_view::npos) return;
         const std::string_view element = name.starts_with(space) ? name.substr(space.size()) : name;
         if (in_definitions_) throw BadDrawing("what stands in `defs` is not read");
-        const auto attribute = [&](std::string_view name) -> std::optional<std::string_view> {
+        const auto attribute = [&](std::string_view wanted) -> std::optional<std::string_view> {
             for (const XML_Char** at = attributes; *at != nullptr; at += 2)
-                if (name == at[0]) return at[1];
+                if (wanted == at[0]) return at[1];
             return std::nullopt;
         };
-        const auto needed = [&](std::string_view name) {
-            if (const auto value = attribute(name)) return *value;
-            throw BadDrawing(fmt::format("`{}` has no {}", element, name));
+        const auto needed = [&](std::string_view wanted) {
+            if (const auto value = attribute(wanted)) return *value;
+            throw BadDrawing(fmt::format("`{}` has no {}", element, wanted));
         };
         if (!root_seen_ && element != "svg") throw BadDrawing("it is no SVG drawing");
         if (attribute("transform") || attribute("style").value_or("").find("transform") != std::string_view::npos)
