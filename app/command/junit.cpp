@@ -31,7 +31,9 @@ std::string outcome(const JunitCase& each) {
 std::string case_element(const JunitCase& each) {
     std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(each.group),
                                   xml_text(each.name), each.seconds);
-    if (each.kind == JunitCase::Kind::passed) return out + "/>\n";
+    if (each.kind == JunitCase::Kind::passed && each.text.empty()) return out + "/>\n";
+    if (each.kind == JunitCase::Kind::passed)
+        return fmt::format("{}>\n      <system-out>{}</system-out>\n    </testcase>\n", out, xml_lines(each.text));
     return out + ">\n" + outcome(each) + "    </testcase>\n";
 }
 

@@ -19,7 +19,7 @@ struct JunitCase {
     std::string name;
     Kind kind = Kind::passed;
     std::string message;  ///< in a line; "" where it passed
-    std::string text;     ///< in full
+    std::string text;     ///< in full; where it passed: what else is to be said, or ""
     double seconds = 0;
 };
 

@@ -51,6 +51,19 @@ std::string place_text(const runs::Place& place) {
     return place_text(fmt::format("{}:{}", place.file, place.line));
 }
 
+/// What a verdict rests on; "" if there is nothing to say.
+std::string basis_list(const Basis& basis) {
+    std::string items;
+    std::set<std::string> remedies;
+    for (const Ground& ground : basis) {
+        items += fmt::format("<li>{}{}</li>", xml_text(ground.text),
+                             ground.place.empty() ? "" : " " + place_text(ground.place));
+        if (!ground.remedy.empty()) remedies.insert(ground.remedy);
+    }
+    for (const std::string& remedy : remedies) items += fmt::format("<li>{}</li>", xml_text(remedy));
+    return items.empty() ? "" : fmt::format("<div class=\"basis\">rests on:<ul>{}</ul></div>", items);
+}
+
 /// The values of a probabilistic assertion: a row for each combination of the constants that vary.
 std::string values_table(const ProbabilityReport& report) {
     if (report.rows.empty()) return "";
@@ -163,6 +176,7 @@ void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
     std::string shown = xml_text(title_of(assertion));
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
+    shown += basis_list(assertion.basis);
     if (assertion.probability) shown += values_table(*assertion.probability);
     const bool information = assertion.core && assertion.core->information;
     out_ += fmt::format(
@@ -448,6 +462,7 @@ void ReportPage::claim(std::size_t number, const AssertionReport& assertion) {
         "<section class=\"claim\" id=\"{}\">\n<h2><span class=\"{}\">{}</span> {}</h2>\n<p>{}</p>\n<p>{}</p>\n", id,
         look(assertion.answer), answer_word(assertion.answer), xml_text(title_of(assertion)), xml_text(assertion.place),
         xml_text(assertion.run->end.why));
+    out_ += basis_list(assertion.basis);
     replay(id, *assertion.run);
     out_ += "</section>\n";
 }

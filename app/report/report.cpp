@@ -85,6 +85,9 @@ std::string run_lines(const AssertionReport& a, const Options& options) {
     return out;
 }
 
+/// Of each kind; JSON, SARIF and the page list all.
+constexpr std::size_t listed_grounds = 8;
+
 /// Behind the verdict. Under the heading of its component a core property needs no title.
 std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options, const SharedRun& shared) {
@@ -96,6 +99,8 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
     out += '\n';
     out += symmetry_text(a.statistics);
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
+    for (const std::string& line : basis_lines(a.basis, listed_grounds))
+        out += fmt::format("               {}\n", line);
     if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
     if (!shared.shown_at.empty()) return out + fmt::format("               by the run of {} above\n", shared.shown_at);
@@ -387,8 +392,8 @@ std::string blocks(const Listed& listed, const std::string& subject, const Optio
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
     for (const AssertionReport* a : listed)
-        // A value is an answer: it is printed whatever is left out.
-        if (!options.quiet || a->answer != Answer::holds) {
+        // A value is an answer, and what an answer rests on belongs to it: both are printed whatever is left out.
+        if (!options.quiet || a->answer != Answer::holds || !a->basis.empty()) {
             const auto elsewhere = shared.find(a);
             out += assertion_block(*a, subject, width, options, color,
                                    elsewhere == shared.end() ? SharedRun{} : elsewhere->second);
@@ -454,7 +459,7 @@ std::string core_text(const Report& report, const Options& options, bool color) 
 /// What stands in the place of the seconds, where it does.
 std::string legend(const Report& report, const Options& options) {
     const auto shown = [&](const AssertionReport& a) {
-        return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds);
+        return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds || !a.basis.empty());
     };
     const bool known = std::any_of(report.assertions.begin(), report.assertions.end(),
                                    [&](const auto& a) { return shown(a) && has_statistics(a) && !a.searched; });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command/options.hpp"
+#include "app/report/basis.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "conformance/check/conform.hpp"
 #include "probability/experiments/experiment.hpp"
@@ -63,6 +64,7 @@ struct AssertionReport {
     std::optional<ProbabilityReport> probability;  ///< of probabilistic assertions
     Answer answer = Answer::inconclusive;
     std::string reason;  ///< inconclusive, no_check, error
+    Basis basis;         ///< what the answer rests on beside the model
     refine::Statistics statistics;
     bool searched = false;         ///< now: not all of the answer is an earlier run's, from the cache
     std::optional<runs::Run> run;  ///< a model's counterexample

@@ -1,10 +1,12 @@
 // The report as SARIF 2.1.0 (OASIS, 2020): a result for each assertion that fails or is not decided, with the steps of
 // its run that have places as a code flow (3.36), and for each component whose code does not conform. What is not known
-// has the kind `open` (3.27.9), which is no failure and no pass.
+// has the kind `open` (3.27.9), which is no failure and no pass; what holds and rests on something has the kind
+// `informational`. What a verdict rests on is a related location (3.27.22) if it has a place, else part of the message.
 #include <fmt/format.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/report/report.hpp"
 #include "diagnostics/sarif.hpp"
@@ -16,6 +18,9 @@ using diagnostics::Json;
 using diagnostics::sarif_text;
 
 enum class Rule : unsigned char { assertion, conformance };
+
+// Kinds of results.
+constexpr std::string_view failure = "fail", open = "open", informational = "informational";
 
 Json rules() {
     const auto rule = [](const char* id, const char* text) {
@@ -47,26 +52,49 @@ Json flow(const runs::Run& run) {
     return Json::array({Json{{"threadFlows", Json::array({Json{{"locations", locations}}})}}});
 }
 
-Json result(Rule rule, bool known, const std::string& message) {
+Json result(Rule rule, std::string_view kind, const std::string& message) {
     constexpr std::array<const char*, 2> ids{"assertion", "conformance"};
     const auto index = static_cast<std::size_t>(rule);
     return {{"ruleId", ids[index]},
             {"ruleIndex", index},
-            {"kind", known ? "fail" : "open"},
-            {"level", known ? "error" : "none"},
+            {"kind", kind},
+            {"level", kind == failure ? "error" : "none"},
             {"message", sarif_text(message)}};
 }
 
+/// What the verdict rests on, behind its message and as locations.
+void add_basis(const Basis& basis, std::string& message, Json& related) {
+    for (const Ground& ground : basis) {
+        message += fmt::format("; it rests on: {}", ground_text(ground));
+        if (!ground.region) continue;
+        related.push_back({{"id", related.size() + 1},
+                           {"physicalLocation", place_of(*ground.region)},
+                           {"message", sarif_text(ground.text)}});
+    }
+    std::set<std::string> remedies;
+    for (const Ground& ground : basis)
+        if (!ground.remedy.empty() && remedies.insert(ground.remedy).second) message += "; " + ground.remedy;
+}
+
+std::string_view kind_of(Answer answer) {
+    if (answer == Answer::holds) return informational;
+    return answer == Answer::fails || answer == Answer::error ? failure : open;
+}
+
+std::string_view words_of(Answer answer) {
+    if (answer == Answer::holds || answer == Answer::fails) return name_of(answer);
+    return answer == Answer::error ? "cannot be evaluated" : "is not decided";
+}
+
 void add(const AssertionReport& a, Json& results) {
-    if (a.answer == Answer::holds || a.answer == Answer::no_check || a.answer == Answer::computed) return;
-    const bool known = a.answer == Answer::fails || a.answer == Answer::error;
+    if (a.answer == Answer::no_check || a.answer == Answer::computed) return;
+    if (a.answer == Answer::holds && a.basis.empty()) return;
     const std::string why = !a.reason.empty() ? a.reason : a.run ? a.run->end.why : "";
-    Json one = result(Rule::assertion, known,
-                      fmt::format("{}: {}{}{}", a.title,
-                                  a.answer == Answer::fails   ? "fails"
-                                  : a.answer == Answer::error ? "cannot be evaluated"
-                                                              : "is not decided",
-                                  why.empty() ? "" : ": ", why));
+    std::string message = fmt::format("{}: {}{}{}", a.title, words_of(a.answer), why.empty() ? "" : ": ", why);
+    Json related = Json::array();
+    add_basis(a.basis, message, related);
+    Json one = result(Rule::assertion, kind_of(a.answer), message);
+    if (!related.empty()) one["relatedLocations"] = related;
     if (a.region) one["locations"] = Json::array({Json{{"physicalLocation", place_of(*a.region)}}});
     if (a.run)
         if (const Json steps = flow(*a.run); !steps.is_null()) one["codeFlows"] = steps;
@@ -77,7 +105,7 @@ void add(const ConformanceReport& c, Json& results) {
     using conformance::Outcome;
     if (c.result.outcome == Outcome::conforms) return;
     const bool known = c.result.outcome == Outcome::differs || c.result.outcome == Outcome::not_schedulable;
-    results.push_back(result(Rule::conformance, known,
+    results.push_back(result(Rule::conformance, known ? failure : open,
                              fmt::format("the code of {} {}: {}", c.component,
                                          known ? "does not conform" : "was not compared", c.result.reason)));
 }
