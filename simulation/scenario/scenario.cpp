@@ -82,16 +82,16 @@ std::uint32_t Scenario::all_robots() const {
 
 std::uint32_t Scenario::first_robot(std::size_t number) const {
     std::uint32_t before = 0;
-    for (std::size_t kind = 0; kind < number; ++kind) before += kind_at(kind).robots;
+    for (std::size_t earlier = 0; earlier < number; ++earlier) before += kind_at(earlier).robots;
     return before;
 }
 
 Body Scenario::body_of(std::size_t number) const {
-    const OwnDrive& own = kind_at(number).own;
+    const OwnDrive& drive = kind_at(number).own;
     Body body = world.body;
-    body.axle = own.axle.value_or(body.axle);
-    body.max_wheel = own.max_wheel.value_or(body.max_wheel);
-    body.noise = own.noise.value_or(body.noise);
+    body.axle = drive.axle.value_or(body.axle);
+    body.max_wheel = drive.max_wheel.value_or(body.max_wheel);
+    body.noise = drive.noise.value_or(body.noise);
     return body;
 }
 
