@@ -33,7 +33,7 @@ enum class Answer {
 [[nodiscard]] std::string_view answer_word(Answer);
 
 /// Why something that was to be decided is inconclusive while nothing is known of it.
-inline constexpr const char* not_decided = "it was not decided before the limit";
+inline constexpr const char* undecided_at_limit = "it was not decided before the limit";
 
 /// What makes an assertion one of the core properties, which every component is asked about.
 struct CoreReport {

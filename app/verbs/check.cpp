@@ -291,7 +291,7 @@ void announce(const Context& context, Report& report) {
         const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
         const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
-        one.reason = decidable ? not_decided : obligation.reason;
+        one.reason = decidable ? undecided_at_limit : obligation.reason;
         report.assertions.push_back(std::move(one));
     }
 }

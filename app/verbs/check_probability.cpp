@@ -186,7 +186,7 @@ void check_probabilities(Project& project, const Options& options, Report& repor
             one.title = fmt::format("{}{} {}", project.label, claim.assertion->name,
                                     diagnostics::shown(frontend::claim(*claim.assertion)));
             set_place(project, claim.assertion->span, one);
-            one.reason = not_decided;
+            one.reason = undecided_at_limit;
             const bool chain = robotools(options, *claim.assertion);
             one.probability = ProbabilityReport{chain ? "robotool" : "csp", chain ? "" : scheduler, {}};
             report.assertions.push_back(std::move(one));

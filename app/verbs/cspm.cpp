@@ -59,7 +59,7 @@ std::string text_of(const cspm::Decl& assertion) {
 AssertionReport undecided(const cspm::Decl& assertion) {
     AssertionReport report;
     report.title = text_of(assertion);
-    report.reason = not_decided;
+    report.reason = undecided_at_limit;
     return report;
 }
 

@@ -338,7 +338,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         const auto edit = options.run->edit();
         for (const ir::ComponentRef& component : components) {
             report.conformance.push_back({project.label + ir::qualified(component), {}, 0});
-            report.conformance.back().result.reason = not_decided;
+            report.conformance.back().result.reason = undecided_at_limit;
         }
     }
     std::optional<conformance::TimedModel> model;  // made for the first, for all
