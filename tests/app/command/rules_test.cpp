@@ -238,19 +238,19 @@ Ran logged(const std::string& log, const std::string& rules) {
 }
 
 TEST(RulesOfLogs, AreObeyedOrBroken) {
-    const std::string head = "robochart-trace 1\ncomponent Bell\nrun a\n";
+    const std::string log_head = "robochart-trace 1\ncomponent Bell\nrun a\n";
     const std::string rule = "R when Ring then OpenDoor within 1 seconds";
-    EXPECT_EQ(logged(head + "Ring? tock\nopen! tock\ntock\n", rule).exit, 0);
-    const Ran late = logged(head + "Ring? tock\ntock\nopen! tock\n", rule);
+    EXPECT_EQ(logged(log_head + "Ring? tock\nopen! tock\ntock\n", rule).exit, 0);
+    const Ran late = logged(log_head + "Ring? tock\ntock\nopen! tock\n", rule);
     EXPECT_EQ(late.exit, 1);
     EXPECT_THAT(late.out, HasSubstr("a.trace:5: run a\n  R begins at second 0 with Ring"));
     EXPECT_THAT(late.out, HasSubstr("second 1 ends without it"));
-    EXPECT_EQ(logged(head + "Ring? tock\n", rule).exit, 0) << "the log may end anywhere";
-    EXPECT_EQ(logged(head + "Ring? tock\nlost\ntock\ntock\n", rule).exit, 0);
+    EXPECT_EQ(logged(log_head + "Ring? tock\n", rule).exit, 0) << "the log may end anywhere";
+    EXPECT_EQ(logged(log_head + "Ring? tock\nlost\ntock\ntock\n", rule).exit, 0);
     const std::string dark = "R when Ring and dark then OpenDoor within 0 seconds";
-    EXPECT_EQ(logged(head + "Ring? dark?true tock\n", dark).exit, 1) << "read behind the trigger";
-    EXPECT_EQ(logged(head + "Ring? dark?false tock\n", dark).exit, 0);
-    const Ran open = logged(head + "Ring? tock\n", dark);
+    EXPECT_EQ(logged(log_head + "Ring? dark?true tock\n", dark).exit, 1) << "read behind the trigger";
+    EXPECT_EQ(logged(log_head + "Ring? dark?false tock\n", dark).exit, 0);
+    const Ran open = logged(log_head + "Ring? tock\n", dark);
     EXPECT_EQ(open.exit, 3);
     EXPECT_THAT(open.out, HasSubstr("R begins while a measure that decides what it asks for is not read"));
     EXPECT_EQ(logged("robochart-trace 1\ncomponent Bell\nunobserved open!\nrun a\nRing? tock\ntock\n", rule).exit, 3);
