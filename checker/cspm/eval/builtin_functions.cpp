@@ -88,7 +88,7 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
             work_.fail("error: " + message, span);
         }
         case Builtin::show:
-            return store_.text(text_(arguments[0]));
+            return store_.text(text_.whole(with_text(arguments[0], span)));
         case Builtin::mtransclose:
             return representatives(arguments[0], arguments[1], span);
         case Builtin::relational_image:
@@ -99,6 +99,28 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
         default:
             return process_builtin(which, builtin, arguments, span);
     }
+}
+
+// Equal values have equal texts, so that sets are listed where they can be; values that have no text of their own, or
+// no end, are refused.
+Value BuiltinFunctions::with_text(Value value, Span span) {
+    switch (value->kind) {
+        case Kind::process:
+            work_.fail("'show' of a process: only data have a text", span);
+        case Kind::function:
+        case Kind::builtin:
+            work_.fail("'show' of a function: only data have a text", span);
+        case Kind::stream:
+        case Kind::sequence_from:
+            work_.fail("'show' of an infinite sequence: " + text_(value), span);
+        default:
+            break;
+    }
+    if (is_set(value) && domains_.can_be_listed(value, span)) value = domains_.explicit_set(value, span);
+    Values items;
+    for (const Value item : value->items) items.push_back(with_text(item, span));
+    if (value->kind == Kind::set) return store_.set(std::move(items));
+    return store_.make(value->kind, value->number, std::move(items));
 }
 
 Value BuiltinFunctions::set_builtin(Builtin which, const Values& arguments, Span span) {

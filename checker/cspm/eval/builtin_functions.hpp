@@ -27,6 +27,7 @@ public:
 
 private:
     const Values& items(Value sequence, Span span) const;
+    Value with_text(Value value, Span span);
     Value set_builtin(Builtin which, const Values& arguments, Span span);
     Value process_builtin(Builtin which, Value builtin, const Values& arguments, Span span);
     process::RenamingId partial_order(const Values& arguments, Span span);

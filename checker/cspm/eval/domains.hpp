@@ -84,6 +84,7 @@ private:
     ValueText text_;
     Evaluate evaluate_;
     std::unordered_map<Value, process::Event> event_index_;
+    std::unordered_map<process::Event, Value> event_values_;  ///< by its name an event stands for one value
     std::unordered_map<Value, process::EventSet> event_sets_;
     std::unordered_map<Value, Value> explicit_;
     std::unordered_map<Value, Value> extensions_;

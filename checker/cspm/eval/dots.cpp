@@ -301,7 +301,9 @@ process::Event Domains::event(Value value, Span span) {
     const bool channel = is_named(value) && program_.heads[static_cast<std::size_t>(head_of(value))].channel;
     if (!channel) work_.fail(text_(value) + " is not an event", span);
     if (!complete(value)) work_.fail(text_(value) + " is not a complete event", span);
-    const process::Event result = events_.intern(text_(value));
+    const process::Event result = events_.intern(text_.whole(value));
+    const auto [named, fresh] = event_values_.emplace(result, value);
+    if (!fresh) work_.fail("two events are both called " + text_(value), span);
     event_index_.emplace(value, result);
     return result;
 }

@@ -32,7 +32,7 @@ std::string Evaluator::print(const Code& code, const Unit& unit) {
     on_deep_stack([&] {
         const Work::Question question(work_);
         Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-        result = text_(share(eval(code, frame)));
+        result = text_.whole(share(eval(code, frame)));
     });
     return result;
 }

@@ -131,7 +131,8 @@ Value ValueStore::closure(const Function& function, Values items) {
 }
 
 Value ValueStore::compound(Kind kind, std::int64_t number, Values items) {
-    bool shared = true;
+    // A stream that ends is equal to the sequence of its elements, which only Evaluator::share makes of it.
+    bool shared = kind != Kind::stream;
     for (Value& item : items) {
         if (item->kind == Kind::thunk && static_cast<const Thunk&>(*item).result != nullptr)
             item = static_cast<const Thunk&>(*item).result;

@@ -1,20 +1,38 @@
 // Values as FDR prints them.
 #include "checker/cspm/eval/value_text.hpp"
 
+#include <limits>
+
 #include "checker/cspm/types/builtins.hpp"
 #include "diagnostics/escape.hpp"
 
 namespace robochart::cspm {
 
+namespace {
+
+constexpr std::size_t longest_in_messages = 1000;
+
+}  // namespace
+
 std::string ValueText::operator()(Value value) const {
     std::string result;
-    print(value, result);
+    print(value, longest_in_messages, result);
+    return result;
+}
+
+std::string ValueText::whole(Value value) const {
+    std::string result;
+    print(value, std::numeric_limits<std::size_t>::max(), result);
     return result;
 }
 
 void ValueText::items(const Values& values, const char* open, const char* separator, const char* close,
                       std::string& out) const {
-    constexpr std::size_t longest = 1000;
+    list(values, open, separator, close, longest_in_messages, out);
+}
+
+void ValueText::list(const Values& values, const char* open, const char* separator, const char* close,
+                     std::size_t longest, std::string& out) const {
     out += open;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0) out += separator;
@@ -22,7 +40,7 @@ void ValueText::items(const Values& values, const char* open, const char* separa
             out += "...";
             break;
         }
-        print(values[i], out);
+        print(values[i], longest, out);
     }
     out += close;
 }
@@ -45,7 +63,7 @@ std::string text_literal(Value value) {
 
 }  // namespace
 
-void ValueText::print(Value value, std::string& out) const {
+void ValueText::print(Value value, std::size_t longest, std::string& out) const {
     switch (value->kind) {
         case Kind::integer:
             out += std::to_string(value->number);
@@ -57,20 +75,20 @@ void ValueText::print(Value value, std::string& out) const {
             out += diagnostics::cspm_character(static_cast<char>(value->number));
             return;
         case Kind::tuple:
-            return items(value->items, "(", ", ", ")", out);
+            return list(value->items, "(", ", ", ")", longest, out);
         case Kind::sequence:
-            if (!is_text(value)) return items(value->items, "<", ", ", ">", out);
+            if (!is_text(value)) return list(value->items, "<", ", ", ">", longest, out);
             out += text_literal(value);
             return;
         case Kind::set:
-            return items(value->items, "{", ", ", "}", out);
+            return list(value->items, "{", ", ", "}", longest, out);
         case Kind::map:
             out += "(|";
             for (std::size_t i = 0; i + 1 < value->items.size(); i += 2) {
                 out += i > 0 ? ", " : " ";
-                print(value->items[i], out);
+                print(value->items[i], longest, out);
                 out += " => ";
-                print(value->items[i + 1], out);
+                print(value->items[i + 1], longest, out);
             }
             out += " |)";
             return;
@@ -78,7 +96,7 @@ void ValueText::print(Value value, std::string& out) const {
             out += program_.heads[static_cast<std::size_t>(value->number)].name;
             return;
         case Kind::dot:
-            return items(value->items, "", ".", "", out);
+            return list(value->items, "", ".", "", longest, out);
         case Kind::process:
             out += "<process>";
             return;
@@ -87,7 +105,7 @@ void ValueText::print(Value value, std::string& out) const {
             const std::size_t environment = value->function->environment;
             if (value->items.size() > environment) {
                 const auto first = value->items.begin() + static_cast<std::ptrdiff_t>(environment);
-                items({first, value->items.end()}, "(", ",", ")", out);
+                list({first, value->items.end()}, "(", ",", ")", longest, out);
             }
             return;
         }
@@ -105,7 +123,7 @@ void ValueText::print(Value value, std::string& out) const {
             return;
         case Kind::stream:
             if (value->items[0]->kind == Kind::sequence)
-                for (const Value item : value->items[0]->items) items({item}, "", "", " ^ ", out);
+                for (const Value item : value->items[0]->items) list({item}, "", "", " ^ ", longest, out);
             out += "<...>";
             return;
         case Kind::processes:
@@ -115,20 +133,20 @@ void ValueText::print(Value value, std::string& out) const {
             out += program_.globals[static_cast<std::size_t>(value->number)].function.name;
             return;
         case Kind::sequences_over:
-            return items(value->items, "Seq(", ", ", ")", out);
+            return list(value->items, "Seq(", ", ", ")", longest, out);
         case Kind::subsets_of:
-            return items(value->items, "Set(", ", ", ")", out);
+            return list(value->items, "Set(", ", ", ")", longest, out);
         case Kind::united:
-            return items(value->items, "Union({", ", ", "})", out);
+            return list(value->items, "Union({", ", ", "})", longest, out);
         case Kind::maps_over:
-            return items(value->items, "Map(", ", ", ")", out);
+            return list(value->items, "Map(", ", ", ")", longest, out);
         case Kind::group:
             out += "<environment>";
             return;
         case Kind::thunk: {
             const Value result = static_cast<const Thunk&>(*value).result;
             if (result != nullptr)
-                print(result, out);
+                print(result, longest, out);
             else
                 out += "_";
             return;

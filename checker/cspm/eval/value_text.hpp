@@ -12,13 +12,19 @@ class ValueText {
 public:
     explicit ValueText(const Program& program) : program_(program) {}
 
+    /// For messages: very long text is cut, and what has not been evaluated is left out.
     [[nodiscard]] std::string operator()(Value value) const;
-    /// Appends the values; very many are cut short.
+    /// For messages, appended.
     void items(const Values& values, const char* open, const char* separator, const char* close,
                std::string& out) const;
+    /// All of it: the names of events and what `show` gives are data.
+    [[nodiscard]] std::string whole(Value value) const;
 
 private:
-    void print(Value value, std::string& out) const;
+    /// A list that begins beyond `longest` characters is cut.
+    void print(Value value, std::size_t longest, std::string& out) const;
+    void list(const Values& values, const char* open, const char* separator, const char* close, std::size_t longest,
+              std::string& out) const;
 
     const Program& program_;
 };
