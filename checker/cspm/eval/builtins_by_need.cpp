@@ -20,6 +20,11 @@ const Values& ByNeed::map_items(Value value, Span span) {
 Value ByNeed::call(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
     if (!takes_by_need(which)) {
+        if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
+            const Value first = values_.share(values_.forced(arguments[0]));
+            if (first->kind == Kind::set && first->items.empty()) return first;  // whatever the other one is
+            arguments[0] = first;
+        }
         for (Value& argument : arguments) argument = values_.share(values_.force(argument));
         return builtins_.call(builtin, std::move(arguments), span);
     }
@@ -28,8 +33,7 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
 }
 
 Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span) {
-    if (which == Builtin::elem)
-        return store_.boolean(contains(values_.forced(arguments[0]), values_.forced(arguments[1]), span));
+    if (which == Builtin::elem) return store_.boolean(contains(arguments[0], values_.forced(arguments[1]), span));
     const Value first = values_.forced(arguments[0]);
     switch (which) {
         case Builtin::length:

@@ -57,10 +57,11 @@ public:
     Value written_out(Value sequence, Span span);
     /// The sequence it is, if it has an end; else the stream with nothing that waits but its elements.
     Value share_stream(Value value);
-    /// Equality of tuples and sequences part by part, up to the first difference.
+    /// Equality of tuples, sequences and maps part by part, up to the first difference.
     bool equal(Value a, Value b, Span span);
     /// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
     bool less_equal(Value a, Value b, Span span);
+    bool less(Value a, Value b, Span span);
 
     // builtins_by_need.cpp
     /// Any built-in; its arguments are evaluated as far as it needs them.
@@ -73,6 +74,7 @@ public:
     const Values& map_items(Value value, Span span);
 
 private:
+    bool begins(Value a, Value b, Span span);
     bool contains(Value element, Value sequence, Span span);
     Value sequence_builtin(Builtin which, const Values& arguments, Span span);
     Value part_before(Value part, Value rest);

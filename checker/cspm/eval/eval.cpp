@@ -199,12 +199,16 @@ Value Evaluator::eval_apply(const Code& code, Frame& frame) {
     Values arguments;
     arguments.reserve(code.args.size() - 1);
     const bool builtin = function->kind == Kind::builtin;
-    const bool by_need = builtin && takes_by_need(static_cast<Builtin>(function->number));
+    const auto which = builtin ? static_cast<Builtin>(function->number) : Builtin::true_;
+    const bool by_need = builtin && takes_by_need(which);
     for (std::size_t i = 1; i < code.args.size(); ++i) {
+        const bool second_set = (which == Builtin::inter || which == Builtin::diff) && i == 2;  // ByNeed::call
         if (by_need)
             arguments.push_back(promise(*code.args[i], frame));
+        else if (builtin && !second_set)
+            arguments.push_back(share(eval(*code.args[i], frame)));
         else
-            arguments.push_back(builtin ? share(eval(*code.args[i], frame)) : delay(*code.args[i], frame));
+            arguments.push_back(delay(*code.args[i], frame));
     }
     return call(function, std::move(arguments), code.span);
 }
@@ -291,21 +295,21 @@ Value Evaluator::eval_arithmetic(const Code& code, Frame& frame) {
 }
 
 Value Evaluator::eval_comparison(const Code& code, Frame& frame) {
-    Value a = eval(*code.args[0], frame);
-    Value b = eval(*code.args[1], frame);
-    if (code.kind == ExprKind::equal) return store_.boolean(by_need_.equal(a, b, code.span));
-    if (code.kind == ExprKind::not_equal) return store_.boolean(!by_need_.equal(a, b, code.span));
-    a = share(a);
-    b = share(b);
+    const Value a = eval(*code.args[0], frame);
+    const Value b = eval(*code.args[1], frame);
     switch (code.kind) {
+        case ExprKind::equal:
+            return store_.boolean(by_need_.equal(a, b, code.span));
+        case ExprKind::not_equal:
+            return store_.boolean(!by_need_.equal(a, b, code.span));
         case ExprKind::less_equal:
             return store_.boolean(by_need_.less_equal(a, b, code.span));
         case ExprKind::greater_equal:
             return store_.boolean(by_need_.less_equal(b, a, code.span));
         case ExprKind::less:
-            return store_.boolean(!domains_.same(a, b, code.span) && by_need_.less_equal(a, b, code.span));
+            return store_.boolean(by_need_.less(a, b, code.span));
         case ExprKind::greater:
-            return store_.boolean(!domains_.same(a, b, code.span) && by_need_.less_equal(b, a, code.span));
+            return store_.boolean(by_need_.less(b, a, code.span));
         default:
             work_.not_supported("this expression", code.span);
     }

@@ -123,17 +123,18 @@ Value ByNeed::share_stream(Value value) {
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
+/// The element is evaluated when it is compared: that of an empty sequence is not.
 bool ByNeed::contains(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = next(sequence, span);
         if (!cut) return false;
-        if (equal(values_.forced(cut->head), element, span)) return true;
+        if (equal(values_.forced(cut->head), values_.force(element), span)) return true;
         sequence = values_.forced(cut->tail);
     }
     work_.fail("not among the first 200000 elements of an infinite sequence", span);
 }
 
-/// Equality of tuples and sequences part by part, up to the first difference.
+/// Equality of tuples, sequences and maps part by part, up to the first difference.
 bool ByNeed::equal(Value a, Value b, Span span) {
     if (a == b) return true;
     work_.count(span);
@@ -144,7 +145,15 @@ bool ByNeed::equal(Value a, Value b, Span span) {
             if (!equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span)) return false;
         return a->items.size() == b->items.size();
     }
+    if (a->kind == Kind::map && b->kind == Kind::map) {
+        if (a->items.size() != b->items.size()) return false;
+        for (std::size_t i = 0; i < a->items.size(); ++i)
+            if (!equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span)) return false;
+        return true;
+    }
     if (!sequences) return domains_.same(values_.share(a), values_.share(b), span);
+    if (a->kind == Kind::sequence && b->kind == Kind::sequence)
+        return begins(a, b, span) && a->items.size() == b->items.size();
     for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
         const std::optional<Cut> left = next(a, span);
         const std::optional<Cut> right = next(b, span);
@@ -156,20 +165,41 @@ bool ByNeed::equal(Value a, Value b, Span span) {
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
-// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
+/// Whether the first is a beginning of the second; looks at both up to the first difference.
+bool ByNeed::begins(Value a, Value b, Span span) {
+    if (a->kind == Kind::sequence && b->kind == Kind::sequence) {
+        for (std::size_t i = 0; i < a->items.size(); ++i)
+            if (i == b->items.size() || !equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span))
+                return false;
+        return true;
+    }
+    for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
+        const std::optional<Cut> left = next(a, span);
+        if (!left) return true;
+        const std::optional<Cut> right = next(b, span);
+        if (!right || !equal(values_.forced(left->head), values_.forced(right->head), span)) return false;
+        a = values_.forced(left->tail);
+        b = values_.forced(right->tail);
+    }
+    work_.fail("two infinite sequences agree in their first 200000 elements", span);
+}
+
+// The orders of FDR: numbers and characters; beginnings of sequences; subsets; maps and tuples by parts. What is behind
+// the first difference is not evaluated.
 bool ByNeed::less_equal(Value a, Value b, Span span) {
-    if (is_set(a) && is_set(b)) return domains_.subset(a, b, span);
-    if (is_stream(a) || is_stream(b)) work_.fail("an infinite sequence has no place in the order", span);
+    if (is_set(a) && is_set(b)) return domains_.subset(values_.share(a), values_.share(b), span);
+    const auto is_sequence = [](Value value) { return value->kind == Kind::sequence || is_stream(value); };
+    if (is_sequence(a) && is_sequence(b)) return begins(a, b, span);
     if (a->kind != b->kind) work_.fail("cannot compare " + text_(a) + " with " + text_(b), span);
     switch (a->kind) {
         case Kind::integer:
         case Kind::character:
             return a->number <= b->number;
-        case Kind::sequence:
-            return a->items.size() <= b->items.size() && std::equal(a->items.begin(), a->items.end(), b->items.begin());
         case Kind::tuple:
             for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i) {
-                if (!domains_.same(a->items[i], b->items[i], span)) return less_equal(a->items[i], b->items[i], span);
+                const Value left = values_.forced(a->items[i]);
+                const Value right = values_.forced(b->items[i]);
+                if (!equal(left, right, span)) return less_equal(left, right, span);
             }
             return true;
         case Kind::map:
@@ -177,12 +207,16 @@ bool ByNeed::less_equal(Value a, Value b, Span span) {
                 const Values arguments{b, a->items[i]};
                 if (map_builtin(Builtin::map_member, arguments, span)->number == 0) return false;
                 const Value other = map_builtin(Builtin::map_lookup, arguments, span);
-                if (!less_equal(a->items[i + 1], other, span)) return false;
+                if (!less_equal(values_.forced(a->items[i + 1]), other, span)) return false;
             }
             return true;
         default:
             work_.fail("values like " + text_(a) + " have no order", span);
     }
+}
+
+bool ByNeed::less(Value a, Value b, Span span) {
+    return less_equal(a, b, span) && !equal(a, b, span);
 }
 
 }  // namespace robochart::cspm

@@ -24,6 +24,11 @@ TEST(ByNeed, PartsOfSequences) {
     EXPECT_EQ(value("<1, " + never + "> == <2, " + never + ">"), "false");
     EXPECT_EQ(value("<" + never + "> == <>"), "false");
     EXPECT_EQ(value("<0..> == <1..>"), "false");
+    EXPECT_EQ(value("elem(" + never + ", <>)"), "false");
+    EXPECT_EQ(value("<1, 2> < <3, " + never + ">"), "false");
+    EXPECT_EQ(value("<1> <= <1, " + never + ">"), "true");
+    EXPECT_EQ(value("<1> <= <1..>"), "true");
+    EXPECT_EQ(value("<1, 3> >= <2, " + never + ">"), "false");
     for (const char* whole : {"<1, #>", "head(<#, 1>)", "head(tail(<1> ^ #))", "elem(6, <4, #>)", "<1, #> == <1, 2>",
                               "seq({#})", "set(<1, #>)", "show(<#>)", "<#> <= <1>"}) {
         std::string text = whole;
@@ -36,6 +41,10 @@ TEST(ByNeed, PartsOfTuplesAndMaps) {
     EXPECT_EQ(value("let first((x, _)) = x within first((1, " + never + "))"), "1");
     EXPECT_EQ(value("let (a, (b, c)) = (" + never + ", (2, " + never + ")) within b"), "2");
     EXPECT_EQ(value("(1, " + never + ") == (2, " + never + ")"), "false");
+    EXPECT_EQ(value("(1, " + never + ") < (2, " + never + ")"), "true");
+    EXPECT_EQ(value("(| 0 => " + never + " |) == (| 1 => 2 |)"), "false");
+    EXPECT_EQ(value("(| 0 => 1, 1 => " + never + " |) == (| 0 => 2, 1 => 3 |)"), "false");
+    EXPECT_EQ(value("(| 0 => 1, 2 => 3 |) == (| 0 => 1, 2 => 3 |)"), "true");
     EXPECT_EQ(value("mapLookup(mapFromList(<(0, " + never + "), (1, 5)>), 1)"), "5");
     EXPECT_EQ(value("mapLookup((| 0 => " + never + ", 1 => 2 |), 1)"), "2");
     EXPECT_EQ(value("mapMember(mapUpdate(emptyMap, 3, " + never + "), 3)"), "true");
@@ -48,6 +57,14 @@ TEST(ByNeed, PartsOfTuplesAndMaps) {
         text.replace(text.find('#'), 1, never);
         EXPECT_EQ(value(text), asked) << text;
     }
+}
+
+/// Nothing is asked of the set that is cut with, or taken from, the empty one.
+TEST(ByNeed, TheEmptySetDecidesAlone) {
+    EXPECT_EQ(value("inter({}, {" + never + "})"), "{}");
+    EXPECT_EQ(value("diff({}, {" + never + "})"), "{}");
+    EXPECT_EQ(value("inter({" + never + "}, {})"), asked);
+    EXPECT_EQ(value("inter({1}, {" + never + "})"), asked);
 }
 
 TEST(ByNeed, FieldsOfDatatypesHaveValues) {
