@@ -1,6 +1,9 @@
 #include "checker/cspm/syntax/advice.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 
@@ -18,6 +21,9 @@ constexpr std::array rows{
     Advice{"'->'", "@ ;", "a prefix is written `a -> P`; `;` stands between two processes: `a -> SKIP; Q`"},
     Advice{"'<-'", "@ ->", "a variable is drawn from a set by `x <- S`"},
     Advice{"'then'", "@ =", "values are compared with `==`; `=` stands in definitions"},
+    Advice{"')'", "@ =", "values are compared with `==`; `=` stands in definitions"},
+    Advice{"'}'", "@ =", "values are compared with `==`; `=` stands in definitions"},
+    Advice{"'>'", "@ =", "values are compared with `==`; `=` stands in definitions"},
     Advice{"", "@ <>", "values that differ are compared with `!=`; `<>` is the empty sequence"},
     Advice{"'then'", "@ ||", "a condition is joined by `or`; `||` stands in `P [A || B] Q`"},
     Advice{"an expression", "@ &", "conditions are joined by `and`; `&` stands between a condition and a process"},
@@ -64,10 +70,76 @@ constexpr std::array rows{
     Advice{"'<-'", "-> NAME @ ]]", "an event a becomes b in `P[[a <- b]]`"},
 };
 
+struct Symbol {
+    std::string_view character;
+    std::string_view written;
+};
+
+constexpr std::array symbols{
+    Symbol{"→", "->"},  Symbol{"⟶", "->"}, Symbol{"←", "<-"},       Symbol{"↔", "<->"}, Symbol{"□", "[]"},
+    Symbol{"⊓", "|~|"}, Symbol{"∥", "||"}, Symbol{"⫴", "|||"},      Symbol{"△", "/\\"}, Symbol{"▷", "[>"},
+    Symbol{"≤", "<="},  Symbol{"≥", ">="}, Symbol{"≠", "!="},       Symbol{"∧", "and"}, Symbol{"∨", "or"},
+    Symbol{"¬", "not"}, Symbol{"⟨", "<"},  Symbol{"⟩", ">"},        Symbol{"×", "*"},   Symbol{"÷", "/"},
+    Symbol{"–", "-"},   Symbol{"−", "-"},  Symbol{"“", "\""},       Symbol{"”", "\""},  Symbol{"‘", "'"},
+    Symbol{"’", "'"},   Symbol{"∅", "{}"}, Symbol{"\xC2\xA0", " "},
+};
+
+/// The code of the character that a well-formed text begins with.
+char32_t first_code(std::string_view text, std::size_t length) {
+    constexpr std::array<unsigned, 5> kept{0, 0x7fU, 0x1fU, 0x0fU, 0x07U};
+    char32_t code = static_cast<unsigned char>(text[0]) & kept.at(length);
+    for (std::size_t i = 1; i < length; ++i) code = code << 6U | (static_cast<unsigned char>(text[i]) & 0x3fU);
+    return code;
+}
+
+/// The letters U+00C0 to U+017F without their accents; those that have two are written with the first.
+constexpr char32_t first_accented = 0xc0;
+constexpr std::string_view without_accents =
+    "AAAAAAACEEEEIIIIDNOOOOO*OUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
+    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
+    "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
+
+/// Accents that are characters of their own, behind their letter.
+bool is_accent(char32_t code) {
+    return code >= 0x300 && code < 0x370;
+}
+
 }  // namespace
 
 std::span<const diagnostics::Advice> all_advice() {
     return rows;
+}
+
+std::size_t foreign_letter(std::string_view text) {
+    const std::size_t length = diagnostics::utf8_length(text);
+    if (length < 2) return 0;
+    const char32_t code = first_code(text, length);
+    const bool operators = code == 0xd7 || code == 0xf7;
+    const bool letter = (code >= first_accented && code < 0x2000 && !operators) || (code >= 0x2c00 && code < 0x2e00) ||
+                        (code >= 0x3040 && code < 0xd800);
+    return letter ? length : 0;
+}
+
+std::string in_plain_letters(std::string_view name) {
+    std::string result;
+    while (!name.empty()) {
+        const std::size_t length = diagnostics::utf8_length(name);
+        if (length == 0) return "";
+        const char32_t code = first_code(name, length);
+        if (code < 0x80)
+            result += static_cast<char>(code);
+        else if (code >= first_accented && code - first_accented < without_accents.size())
+            result += without_accents[code - first_accented];
+        else if (!is_accent(code))
+            return "";
+        name.remove_prefix(length);
+    }
+    return result;
+}
+
+std::string_view written_for(std::string_view symbol) {
+    const auto* const found = std::ranges::find(symbols, symbol, &Symbol::character);
+    return found == symbols.end() ? std::string_view() : found->written;
 }
 
 }  // namespace robochart::cspm

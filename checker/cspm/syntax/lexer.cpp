@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 #include <string>
 
+#include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 
@@ -127,7 +130,9 @@ public:
             diagnostics_.poll();
             token();
         }
-        emit(Tok::newline, at_, plain);
+        const auto place = static_cast<std::uint32_t>(line_end_ ? line_end_at_ : at_);
+        tokens_.push_back({Tok::newline, {source_, place, place}, {}, 0});
+        line_end_ = false;
         emit(Tok::end, at_, plain);
         return std::move(tokens_);
     }
@@ -146,6 +151,7 @@ private:
         while (at_ < text_.size()) {
             const char c = peek();
             if (c == '\n') {
+                if (!line_end_) line_end_at_ = at_;
                 line_end_ = true;
                 blank_before_ = true;
                 ++at_;
@@ -167,11 +173,7 @@ private:
         const std::size_t from = at_;
         std::size_t depth = 0;
         do {
-            if (at_ >= text_.size()) {
-                diagnostics_.report(rules::open_comment,
-                                    {source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(from + 2)});
-                return;
-            }
+            if (at_ >= text_.size()) return open_comment(from);
             if (looking_at("{-")) {
                 ++depth;
                 at_ += 2;
@@ -184,9 +186,23 @@ private:
         } while (depth > 0);
     }
 
+    // A set that begins with a negative number is read as one, so that the rest of the script is not lost.
+    void open_comment(std::size_t from) {
+        const Span place{source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(from + 2)};
+        diagnostics::Diagnostic& finding = diagnostics_.report(rules::open_comment, place);
+        const std::size_t line = std::min(text_.find('\n', from), text_.size());
+        const std::size_t close = text_.find('}', from);
+        if (from + 2 >= text_.size() || !is_digit(text_[from + 2]) || close >= line) return;
+        finding.notes.push_back(
+            {place, "`{-` begins a comment: a set that begins with a negative number is written `{ " +
+                        std::string(text_.substr(from + 1, close - from)) + "`, with a blank"});
+        at_ = from + 1;
+        emit(Tok::l_brace, from, after);
+    }
+
     void emit(Tok kind, std::size_t from, LineBreaks layout, std::int64_t number = 0) {
         if (line_end_ && kind != Tok::newline && (layout & before) == 0 && !soaking_) {
-            const auto place = static_cast<std::uint32_t>(from);
+            const auto place = static_cast<std::uint32_t>(line_end_at_);
             tokens_.push_back({Tok::newline, {source_, place, place}, {}, 0});
         }
         line_end_ = false;
@@ -196,7 +212,7 @@ private:
 
     void token() {
         const char c = peek();
-        if (is_letter(c)) {
+        if (is_letter(c) || foreign_letter(text_.substr(at_)) > 0) {
             word();
         } else if (is_digit(c)) {
             integer();
@@ -213,8 +229,19 @@ private:
 
     void word() {
         const std::size_t from = at_;
-        while (is_letter(peek()) || is_digit(peek()) || peek() == '_') ++at_;
+        bool foreign = false;
+        for (;;) {
+            if (is_letter(peek()) || is_digit(peek()) || peek() == '_') {
+                ++at_;
+            } else if (const std::size_t length = foreign_letter(text_.substr(at_)); length > 0) {
+                foreign = true;
+                at_ += length;
+            } else {
+                break;
+            }
+        }
         while (peek() == '\'') ++at_;
+        if (foreign) foreign_name(from);
         const std::string_view text = text_.substr(from, at_ - from);
         const bool first = starts_declaration();
         if (text == "print" && peek() == ' ' && first) return print(from);
@@ -222,6 +249,15 @@ private:
         const auto* found = std::ranges::find(words, text, &Symbol::text);
         if (found != words.end()) return emit(found->kind, from, found->layout);
         emit(Tok::identifier, from, plain);
+    }
+
+    // Said once of each name, which then counts as one.
+    void foreign_name(std::size_t from) {
+        const std::string name(text_.substr(from, at_ - from));
+        if (!foreign_names_.insert(name).second) return;
+        diagnostics::Diagnostic& finding = diagnostics_.report(rules::foreign_name, span(from), {name});
+        if (const std::string plain = in_plain_letters(name); !plain.empty())
+            finding.notes.push_back({span(from), "write '" + plain + "'"});
     }
 
     // Whether the token about to be emitted is the first of a declaration.
@@ -324,9 +360,11 @@ private:
             return;
         }
         at_ = close + 1;
-        const bool more = peek() == ':';
-        if (more) ++at_;
-        emit(Tok::property, from, more ? both_sides : before);
+        if (peek() == ':') ++at_;  // FDR's lexer takes `]:` for `]` behind every property
+        const std::string_view inside = text_.substr(from + 2, close - from - 2);
+        const bool takes_more =
+            inside.find("trace") != std::string_view::npos || inside.find("priority") != std::string_view::npos;
+        emit(Tok::property, from, takes_more ? both_sides : before);
     }
 
     // Tokens that depend on their neighbours.
@@ -367,29 +405,46 @@ private:
         return true;
     }
 
+    // What was meant, if it is a token, so that the rest of the declaration is read.
+    void read_as(std::string_view written, std::size_t from) {
+        if (const auto* word = std::ranges::find(words, written, &Symbol::text); word != words.end())
+            return emit(word->kind, from, word->layout);
+        const auto* symbol = std::ranges::find(symbols, written, &Symbol::text);
+        if (symbol != symbols.end()) emit(symbol->kind, from, symbol->layout);
+    }
+
     void junk() {
         const std::size_t from = at_;
-        const auto code = static_cast<unsigned char>(peek());
-        while (at_ < text_.size() && !is_letter(peek()) && !is_digit(peek()) && !is_blank(peek()) && peek() != '\n' &&
-               (at_ == from || static_cast<unsigned char>(peek()) >= 0x80U)) {
-            ++at_;
-        }
-        if (at_ == from) ++at_;
+        const std::size_t length = diagnostics::utf8_length(text_.substr(at_));
+        at_ += std::max<std::size_t>(length, 1);
+        const auto code = static_cast<unsigned char>(text_[from]);
+        const std::string_view character = text_.substr(from, at_ - from);
         constexpr std::string_view digits = "0123456789abcdef";
         const std::string hex{'0', 'x', digits[code >> 4U], digits[code & 15U]};
-        diagnostics_.report(
-            rules::bad_character, span(from),
-            {code >= 0x20U && code < 0x7fU ? "'" + std::string(1, static_cast<char>(code)) + "'" : "the byte " + hex});
+        const bool printable = length > 1 || (code >= 0x20U && code < 0x7fU);
+        diagnostics::Diagnostic& finding = diagnostics_.report(
+            rules::bad_character, span(from), {printable ? "'" + std::string(character) + "'" : "the byte " + hex});
+        if (const std::string_view written = written_for(character); !written.empty()) {
+            finding.notes.push_back({span(from), "write `" + std::string(written) + "`"});
+            return read_as(written, from);
+        }
+        while (text_.substr(at_, character.size()) == character) at_ += character.size();
+        if (code < 0x80U || length > 0) return;
+        while (at_ < text_.size() && static_cast<unsigned char>(peek()) >= 0x80U &&
+               diagnostics::utf8_length(text_.substr(at_)) == 0)
+            ++at_;
     }
 
     std::string_view text_;
     diagnostics::SourceId source_;
     diagnostics::Diagnostics& diagnostics_;
     std::size_t at_ = 0;
-    bool line_end_ = false;      // a line end was skipped since the last token
-    bool soaking_ = true;        // the last token lets line ends after it vanish
-    bool blank_before_ = false;  // white space precedes the token
+    bool line_end_ = false;        // a line end was skipped since the last token,
+    std::size_t line_end_at_ = 0;  // the first of them here
+    bool soaking_ = true;          // the last token lets line ends after it vanish
+    bool blank_before_ = false;    // white space precedes the token
     std::vector<Token> tokens_;
+    std::set<std::string> foreign_names_;  // that have been reported
 };
 
 }  // namespace

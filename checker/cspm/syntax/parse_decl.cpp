@@ -32,7 +32,7 @@ std::vector<DeclPtr> Parser::declarations(Place place, bool (Parser::*done)() co
         const Span from = peek().span;
         try {
             DeclPtr decl = declaration(place);
-            check_place(*decl, place);
+            report_misplaced(*decl, place, diagnostics_);
             result.push_back(std::move(decl));
             if (!(this->*done)()) expect(Tok::newline);
         } catch (const SyntaxError&) {
@@ -219,7 +219,7 @@ DeclPtr Parser::timed(Place place) {
         expect(Tok::r_paren);
     }
     expect(Tok::l_brace);
-    result.decls = declarations(place == Place::let ? Place::let : Place::timed, &Parser::at_brace);
+    result.decls = declarations(timed_inside(place), &Parser::at_brace);
     expect(Tok::r_brace);
     return finish(std::move(result), from);
 }
@@ -302,14 +302,12 @@ constexpr std::array property_names{PropertyName{"deadlock free", AssertionKind:
 struct PropertyText {
     std::string words;
     std::string model;
-    bool colon = false;
 };
 
 // Takes `:[words [M]]:` apart.
 PropertyText split_property(std::string_view text) {
     PropertyText result;
     text.remove_prefix(2);
-    result.colon = text.ends_with(':');
     text = text.substr(0, text.rfind(']'));
     if (const std::size_t open = text.find('['); open != std::string_view::npos) {
         const std::string_view model = text.substr(open + 1);
@@ -439,15 +437,38 @@ bool allowed_in_let(DeclKind kind) {
 
 }  // namespace
 
-void Parser::check_place(const Decl& decl, Place place) {
-    std::string where;
-    if (place == Place::let && !allowed_in_let(decl.kind)) where = "in a let";
-    if (place == Place::module && (decl.kind == DeclKind::assertion || decl.kind == DeclKind::print)) {
-        where = "in a module";
+Place timed_inside(Place outer) {
+    switch (outer) {
+        case Place::let:
+            return Place::let;
+        case Place::module:
+        case Place::timed_in_module:
+            return Place::timed_in_module;
+        default:
+            return Place::timed;
     }
-    if (place == Place::timed && decl.kind == DeclKind::print) where = "in a timed section";
-    if (where.empty()) return;
-    diagnostics_.report(rules::misplaced_declaration, decl.span, {std::string(kind_name(decl.kind)), where});
+}
+
+// As FDR's front end (libcspm, Parser.ppy).
+std::string misplaced(DeclKind kind, Place place) {
+    const bool asks = kind == DeclKind::assertion || kind == DeclKind::print;
+    switch (place) {
+        case Place::top:
+            return "";
+        case Place::module:
+        case Place::timed_in_module:
+            return asks ? "in a module" : "";
+        case Place::timed:
+            return kind == DeclKind::print ? "in a timed section" : "";
+        case Place::let:
+            return allowed_in_let(kind) ? "" : "in a let";
+    }
+    return "";
+}
+
+void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics) {
+    if (const std::string where = misplaced(decl.kind, place); !where.empty())
+        diagnostics.report(rules::misplaced_declaration, decl.span, {std::string(kind_name(decl.kind)), where});
 }
 
 namespace {

@@ -13,6 +13,14 @@
 
 namespace robochart::cspm {
 
+/// Which list a declaration stands in.
+enum class Place { top, module, let, timed, timed_in_module };
+/// The list of a timed section that stands in this one.
+[[nodiscard]] Place timed_inside(Place outer);
+/// Where a declaration of this kind may not stand: "in a module"; "" if it may.
+[[nodiscard]] std::string misplaced(DeclKind kind, Place place);
+void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics);
+
 class Parser {
 public:
     /// Deepest recursion while reading, and greatest height of a tree (chains of operators make height too).
@@ -26,7 +34,6 @@ public:
 
 private:
     struct SyntaxError {};
-    enum class Place { top, module, let, timed };
 
     // Nodes remember their height while the reader works, so that no tree grows beyond max_height, no
     // pattern beyond max_depth.
@@ -147,7 +154,6 @@ private:
     void assertion_property(Assertion& assertion, const Token& property);
     void assertion_options(Assertion& assertion);
     ExprPtr trace();
-    void check_place(const Decl& decl, Place place);
     void check_annotations(const std::vector<DeclPtr>& decls);
     std::vector<std::string> names();
     std::string name_token();

@@ -33,7 +33,7 @@ public:
     Includer(const SourceManager& sources, Diagnostics& diagnostics, const Loader& load)
         : sources_(sources), diagnostics_(diagnostics), load_(load) {}
 
-    std::vector<DeclPtr> file(const std::filesystem::path& path, Span from) {
+    std::vector<DeclPtr> file(const std::filesystem::path& path, Span from, Place place = Place::top) {
         diagnostics_.poll();
         const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored_);
         if (std::ranges::find(open_, canonical) != open_.end()) {
@@ -48,7 +48,8 @@ public:
             return {};
         }
         open_.push_back(canonical);
-        std::vector<DeclPtr> result = expand(read(sources_, *source, diagnostics_).decls, path.parent_path());
+        std::vector<DeclPtr> result =
+            expand(read(sources_, *source, diagnostics_).decls, path.parent_path(), Place::top, place);
         open_.pop_back();
         return result;
     }
@@ -67,17 +68,23 @@ private:
         return std::nullopt;
     }
 
-    std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder) {
+    /// `read_at`: where the reader of their file has judged them to stand; `place`: where they stand in the script.
+    std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder, Place read_at,
+                                Place place) {
         std::vector<DeclPtr> result;
         for (const DeclPtr& decl : decls) {
+            if (misplaced(decl->kind, read_at).empty()) report_misplaced(*decl, place, diagnostics_);
             if (decl->kind == DeclKind::include) {
-                std::vector<DeclPtr> included = file(folder / decl->names.at(0), decl->span);
+                std::vector<DeclPtr> included = file(folder / decl->names.at(0), decl->span, place);
                 result.insert(result.end(), included.begin(), included.end());
             } else if (decl->kind == DeclKind::module || decl->kind == DeclKind::timed) {
-                Decl inside = *decl;
-                inside.decls = expand(decl->decls, folder);
-                inside.exports = expand(decl->exports, folder);
-                result.push_back(std::make_shared<const Decl>(std::move(inside)));
+                const auto inside = [&](Place outer) {
+                    return decl->kind == DeclKind::module ? Place::module : timed_inside(outer);
+                };
+                Decl whole = *decl;
+                whole.decls = expand(decl->decls, folder, inside(read_at), inside(place));
+                whole.exports = expand(decl->exports, folder, inside(read_at), inside(place));
+                result.push_back(std::make_shared<const Decl>(std::move(whole)));
             } else {
                 result.push_back(decl);
             }

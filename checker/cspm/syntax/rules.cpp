@@ -14,6 +14,9 @@ const Rule unexpected_token{
 const Rule bad_character{"CSPM-P02", Severity::error, "no CSPM token begins with {}",
                          "CSPM is written with ASCII letters, digits and operators; other characters may stand in "
                          "comments and strings only."};
+const Rule foreign_name{"CSPM-P17", Severity::error,
+                        "'{}' is no name in CSPM: names are made of the letters a to z and A to Z, digits and _",
+                        "FDR reads ASCII letters only: write the name without accents."};
 const Rule open_comment{"CSPM-P03", Severity::error, "comment is not closed",
                         "A block comment begins with {- and ends with -}; such comments nest. Note that `{-1}` begins "
                         "one: write `{ -1}`."};
@@ -52,11 +55,11 @@ const Rule include_cycle{"CSPM-P16", Severity::error, "file '{}' includes itself
                          "A file may not be included by itself, directly or through others."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 16> table{
+    static constexpr std::array<const Rule*, 17> table{
         &unexpected_token,    &bad_character,  &open_comment,    &open_literal,          &big_number,
         &bad_property,        &too_deep,       &not_associative, &misplaced_declaration, &annotation_unused,
         &annotation_repeated, &bad_annotation, &option_repeated, &bad_include,           &include_failed,
-        &include_cycle};
+        &include_cycle,       &foreign_name};
     return table;
 }
 

@@ -9,6 +9,7 @@ namespace robochart::cspm::rules {
 
 extern const diagnostics::Rule unexpected_token;
 extern const diagnostics::Rule bad_character;
+extern const diagnostics::Rule foreign_name;
 extern const diagnostics::Rule open_comment;
 extern const diagnostics::Rule open_literal;
 extern const diagnostics::Rule big_number;

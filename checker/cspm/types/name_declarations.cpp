@@ -113,6 +113,7 @@ void NameResolver::flatten_module(const DeclPtr& decl, const Place& place, Items
             enter(here, name, {&parameter, nullptr}, decl->span);
         }
     }
+    inside.exported = false;
     flatten(decl->decls, inside, items);
     inside.exported = true;
     flatten(decl->exports, inside, items);
