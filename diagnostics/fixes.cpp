@@ -2,6 +2,11 @@
 #include "diagnostics/fixes.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "diagnostics/files.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::diagnostics {
 
@@ -36,6 +41,15 @@ std::string apply_fixes(std::string_view text, const std::vector<FixIt>& fixes) 
         at = fix.span.end;
     }
     return out.append(text.substr(at));
+}
+
+std::string replace_text(const std::string& path, std::string text, Budget* budget) {
+    std::error_code code;
+    std::string begin(byte_order_mark.size(), '\0');
+    if (std::filesystem::is_regular_file(path, code))
+        std::ifstream(path, std::ios::binary).read(begin.data(), std::ssize(begin));
+    if (begin == byte_order_mark) text.insert(0, byte_order_mark);
+    return replace_file(path, text, budget);
 }
 
 }  // namespace robochart::diagnostics

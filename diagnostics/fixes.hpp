@@ -22,4 +22,8 @@ inline constexpr std::string_view suggestion_title = "did you mean";
 /// The text with the fixes applied; they are sorted and do not overlap.
 [[nodiscard]] std::string apply_fixes(std::string_view text, const std::vector<FixIt>& fixes);
 
+/// Puts another version of a text in the place of the one that was read from there (files.hpp: replace_file): a byte
+/// order mark in front of it stays. Returns the cause in words on failure, "" on success.
+[[nodiscard]] std::string replace_text(const std::string& path, std::string text, Budget* budget = nullptr);
+
 }  // namespace robochart::diagnostics

@@ -58,10 +58,12 @@ Span join(Span a, Span b) {
     return {a.source, std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
+/// Texts are kept without the byte order mark that their files may begin with: no reader meets one.
 SourceId SourceManager::add(std::string path, std::string text) {
-    auto starts = find_line_starts(text);
-    files_.push_back({std::move(path), std::move(text), std::move(starts)});
-    return static_cast<SourceId>(files_.size() - 1);
+    files_.push_back({std::move(path), {}, {}});
+    const auto id = static_cast<SourceId>(files_.size() - 1);
+    replace(id, std::move(text));
+    return id;
 }
 
 std::optional<SourceId> SourceManager::load(const std::string& path, std::string& error) {
@@ -92,6 +94,7 @@ std::optional<SourceId> SourceManager::load(const std::string& path, std::string
 
 void SourceManager::replace(SourceId id, std::string text) {
     File& file = files_.at(static_cast<std::size_t>(id));
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     file.line_starts = find_line_starts(text);
     file.text = std::move(text);
 }

@@ -16,6 +16,7 @@
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "sleec/syntax/format.hpp"
@@ -107,7 +108,7 @@ void Formatting::changed(const fs::path& path, std::string_view before, const st
     ++changed_;
     if (options_.diff) return print_exact(unified_diff(path.string(), before, after));
     if (!options_.check) {
-        const std::string error = diagnostics::replace_file(path.string(), after, &options_.run->budget());
+        const std::string error = diagnostics::replace_text(path.string(), after, &options_.run->budget());
         if (!error.empty()) return report(rules::unwritable, {error});
     }
     if (options_.check || !options_.quiet) print("{}\n", diagnostics::shown(path.string()));

@@ -7,7 +7,6 @@
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "diagnostics/files.hpp"
 #include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
@@ -24,7 +23,7 @@ std::size_t apply_fixes(const std::vector<Part>& parts, std::string& error) {
             if (file->is_library) continue;
             const auto fixes = diagnostics::certain_fixes(findings, file->source);
             if (fixes.empty()) continue;
-            error = diagnostics::replace_file(part.project->sources.path(file->source),
+            error = diagnostics::replace_text(part.project->sources.path(file->source),
                                               diagnostics::apply_fixes(part.project->sources.text(file->source), fixes),
                                               findings.budget());
             if (!error.empty()) return made;

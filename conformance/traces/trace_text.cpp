@@ -5,9 +5,11 @@
 
 #include <charconv>
 #include <istream>
+#include <utility>
 
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/files/trace_names.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::conformance {
 
@@ -101,8 +103,10 @@ bool LineReader::fill() {
     buffer_.resize(chunk);
     in_.read(buffer_.data(), static_cast<std::streamsize>(chunk));
     buffer_.resize(static_cast<std::size_t>(in_.gcount()));
-    at_ = 0;
-    return !buffer_.empty();
+    at_ = std::exchange(begun_, true) || !buffer_.starts_with(diagnostics::byte_order_mark)
+              ? 0
+              : diagnostics::byte_order_mark.size();
+    return at_ < buffer_.size();
 }
 
 bool LineReader::next() {

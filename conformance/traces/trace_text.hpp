@@ -42,7 +42,7 @@ struct TraceHeader {
 /// Takes one line of the header; false if it is none of the header's. Throws TraceFault.
 [[nodiscard]] bool read_header_line(const std::vector<TraceToken>&, TraceHeader&, std::uint64_t line);
 
-/// Lines of a stream, of at most `longest` bytes each.
+/// Lines of a stream without its byte order mark, of at most `longest` bytes each.
 class LineReader {
 public:
     static constexpr std::size_t longest = 1U << 20U;
@@ -59,6 +59,7 @@ private:
     std::istream& in_;
     std::string buffer_;
     std::size_t at_ = 0;
+    bool begun_ = false;
     std::string line_;
     std::uint64_t number_ = 0;
 };

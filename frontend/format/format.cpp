@@ -121,7 +121,6 @@ std::optional<std::string> format(const diagnostics::SourceManager& sources, dia
     const TokenStream stream = words_of(sources, source, is_assertions);
     std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*kept)).run(line_end(text))
                                        : ModelLayout(text, stream).run(line_end(text));
-    if (text.starts_with(byte_order_mark)) result.insert(0, byte_order_mark);
     if (!same({text, stream}, result, is_assertions))
         throw std::logic_error("formatting " + sources.path(source) + " would change its words");
     return result;

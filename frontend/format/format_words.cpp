@@ -19,9 +19,7 @@ bool is_word_character(char c) {
 
 }  // namespace
 
-TokenReader::TokenReader(std::string_view text, const TokenStream& stream) : text_(text), stream_(stream) {
-    if (text.starts_with(byte_order_mark)) previous_end_ = byte_order_mark.size();
-}
+TokenReader::TokenReader(std::string_view text, const TokenStream& stream) : text_(text), stream_(stream) {}
 
 Token TokenReader::peek(std::size_t ahead) const {
     return stream_.tokens[std::min(at_ + ahead, stream_.tokens.size() - 1)];

@@ -10,9 +10,6 @@
 
 namespace robochart::frontend {
 
-/// What a text with a byte order mark begins with.
-inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 /// A comment, or the word that comments precede.
 struct Piece {
     diagnostics::Span span;

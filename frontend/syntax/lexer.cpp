@@ -334,7 +334,6 @@ bool Lexer::too_long() {
 
 TokenStream Lexer::run() {
     if (!refuse_binary()) {
-        if (starts("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
         for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) {
             out_.poll();
             token();

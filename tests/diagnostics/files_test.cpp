@@ -13,6 +13,7 @@
 #include <iterator>
 #include <thread>
 
+#include "diagnostics/fixes.hpp"
 #include "tests/contents.hpp"
 
 namespace robochart::diagnostics {
@@ -95,6 +96,15 @@ TEST_F(Files, ThatDoNotFitLeaveTheOldOne) {
     EXPECT_THAT(replaced, HasSubstr("File too large"));
     EXPECT_EQ(contents(in("old")), "old text");
     EXPECT_EQ(count(folder_), 1U);
+}
+
+TEST_F(Files, ReplacedTextsKeepTheirByteOrderMark) {
+    put("marked", "\xEF\xBB\xBFold");
+    put("plain", "old");
+    put("short", "\xEF");
+    for (const char* name : {"marked", "plain", "short", "new"}) EXPECT_EQ(replace_text(in(name), "text"), "") << name;
+    EXPECT_EQ(contents(in("marked")), "\xEF\xBB\xBFtext");
+    for (const char* name : {"plain", "short", "new"}) EXPECT_EQ(contents(in(name)), "text") << name;
 }
 
 TEST_F(Files, ReplacedInPlaceKeepTheirModeAndTheLinkToThem) {

@@ -27,6 +27,20 @@ TEST(SourceManager, CountsLinesFromOneAndColumnsInCodePoints) {
     EXPECT_EQ(sources.place({}), "");
 }
 
+/// It belongs to the file: places are counted as if there were none.
+TEST(SourceManager, LeavesOutAByteOrderMark) {
+    SourceManager sources;
+    const SourceId id = sources.add("a.rct",
+                                    "\xEF\xBB\xBF"
+                                    "ab\ncd");
+    EXPECT_EQ(sources.text(id), "ab\ncd");
+    EXPECT_EQ(sources.position(id, 1).column, 2U);
+    sources.replace(id, "\xEF\xBB\xBFx");
+    EXPECT_EQ(sources.text(id), "x");
+    sources.replace(id, "x\xEF\xBB\xBF");
+    EXPECT_EQ(sources.text(id), "x\xEF\xBB\xBF");
+}
+
 TEST(SourceManager, KeepsViewsValidWhileGrowing) {
     SourceManager sources;
     const SourceId first = sources.add("first", "x");

@@ -325,6 +325,7 @@ TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
     EXPECT_EQ(code_of(replay.whole("robochart-trace 2\ncomponent M\n")), "RC-L01");
     EXPECT_EQ(code_of(replay.whole("robochart-trace 1\nrun a\n")), "RC-L01") << "no component";
     EXPECT_EQ(code_of(replay.whole("// by hand\nrobochart-trace 1\ncomponent M\n")), "");
+    EXPECT_EQ(code_of(replay.whole("\xEF\xBB\xBFrobochart-trace 1\ncomponent M\n")), "");
     EXPECT_EQ(code_of(replay.check("tock\n")), "RC-L01") << "no run";
     EXPECT_EQ(code_of(replay.check("run a\nhello\n")), "RC-L01");
     EXPECT_EQ(code_of(replay.check("run a\n", "cycle 0\n")), "RC-L01");

@@ -136,7 +136,7 @@ TEST(Format, LineEndsAndByteOrderMarks) {
     expect_format("type A\r\n\r\n/* x\r\n y */\r\ntype B", "type A\r\n\r\n/* x\r\n y */\r\ntype B\r\n");
     expect_format("type A\r\ntype B\n", "type A\ntype B\n");
     expect_format("type A\rtype B\r", "type A\ntype B\n");
-    expect_format("\xEF\xBB\xBFtype A", "\xEF\xBB\xBFtype A\n");
+    expect_format("\xEF\xBB\xBFtype A", "type A\n");  // it is the file's: Files.ReplacedTextsKeepTheirByteOrderMark
     expect_format("", "");
     expect_format(" \n\n", "");
 }
