@@ -2,6 +2,8 @@
 #include <fmt/ostream.h>
 
 #include <ostream>
+#include <string>
+#include <unordered_set>
 
 #include "checker/lts/graph.hpp"
 #include "diagnostics/escape.hpp"
@@ -9,19 +11,36 @@
 namespace robochart::lts {
 namespace {
 
-std::string label(const EventTable& events, Event event) {
-    if (event == tau) return "tau";
-    if (event == tick) return "tick";
-    return diagnostics::label_text(events.name(event));
-}
+/// Aldebaran's format has no other mark for a hidden step than a word that readers know (mCRL2: `tau`, CADP: `i`), and
+/// ours for termination is one too: events of these names are written with a line behind them.
+class Labels {
+public:
+    explicit Labels(const EventTable& events) : events_(events) {
+        for (Event event = tick + 1; event < events.size(); ++event) names_.insert(events.name(event));
+    }
+    [[nodiscard]] std::string of(Event event) const {
+        if (event == tau) return "tau";
+        if (event == tick) return "tick";
+        std::string name = events_.name(event);
+        if (name == "tau" || name == "i" || name == "tick") do
+                name += '_';
+            while (names_.contains(name));
+        return diagnostics::label_text(name);
+    }
+
+private:
+    const EventTable& events_;
+    std::unordered_set<std::string> names_;
+};
 
 }  // namespace
 
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out) {
     fmt::print(out, "des (0,{},{})\n", graph.edge_count(), graph.size());
+    const Labels labels(events);
     for (StateIndex state = 0; state < graph.size(); ++state)
         for (const Edge& edge : graph.edges(state))
-            fmt::print(out, "({},\"{}\",{})\n", state, label(events, edge.event), edge.target);
+            fmt::print(out, "({},\"{}\",{})\n", state, labels.of(edge.event), edge.target);
 }
 
 namespace {
@@ -78,10 +97,11 @@ void write_csp(const Graph& graph, const EventTable& events, const std::string& 
 
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out) {
     fmt::print(out, "digraph lts {{\n  node [shape=circle];\n  start [shape=point];\n  start -> 0;\n");
+    const Labels labels(events);
     for (StateIndex state = 0; state < graph.size(); ++state) {
         fmt::print(out, "  {};\n", state);
         for (const Edge& edge : graph.edges(state))
-            fmt::print(out, "  {} -> {} [label=\"{}\"];\n", state, edge.target, label(events, edge.event));
+            fmt::print(out, "  {} -> {} [label=\"{}\"];\n", state, edge.target, labels.of(edge.event));
     }
     fmt::print(out, "}}\n");
 }

@@ -60,6 +60,18 @@ TEST_F(Graphs, WriteAldebaran) {
               "(3,\"tick\",5)\n");
 }
 
+/// An event that is called as readers call a hidden step is none.
+TEST_F(Graphs, EventsNamedLikeHiddenStepsAreWrittenApart) {
+    std::ostringstream out;
+    write_aut(graph_of(s.prefix("tau", s.prefix("tau_", s.prefix("i", s.prefix("tick", s.stop()))))), s.events, out);
+    EXPECT_EQ(out.str(),
+              "des (0,4,5)\n"
+              "(0,\"tau__\",1)\n"
+              "(1,\"tau_\",2)\n"
+              "(2,\"i_\",3)\n"
+              "(3,\"tick_\",4)\n");
+}
+
 TEST_F(Graphs, WriteGraphviz) {
     std::ostringstream out;
     write_dot(graph_of(s.prefix("a", s.stop())), s.events, out);
