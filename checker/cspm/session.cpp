@@ -29,8 +29,11 @@ namespace {
 // A process that stays a term; faults of recursion are named as errors of evaluation.
 class SessionSystem final : public lts::TransitionSystem {
 public:
-    SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span)
-        : system_(semantics, term), span_(span) {}
+    using Place = std::function<Span(process::TermId)>;
+
+    /// Faults are placed at the definition at fault, which `place` says, or else at `span`.
+    SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span, Place place)
+        : system_(semantics, term), span_(span), place_(std::move(place)) {}
 
     [[nodiscard]] std::size_t width() const override { return system_.width(); }
     void initial(std::span<lts::Word> state) override { system_.initial(state); }
@@ -38,7 +41,8 @@ public:
         try {
             system_.successors(state, sink);
         } catch (const process::SemanticsError& error) {
-            throw EvaluationError(error.what(), span_, {});
+            const Span place = error.term ? place_(*error.term) : Span{};
+            throw EvaluationError(error.what(), place.known() ? place : span_, {});
         }
     }
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
@@ -49,6 +53,7 @@ public:
 private:
     process::TermSystem system_;
     Span span_;
+    Place place_;
 };
 
 /// At most so much of a description that a line holds it; characters stay whole.
@@ -103,8 +108,22 @@ struct Session::Impl {
         return {code, unit};
     }
 
+    /// The first definition that a call in the term is of.
+    Span place_of(process::TermId term) {
+        const process::Term& at = terms[term];
+        if (at.op == process::Op::call) return evaluator.place_of_call(at.payload);
+        for (const process::TermId child : at.children)
+            if (const Span place = place_of(child); place.known()) return place;
+        return {};
+    }
+
+    std::unique_ptr<SessionSystem> term_system(process::TermId term, Span span) {
+        return std::make_unique<SessionSystem>(semantics, term, span,
+                                               [this](process::TermId at) { return place_of(at); });
+    }
+
     std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span, const std::function<void()>& poll) {
-        auto terms_alone = std::make_unique<SessionSystem>(semantics, term, span);
+        auto terms_alone = term_system(term, span);
         auto compiled = compiler.compile(term, poll);
         if (!compiled) return terms_alone;
         compiled->set_reference(std::move(terms_alone));
@@ -119,7 +138,7 @@ struct Session::Impl {
         bounds.region_states = 0;
         auto compiled = machine::Compiler(semantics, bounds).compile(term, poll);
         if (compiled) return compiled;
-        return std::make_unique<SessionSystem>(semantics, term, span);
+        return term_system(term, span);
     }
 
     std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,

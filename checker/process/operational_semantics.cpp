@@ -65,9 +65,11 @@ void OperationalSemantics::Impl::begin(TermId term, std::vector<TermId>& stack) 
     if (state == Progress::pending)
         throw SemanticsError(
             fmt::format("the process {} is defined by itself before any event, or inside a compression of itself",
-                        describe(terms, term)));
+                        describe(terms, term)),
+            term);
     if (stack.size() >= deepest_nesting)
-        throw SemanticsError(fmt::format("more than {} processes inside each other before any event", deepest_nesting));
+        throw SemanticsError(fmt::format("more than {} processes inside each other before any event", deepest_nesting),
+                             term);
     state = Progress::pending;
     stack.push_back(term);
 }
@@ -135,7 +137,7 @@ std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
     constexpr int deepest = 200;
     refuse_unsupported(terms[term]);
     if (compressions_under_way >= deepest)
-        throw SemanticsError(fmt::format("more than {} compressions inside each other", deepest));
+        throw SemanticsError(fmt::format("more than {} compressions inside each other", deepest), term);
     ++compressions_under_way;
     std::optional<Machine> result;
     try {

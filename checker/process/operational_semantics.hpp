@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -28,7 +29,9 @@ struct Transition {
 /// A term that has no operational semantics: recursion that reaches no event, or an operator without rules.
 class SemanticsError : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit SemanticsError(const std::string& message, std::optional<TermId> at = std::nullopt)
+        : std::runtime_error(message), term(at) {}
+    std::optional<TermId> term;  ///< the one that is at fault, if that is known
 };
 
 /// Thrown by a poll that wants long work to stop.

@@ -50,6 +50,8 @@ public:
     }
     /// The observer of calls of some functions; set before anything is evaluated.
     void observe(CallObserver observer) { observer_ = std::move(observer); }
+    /// The definition that a call is of (process::Op::call); unknown of built-in functions.
+    [[nodiscard]] Span place_of_call(std::uint32_t call) const { return processes_.place_of_call(call); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
     [[nodiscard]] process::EventSet event_set(const Code& code, const Unit& unit);

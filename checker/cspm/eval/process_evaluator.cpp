@@ -74,8 +74,13 @@ std::string ProcessEvaluator::describe_call(std::uint32_t call) const {
     const Value key = processes_.call_key(call);
     std::string result = text_(key->items[0]);
     if (key->items.size() == 1) return result;
-    text_.items({key->items.begin() + 1, key->items.end()}, "(", ",", ")", result);
-    return result;
+    const Function* const definition = key->items[0]->function;
+    for (std::size_t i = 1; i < key->items.size(); ++i) {
+        result += i == 1 ? "(" : ",";
+        const bool unread = definition != nullptr && i <= definition->unread.size() && definition->unread[i - 1];
+        result += unread ? "_" : text_(key->items[i]);  // all values are one (process_terms.cpp: call)
+    }
+    return result + ")";
 }
 
 }  // namespace robochart::cspm

@@ -59,6 +59,11 @@ TermId ProcessTerms::call(Value function, const Values& arguments) {
     return make(Op::call, {}, place->second);
 }
 
+Span ProcessTerms::place_of_call(std::uint32_t call) const {
+    const Function* const definition = calls_[call]->items[0]->function;
+    return definition == nullptr ? Span{} : definition->span;
+}
+
 TermId ProcessTerms::prefix(PrefixKind kind, Values key) {
     const Value tuple = store_.make(Kind::tuple, static_cast<std::int64_t>(kind), std::move(key));
     auto& index = prefix_index_[static_cast<std::size_t>(kind)];

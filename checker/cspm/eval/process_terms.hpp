@@ -47,6 +47,8 @@ public:
 
     /// A tuple: function, arguments...
     [[nodiscard]] Value call_key(std::uint32_t call) const { return calls_[call]; }
+    /// The definition that a call is of; unknown of built-in functions.
+    [[nodiscard]] Span place_of_call(std::uint32_t call) const;
     [[nodiscard]] std::pair<PrefixKind, Value> prefix_key(std::uint32_t prefix) const { return prefixes_[prefix]; }
 
 private:

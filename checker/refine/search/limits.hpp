@@ -51,7 +51,11 @@ struct Limits : diagnostics::Limits {
 struct Statistics {
     std::uint64_t states = 0;  ///< pairs (specification node, implementation state) or states visited
     std::uint64_t transitions = 0;
-    std::uint64_t depth = 0;       ///< breadth-first level of the last state
+    std::uint64_t depth = 0;  ///< breadth-first level of the last state
+    /// Where a limit ended it: all runs of fewer steps were looked at, and none violates. 0: nothing of the kind is
+    /// known.
+    std::uint64_t searched_steps = 0;
+    bool divergence_open = false;  ///< with searched_steps: these runs were not looked at for divergence
     std::uint64_t spec_nodes = 0;  ///< normalised specification nodes made
     double seconds = 0;
     std::uint64_t chased = 0;    ///< states left out: a step of a transition led to each, and a confluent tau led on

@@ -1,6 +1,8 @@
 // The questions of check.hpp, each as a search with its monitor; determinism has a file of its own.
 #include "checker/refine/verdict/check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <new>
 #include <stdexcept>
@@ -20,6 +22,17 @@ namespace robochart::refine {
 using lts::StateIndex;
 using process::Event;
 
+namespace {
+
+std::string known_so_far(const Statistics& size) {
+    if (size.searched_steps == 0) return "";
+    const std::uint64_t longest = size.searched_steps - 1;
+    return fmt::format("; no violation in runs of up to {} step{}{}", longest, longest == 1 ? "" : "s",
+                       size.divergence_open ? ", divergence aside" : "");
+}
+
+}  // namespace
+
 Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                const std::function<void(Budget&, Verdict&)>& question) {
     Verdict verdict;
@@ -28,7 +41,7 @@ Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits&
     const auto leave_open = [&](const char* reason) {
         verdict.outcome = Outcome::inconclusive;
         verdict.counterexample.reset();
-        verdict.reason = reason;
+        verdict.reason = reason + known_so_far(verdict.statistics);
     };
     try {
         question(budget, verdict);
@@ -104,6 +117,24 @@ std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model mode
     }
 }
 
+/// What the search finds first; where it is ended before, how far it has looked, if `levels_count`.
+std::optional<Finding> first_fault(Search& search, const Violation* known, bool levels_count, bool with_divergence,
+                                   Statistics& statistics) {
+    try {
+        return search.first_violation(events_until(known));
+    } catch (const process::Interrupted&) {
+        statistics.searched_steps = levels_count ? search.depth() : 0;
+        statistics.divergence_open = with_divergence;
+        throw;
+    }
+}
+
+/// Every process refines one that diverges at once; that this is a process is seen by its first step.
+std::optional<Violation> refined_by(lts::TransitionSystem& implementation, Budget& budget) {
+    (void)steps_from(implementation, initial_of(implementation), budget);
+    return std::nullopt;
+}
+
 /// The first fault of the implementation's runs against the normal form.
 std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
                                            Search::Pairs pairs, Budget& budget, Statistics& statistics,
@@ -113,7 +144,8 @@ std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSy
     if (pairs == Search::Pairs::all) normal.refuse_growth();
     if (std::optional<LevelQuestion> question = refinement_by_levels(normal, model, pairs, budget)) {
         statistics.spec_nodes = question->specification->nodes.size();
-        if (with_divergence && question->specification->nodes.front().diverges) return std::nullopt;
+        if (with_divergence && question->specification->nodes.front().diverges)
+            return refined_by(implementation, budget);
         question->divergence = with_divergence;
         question->events_until = events_until(known);
         return budget.limits().by_levels->search(implementation, *question, budget, statistics);
@@ -121,8 +153,10 @@ std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSy
     RefinementMonitor monitor(normal, model);
     Search search(implementation, monitor, budget, with_divergence, pairs);
     const Tally tally(search, statistics, &normal);
-    if (with_divergence && normal.diverges(normal.initial())) return std::nullopt;  // everything refines divergence
-    if (const std::optional<Finding> finding = search.first_violation(events_until(known)))
+    if (with_divergence && normal.diverges(normal.initial())) return refined_by(implementation, budget);
+    const bool levels_count =
+        pairs == Search::Pairs::all;  // in an antichain a pair stands for others that may be nearer
+    if (const std::optional<Finding> finding = first_fault(search, known, levels_count, with_divergence, statistics))
         return violation_of(search, implementation, *finding);
     return with_divergence ? first_divergence(search) : std::nullopt;
 }
@@ -160,7 +194,8 @@ std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbi
     StateMonitor monitor(forbid_deadlock);
     Search search(system, monitor, budget, forbid_divergence);
     const Tally tally(search, statistics);
-    if (const std::optional<Finding> finding = search.first_violation(events_until(known)))
+    if (const std::optional<Finding> finding =
+            first_fault(search, known, forbid_deadlock, forbid_divergence, statistics))
         return violation_of(search, system, *finding);
     return forbid_divergence ? first_divergence(search) : std::nullopt;
 }
@@ -177,13 +212,6 @@ void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool for
         found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
     if (!violation) return;
     fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
-}
-
-/// The run of a trace's first events, which is known to exist.
-Run run_of_prefix(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t length, Budget& budget) {
-    TraceMonitor monitor(trace, length);
-    Search search(system, monitor, budget);
-    return search.run_along(search.path_to(search.first_violation().value().pair));
 }
 
 /// Every run along the trace, and nothing else.
@@ -254,6 +282,12 @@ void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace
 }
 
 }  // namespace
+
+Run run_of_prefix(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t length, Budget& budget) {
+    TraceMonitor monitor(trace, length);
+    Search search(system, monitor, budget);
+    return search.run_along(search.path_to(search.first_violation().value().pair));
+}
 
 Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding) {
     Violation violation{finding.kind, search.run_along(search.path_to(finding.pair)), {}, {}};

@@ -21,6 +21,12 @@ std::vector<process::TermId> terms_of(const Run& run) {
 
 }  // namespace
 
+void tell_accepting(const Confirmed& accepting, Counterexample& counterexample) {
+    counterexample.accepting_initial = accepting.system->describe(accepting.violation.run.initial);
+    counterexample.accepting = steps_of(*accepting.system, accepting.violation.run);
+    if (accepting.system->states_are_terms()) counterexample.accepting_terms = terms_of(accepting.violation.run);
+}
+
 Counterexample tell(const Confirmed& confirmed) {
     lts::TransitionSystem& system = *confirmed.system;
     const Violation& violation = confirmed.violation;
@@ -38,7 +44,10 @@ Counterexample tell(const Confirmed& confirmed) {
     }
     const bool stops = violation.kind == ViolationKind::refusal || violation.kind == ViolationKind::deadlock ||
                        violation.kind == ViolationKind::nondeterminism;
-    if (stops) result.offered = offer_of(steps_from(system, violation.run.last())).events;
+    if (stops) {
+        const Offer offer = offer_of(steps_from(system, violation.run.last()));
+        result.offered = acceptance(offer).value_or(offer.events);
+    }
     return result;
 }
 

@@ -210,6 +210,22 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, Model mode
     return violation;
 }
 
+/// The verdict does without it where a limit ends the search for it.
+void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing, Budget& budget,
+                       Counterexample& counterexample) {
+    std::vector<Event> trace = refusing.run.trace();
+    trace.push_back(refusing.event.value());
+    const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
+        confirm_trace(judged, trace, shown.run, own);
+    };
+    try {
+        const Run run = run_of_prefix(system, trace, trace.size(), budget);
+        tell_accepting(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge), counterexample);
+    } catch (const process::Interrupted&) {
+        counterexample.accepting.clear();
+    }
+}
+
 void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
     const SearchQuestion question{
@@ -221,8 +237,11 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
     const std::optional<Violation> violation =
         found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
     if (!violation) return;
-    verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));
+    const Confirmed refusing = confirmed(system, *violation, budget, confirm_property_violation);
+    verdict.counterexample = tell(refusing);
     verdict.outcome = Outcome::fails;
+    if (violation->kind == ViolationKind::nondeterminism)
+        add_accepting_run(system, refusing.violation, budget, *verdict.counterexample);
 }
 
 }  // namespace

@@ -35,6 +35,9 @@ private:
     const NormalForm* specification_;
 };
 
+/// The shortest run of a trace's first events, which is known to exist.
+[[nodiscard]] Run run_of_prefix(lts::TransitionSystem& system, const std::vector<process::Event>& trace,
+                                std::size_t length, Budget& budget);
 /// The run to a finding, with the forbidden event as its last step if there is one.
 [[nodiscard]] Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding);
 /// After an exhausted search that kept taus: the first divergence.

@@ -28,15 +28,22 @@ struct Step {
 /// A run that violates an assertion, and what is wrong with it.
 struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
-    std::vector<Step> steps;              ///< run of the implementation, taus included
-    std::string initial;                  ///< describe() of the initial state
-    std::vector<process::Event> offered;  ///< refusal, deadlock: what the last state offers
-    std::vector<process::EventSet>
-        required;  ///< refusal: the specification's minimal acceptances; trace: one set, the events it allowed
+    std::vector<Step> steps;  ///< run of the implementation, taus included
+    std::string initial;      ///< describe() of the initial state
+    /// Refusal, deadlock, nondeterminism: the least that the last state accepts, ✓ alone where it can terminate.
+    std::vector<process::Event> offered;
+    /// Refusal: the specification's minimal acceptances, none where it has no stable state; trace: one set, the events
+    /// that it allowed.
+    std::vector<process::EventSet> required;
     std::vector<Step> loop;               ///< divergence: the tau loop
     std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the offending one
-    /// The initial state and those after the steps, then those of the loop; empty where states are not terms.
-    std::vector<process::TermId> terms, loop_terms;
+    /// Nondeterminism: another run with the same events, and the event that this one refuses as its last step. Empty
+    /// where a limit ended the search for it.
+    std::vector<Step> accepting;
+    std::string accepting_initial;  ///< describe() of its initial state
+    /// The initial state and those after the steps, then those of the loop, and of the accepting run; empty where
+    /// states are not terms.
+    std::vector<process::TermId> terms, loop_terms, accepting_terms;
     /// Whether the run was replayed by the operational semantics of terms; else by the compiled rules alone, because
     /// the terms were too many or there are none.
     bool replayed_by_terms = false;
