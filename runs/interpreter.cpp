@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "runs/copies.hpp"
+#include "runs/text.hpp"
 #include "runs/timeline.hpp"
 
 namespace robochart::runs {
@@ -72,6 +73,7 @@ private:
     [[nodiscard]] std::vector<Event> named(const process::EventSet& set) const;
     [[nodiscard]] bool writes_are_urgent() const;
     [[nodiscard]] std::vector<Cause> causes() const;
+    [[nodiscard]] std::string accepting_run() const;
     [[nodiscard]] std::string why() const;
     [[nodiscard]] std::vector<Event> refused() const;
     [[nodiscard]] const std::vector<Machine>& last_machines() const;
@@ -497,6 +499,28 @@ std::string list(const std::vector<Event>& events) {
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// The other run, up to the event that this one refuses; "" where it is not known as one of the model.
+std::string Interpreter::accepting_run() const {
+    if (counterexample_.accepting_terms.empty()) return "";
+    refine::Counterexample other;
+    other.kind = refine::ViolationKind::no_trace;
+    other.steps = counterexample_.accepting;
+    other.initial = counterexample_.accepting_initial;
+    other.terms = counterexample_.accepting_terms;
+    const Run run = Interpreter(context_, obligation_, other).run();
+    constexpr std::size_t shown = 20;
+    std::vector<std::string> steps;
+    for (const Step& step : run.steps) {
+        if (step.event.kind == Kind::tock)
+            steps.push_back(fmt::format("{} time unit{}", step.units, step.units == 1 ? "" : "s"));
+        else if (is_news(step))
+            steps.push_back(text(step.event, step.with));
+    }
+    const std::size_t more = steps.size() > shown ? steps.size() - shown : 0;
+    steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(more));
+    return fmt::format("; it is accepted in the run {}{}", more > 0 ? "..., " : "", fmt::join(steps, ", "));
+}
+
 std::string Interpreter::why() const {
     const End& end = run_.end;
     switch (end.kind) {
@@ -514,6 +538,12 @@ std::string Interpreter::why() const {
                                       ? fmt::format("{} ({}:{})", cause.text, cause.place->file, cause.place->line)
                                       : cause.text);
             if (!reasons.empty()) return fmt::format("time cannot pass: {}", fmt::join(reasons, ", and "));
+            if (end.required.empty())
+                return fmt::format(
+                    "it comes to rest, offering {}; the specification has no stable state after these events, since "
+                    "its "
+                    "internal steps never end, and so allows none",
+                    list(end.offered));
             std::vector<std::string> alternatives;
             for (const auto& each : end.required)
                 alternatives.push_back(each.size() < 2    ? list(each)
@@ -528,8 +558,8 @@ std::string Interpreter::why() const {
             return run_.loop_start ? "nothing is possible any more but that time passes"
                                    : "nothing is possible any more";
         case EndKind::nondeterminism:
-            return fmt::format("{} may be accepted and may be refused after the same events; here it is refused",
-                               end.event ? end.event->text : "an event");
+            return fmt::format("{} may be accepted and may be refused after the same events; here it is refused{}",
+                               end.event ? end.event->text : "an event", accepting_run());
         case EndKind::reached:
             return "the state has been reached";
         case EndKind::terminated:

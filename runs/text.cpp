@@ -63,21 +63,6 @@ std::string Writer::who(const std::string& component) const {
     return found == short_names_.end() ? last_of(component) : found->second;
 }
 
-/// Steps inside are shown where they change something or show what a machine decides to do.
-bool is_news(const Step& step) {
-    if (step.event.kind == Kind::tock) return false;
-    if (!step.changes.empty() || !step.hidden) return true;
-    switch (step.event.kind) {
-        case Kind::internal:
-        case Kind::entered:
-        case Kind::exited:
-        case Kind::external_write:
-            return false;
-        default:
-            return true;
-    }
-}
-
 /// What is assigned at once when time has passed is no step of its own.
 std::vector<std::pair<std::string, std::string>> assigned(const Step& step) {
     std::vector<std::pair<std::string, std::string>> result;
@@ -189,6 +174,20 @@ std::string Writer::write() {
 }
 
 }  // namespace
+
+bool is_news(const Step& step) {
+    if (step.event.kind == Kind::tock) return false;
+    if (!step.changes.empty() || !step.hidden) return true;
+    switch (step.event.kind) {
+        case Kind::internal:
+        case Kind::entered:
+        case Kind::exited:
+        case Kind::external_write:
+            return false;
+        default:
+            return true;
+    }
+}
 
 std::string text(const Event& event) {
     const bool by_transition = event.kind == Kind::input && event.via.find(" -> ") != std::string::npos;

@@ -10,6 +10,8 @@
 namespace robochart::runs {
 
 /// What happens: "input a with 3 (t1: S1 -> S2)".
+/// Whether a run says the step: one inside where it changes something or shows what a machine decides to do.
+[[nodiscard]] bool is_news(const Step&);
 [[nodiscard]] std::string text(const Event&);
 /// The same with what others do in the same step.
 [[nodiscard]] std::string text(const Event&, const std::vector<Event>& with);
