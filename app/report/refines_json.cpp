@@ -89,6 +89,19 @@ public:
         json["states"] = std::move(states);
         return json;
     }
+    /// The run that accepts the event, which is its last one.
+    Json accepting(const std::string& name) {
+        Json json{{"machine_name", name}, {"type", "trace"}};
+        std::vector<Event> trace;
+        Json states = Json::array({counterexample_.accepting_initial});
+        for (const refine::Step& step : counterexample_.accepting) {
+            trace.push_back(step.event);
+            states.push_back(step.state);
+        }
+        json["trace"] = events_.numbers(trace);
+        json["states"] = std::move(states);
+        return json;
+    }
     void parts(Json& json, const process::Behaviour& whole) { children(json, whole, offence_of_whole()); }
     Json specification(const std::string& name) {
         std::vector<Event> trace;
@@ -148,6 +161,11 @@ private:
                 return "min_acceptance";
         }
     }
+    /// A state that can terminate may do so whatever else it offers: its least acceptance is ✓ alone.
+    static process::EventSet least(const process::EventSet& offered) {
+        const bool terminates = !offered.empty() && offered.front() == process::tick;
+        return terminates ? process::EventSet{process::tick} : offered;
+    }
     void finish(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered,
                 Offence offence) {
         if (counterexample_.kind == ViolationKind::trace) {
@@ -160,7 +178,7 @@ private:
         } else if (counterexample_.kind == ViolationKind::divergence) {
             json["loop_start"] = std::min(counterexample_.steps.size(), trace.size());
         } else {
-            json["acceptance"] = events_.numbers(offered);
+            json["acceptance"] = events_.numbers(least(offered));
         }
         json["trace"] = events_.numbers(trace);
         if (options_.reveal_taus) json["revealed_trace"] = events_.numbers(revealed);
@@ -179,8 +197,10 @@ Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Op
         json["specification_behaviour"] = behaviours.specification(assertion.specification);
     json["implementation_behaviour"] = behaviours.implementation(assertion.process);
     if (assertion.behaviour) behaviours.parts(json["implementation_behaviour"], *assertion.behaviour);
-    if (counterexample.kind == ViolationKind::nondeterminism && counterexample.event)
+    if (counterexample.kind == ViolationKind::nondeterminism && counterexample.event) {
         json["event"] = events.number(*counterexample.event);
+        if (!counterexample.accepting.empty()) json["accepting_behaviour"] = behaviours.accepting(assertion.process);
+    }
     json["replayed_by"] = counterexample.replayed_by_terms ? "terms" : "compiled rules";
     json["shortest"] = counterexample.shortest;
     return json;

@@ -50,7 +50,32 @@ private:
 std::string sets(const Names& names, const std::vector<process::EventSet>& list) {
     std::vector<std::string> shown;
     for (const process::EventSet& each : list) shown.push_back(names.set(each));
-    return list.empty() ? "nothing" : fmt::format("{}", fmt::join(shown, " "));
+    return fmt::format("{}", fmt::join(shown, " "));
+}
+
+std::string not_allowed(const refine::Counterexample& c, const Names& names, const std::string& event) {
+    const bool ends = std::all_of(c.required.begin(), c.required.end(), [](const auto& each) { return each.empty(); });
+    if (ends) return fmt::format("where the specification allows no event, so not {}", event);
+    return fmt::format("where the specification does not allow {}, only {}", event, sets(names, c.required));
+}
+
+/// In F a specification that has no stable state after the trace has no failures there: it allows no stable state.
+std::string refusal(const refine::Counterexample& c, const Names& names) {
+    if (c.required.empty())
+        return fmt::format(
+            "then is stable and offers {}; the specification has no stable state after this trace (its taus never "
+            "end), so it allows none",
+            names.set(c.offered));
+    return fmt::format("then offers {}; the specification requires one of: {}", names.set(c.offered),
+                       sets(names, c.required));
+}
+
+/// Both runs, where the second is known.
+std::string nondeterminism(const refine::Counterexample& c, const Names& names, const std::string& event) {
+    std::string out = fmt::format("then refuses {}: the state offers {}", event, names.set(c.offered));
+    if (c.accepting.empty()) return out + fmt::format("; after the same events it can also accept {}", event);
+    const std::vector<refine::Step> before(c.accepting.begin(), c.accepting.end() - 1);
+    return out + fmt::format("\n                 and accepts {} after {}", event, names.run(before));
 }
 
 /// The offence after the trace, with what the specification allowed.
@@ -58,17 +83,15 @@ std::string offence(const refine::Counterexample& c, const Names& names) {
     const std::string event = c.event ? names.of(*c.event) : "";
     switch (c.kind) {
         case ViolationKind::trace:
-            return fmt::format("where the specification does not allow {}, only {}", event, sets(names, c.required));
+            return not_allowed(c, names, event);
         case ViolationKind::refusal:
-            return fmt::format("then offers {}; the specification requires one of: {}", names.set(c.offered),
-                               sets(names, c.required));
+            return refusal(c, names);
         case ViolationKind::divergence:
             return fmt::format("then diverges by {} for ever", names.run(c.loop));
         case ViolationKind::deadlock:
             return "then can do nothing";
         case ViolationKind::nondeterminism:
-            return fmt::format("then may accept {} and may refuse it: a state it can be in offers {}", event,
-                               names.set(c.offered));
+            return nondeterminism(c, names, event);
         case ViolationKind::no_return:
             return "then can never again do what is asked for";
         case ViolationKind::no_trace:
@@ -140,13 +163,15 @@ std::string plain_counterexample(const ScriptAssertion& a, const Names& names, c
     if (!a.specification.empty())
         out += fmt::format(
             "        Specification Debug:\n            {}:\n                Trace: {}\n                Allowed: {}\n",
-            a.specification, visible_trace(c, names), sets(names, c.required));
+            a.specification, visible_trace(c, names),
+            c.required.empty() && c.kind == ViolationKind::refusal ? "no stable state" : sets(names, c.required));
     std::vector<refine::Step> steps = c.steps;
     if (c.kind == ViolationKind::trace && !steps.empty()) steps.pop_back();
     out += fmt::format("        Implementation Debug:\n            {}:\n                Trace: {}\n", a.process,
                        names.run(steps));
     if (c.kind == ViolationKind::divergence) out += fmt::format("                Repeating: {}\n", names.run(c.loop));
     if (c.event) out += fmt::format("                Error Event: {}\n", names.of(*c.event));
+    if (!c.accepting.empty()) out += fmt::format("                Accepted: {}\n", names.run(c.accepting));
     const bool stops = c.kind == ViolationKind::refusal || c.kind == ViolationKind::deadlock ||
                        c.kind == ViolationKind::nondeterminism;
     if (stops) out += fmt::format("                Min Acceptance: {}\n", names.set(c.offered));

@@ -302,7 +302,8 @@ std::string closing(const Report& report) {
         parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
     }
     if (!report.unclaimed.empty()) parts.push_back(report.unclaimed);
-    if (!report.limit.empty()) parts.push_back("inconclusive: " + report.limit);
+    if (!report.limit.empty())
+        parts.push_back((report.limit.starts_with("the run was interrupted") ? "" : "inconclusive: ") + report.limit);
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

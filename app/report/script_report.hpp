@@ -28,6 +28,7 @@ struct ScriptPrint {
     std::string expression;
     std::string value;
     std::string error;
+    bool failed = false;  ///< it has no value; else the error is a limit
 };
 
 struct ScriptReport {

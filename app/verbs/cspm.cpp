@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <optional>
 
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
@@ -63,29 +65,53 @@ AssertionReport undecided(const cspm::Decl& assertion) {
     return report;
 }
 
-ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, const Options& options,
-                       const diagnostics::SourceManager& sources) {
+/// What is known of an assertion while it is being decided.
+void note_progress(const refine::Progress& progress, AssertionReport& report) {
+    if (progress.phase != refine::Progress::Phase::searching) return;
+    report.statistics.states = progress.states;
+    report.statistics.transitions = progress.transitions;
+    report.statistics.depth = progress.depth;
+    report.statistics.seconds = progress.seconds;
+    report.searched = true;
+}
+
+/// What the assertions of a script share while they are decided.
+struct Deciding {
+    const Options& options;
+    const diagnostics::SourceManager& sources;
+    std::function<void(const refine::Progress&)> note;  ///< of the assertion that is being decided
+    std::string limit = "";  ///< what has ended one of them, the first time; "" as long as nothing has
+};
+
+ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, Deciding& deciding) {
+    const Options& options = deciding.options;
     ScriptAssertion report;
     report.number = number;
-    report.place = sources.place(assertion.span);
+    report.place = deciding.sources.place(assertion.span);
     name_sides(assertion.assertion, report);
     report.text = text_of(assertion);
-    const refine::Limits bounds = limits(options, report.text);
+    refine::Limits bounds = limits(options, report.text);
+    bounds.progress = [&deciding, shown = bounds.progress](const refine::Progress& progress) {
+        if (shown) shown(progress);
+        deciding.note(progress);
+    };
     try {
         const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + report.text);
         report.result = session.check(assertion, bounds);
         report.answer = answer(report.result.verdict.outcome);
+        if (report.answer == Answer::inconclusive && deciding.limit.empty())
+            deciding.limit = options.run->budget().reached();
         if (report.result.verdict.counterexample && !options.brief)
             report.behaviour = session.behaviour(*report.result.verdict.counterexample, bounds);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
-    } catch (const diagnostics::LimitReached& limit) {  // before it
+    } catch (const diagnostics::LimitReached& reached) {  // before it
         options.run->finish();
         report.answer = Answer::inconclusive;
-        report.errors.emplace_back(limit.what());
+        report.errors.push_back(fmt::format("not begun: {}", deciding.limit.empty() ? reached.what() : deciding.limit));
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
         report.errors.push_back(
-            fmt::format("{}: {}{}", sources.place(error.span), error.what(), call_stack(error.stack)));
+            fmt::format("{}: {}{}", deciding.sources.place(error.span), error.what(), call_stack(error.stack)));
     }
     return report;
 }
@@ -164,6 +190,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
         ScriptPrint& printed = result.emplace_back();
         printed.expression = cspm::print(statement->body);
         try {
+            const diagnostics::Budget::Phase phase(options.run->budget(), "printing " + printed.expression);
             printed.value = session.evaluate(statement->body, limits(options, printed.expression));
         } catch (const diagnostics::LimitReached& limit) {
             printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(statement->span)), limit.what());
@@ -171,6 +198,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
             stopped = true;
         } catch (const cspm::EvaluationError& error) {
             printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(error.span)), error.what());
+            printed.failed = true;
         }
     }
     return result;
@@ -230,9 +258,14 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         for (std::size_t i = 0; i < assertions.size(); ++i)
             if (asked_for(options, std::to_string(i + 1))) report.assertions.push_back(undecided(*assertions[i]));
     }
+    const auto note = [&](const refine::Progress& progress) {
+        const auto edit = options.run->edit();
+        note_progress(progress, report.assertions[at]);
+    };
+    Deciding deciding{options, loaded.sources, note};
     for (std::size_t i = 0; i < assertions.size(); ++i) {
         if (!asked_for(options, std::to_string(i + 1))) continue;
-        ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
+        ScriptAssertion decided = decide(session, *assertions[i], i + 1, deciding);
         {
             AssertionReport one = in_report(decided, session.event_table(), options);
             const auto edit = options.run->edit();
@@ -305,8 +338,10 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     Report& report = known.report;
     LoadedScript loaded;
     loaded.diagnostics.within(&options.run->budget());
-    const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + path);
-    load_script(path, loaded);
+    {
+        const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + path);
+        load_script(path, loaded);
+    }
     show_findings(loaded, options);
     ScriptReport script;
     script.path = path;
@@ -320,7 +355,9 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     }
     bool stopped = false;
     try {
+        std::optional<diagnostics::Budget::Phase> reading(std::in_place, options.run->budget(), "reading " + path);
         cspm::Session session(loaded.script, &options.run->budget());
+        reading.reset();
         if (diagnostics::Cache* const cache = options.run->cache()) session.remember(*cache);
         script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
@@ -348,6 +385,8 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         note_refused(script, options, report);
         return Exit::bad_input;
     }
+    const bool failed = std::ranges::any_of(script.prints, [](const ScriptPrint& each) { return each.failed; });
+    if (failed) return Exit::bad_input;
     return stopped ? Exit::inconclusive : Exit::success;
 }
 
@@ -402,6 +441,8 @@ Exit run_cspm(const Options& options) {
     report.subject = "process";
     options.run->last_word([known, &options](const std::string& why) {
         known->report.limit = why;
+        for (AssertionReport& each : known->report.assertions)
+            if (each.reason == undecided_at_limit) each.reason = fmt::format("not decided: {}", why);
         ScriptReport script;
         script.path = known->open;
         script.errors.push_back(why);

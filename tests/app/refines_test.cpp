@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -178,6 +179,124 @@ TEST(Refines, FailuresLoopsAndDeadlocksHaveTheirFields) {
     EXPECT_EQ(behaviour(4)["loop_start"], 0);
     EXPECT_THAT(named(object, behaviour(4)["trace"]), ElementsAre("τ"));
     EXPECT_EQ(object["results"][5]["counterexamples"][0]["type"], "determinism");
+}
+
+// Once the hidden h has happened, l is refused; as long as it has not, it is accepted.
+TEST(Refines, DeterminismIsShownByTwoRuns) {
+    const TemporaryFile script("leak.csp", R"(channel h, l
+Leak = (h -> STOP [] l -> STOP) \ {h}
+assert Leak :[deterministic [F]]
+)");
+    const Json object = refines(script.path());
+    const Json& reported = object["results"][0]["counterexamples"][0];
+    EXPECT_THAT(named(object, reported["implementation_behaviour"]["trace"]), ElementsAre("τ"));
+    EXPECT_EQ(named(object, Json::array({reported["event"]})).front(), "l");
+    EXPECT_THAT(named(object, reported["accepting_behaviour"]["trace"]), ElementsAre("l"));
+    EXPECT_EQ(reported["accepting_behaviour"]["states"].size(), 2U);
+    const std::string text = run({"cspm", script.path()}).out;
+    EXPECT_THAT(text, AllOf(HasSubstr("trace <τ>\n"), HasSubstr("then refuses l: the state offers {}\n"),
+                            HasSubstr("and accepts l after <>\n")));
+    EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Accepted: <l>\n"));
+}
+
+// What can terminate may do so by itself: it offers ✓ alone, whatever else is there.
+TEST(Refines, TheLeastAcceptanceOfWhatCanTerminate) {
+    const TemporaryFile script("tick.csp", "channel a\nassert SKIP [] a -> STOP :[deterministic [F]]\n");
+    const Json object = refines(script.path());
+    const Json& reported = object["results"][0]["counterexamples"][0]["implementation_behaviour"];
+    EXPECT_THAT(named(object, reported["acceptance"]), ElementsAre("✓"));
+    EXPECT_THAT(run({"cspm", script.path()}).out, HasSubstr("then refuses a: the state offers {✓}"));
+}
+
+// A specification whose taus never end has no stable failures: in F it is refined by nothing that comes to rest.
+TEST(Refines, ASpecificationWithoutStableStates) {
+    const TemporaryFile script("restless.csp", R"(channel a, h
+Restless = (h -> Restless0) \ {h}
+Restless0 = h -> Restless0 [] a -> STOP
+assert Restless [F= a -> STOP
+assert Restless [F= STOP
+assert Restless [T= STOP
+assert STOP [T= a -> STOP
+)");
+    const Ran ran = run({"cspm", script.path()});
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("then is stable and offers {a}; the specification has no stable state"),
+                               HasSubstr("then is stable and offers {}; the specification has no stable state"),
+                               HasSubstr("where the specification allows no event, so not a"),
+                               HasSubstr("1 of 4 checks hold, 3 fail")));
+    EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Allowed: no stable state\n"));
+}
+
+// A print without a value is an error of the script; what is claimed is decided all the same.
+TEST(Refines, APrintThatFailsIsSaid) {
+    const TemporaryFile script("prints.csp", "print 1 / 0\nassert STOP [T= STOP\n");
+    const Ran ran = run({"cspm", script.path()});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("division by zero"), HasSubstr("1 of 1 checks hold")));
+    EXPECT_EQ(run({"cspm", script.path(), "--format", "json"}).exit, 2);
+}
+
+TEST(Refines, FaultsArePlacedWhereTheyAre) {
+    const TemporaryFile recursion("recursion.csp",
+                                  "channel a\nQ = R\nR = Q\nP = a -> STOP [] Q\nassert P :[deadlock free]\n");
+    const Ran ran = run({"cspm", recursion.path()});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.out, AnyOf(HasSubstr("recursion.csp:2: the process"), HasSubstr("recursion.csp:3: the process")));
+    const TemporaryFile open("open.csp", "channel a\nQ(x) = if x > 2 then STOP\n\nP = a -> P\n");
+    EXPECT_THAT(run({"cspm", open.path()}).err, HasSubstr("open.csp:2:"));
+}
+
+// All calls that differ in an argument that nothing reads are one process.
+TEST(Refines, ArgumentsThatNothingReadsHaveNoValue) {
+    const TemporaryFile script("unread.csp", R"(channel a, b : {0..1}
+P(i, c, x) = a.x -> Done(i, c)
+Done(i, c) = b.0 -> Done(i, 'y')
+assert STOP [T= P(1, 'x', 0)
+)");
+    const std::string text = run({"cspm", script.path(), "--format", "json"}).out;
+    EXPECT_THAT(text, AllOf(HasSubstr("Done(_,_)"), Not(HasSubstr("'_'"))));
+}
+
+// A specification that diverges at once is refined in FD by everything, but by something.
+TEST(Refines, WhatCannotBeEvaluatedRefinesNothing) {
+    const TemporaryFile script("diverging.csp", R"(channel a : {1, 2}
+L = a.1 -> L
+Spec = L \ {|a|}
+assert Spec [FD= a.3 -> STOP
+assert Spec [FD= a.2 -> a.3 -> STOP
+)");
+    const Ran ran = run({"cspm", script.path()});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("a.3"), HasSubstr("1 of 2 checks hold, 1 cannot be evaluated")));
+}
+
+// Fifty events in any order: after a thousand states the runs of one event at least are known.
+TEST(Refines, ALimitSaysWhatIsKnown) {
+    const TemporaryFile script("many.csp", R"(channel a : {0..49}
+S = ||| i : {0..49} @ a.i -> STOP
+assert S :[deadlock free [F]]
+assert CHAOS({|a|}) [T= S
+assert CHAOS({|a|}) [FD= S
+assert STOP [T= STOP
+)");
+    const Ran ran = run({"cspm", script.path(), "--max-states", "1000", "--no-reduction", "--threads", "1"});
+    EXPECT_EQ(ran.exit, 3);
+    EXPECT_THAT(ran.out,
+                AllOf(HasSubstr("the limit of 1000 states was reached; no violation in runs of up to 1 step\n"),
+                      HasSubstr("no violation in runs of up to 1 step, divergence aside\n"),
+                      HasSubstr("1 of 4 checks hold, 3 inconclusive")));
+}
+
+TEST(Refines, WhatWasNotBegunIsSaid) {
+    const TemporaryFile script("begun.csp", R"(channel a : {0..25}.{0..3}
+S = (||| i : {0..25} @ a.i.0 -> a.i.1 -> a.i.2 -> STOP) \ {|a|}
+channel e
+assert not S :[has trace [T]]: <e>
+assert STOP [T= STOP
+)");
+    const Ran ran = run({"cspm", script.path(), "--timeout", "0.3"});
+    EXPECT_EQ(ran.exit, 3);
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("not begun: the time limit was reached while deciding not S"),
+                               Not(HasSubstr("while reading"))));
 }
 
 TEST(Refines, AScriptThatOnlyPrintsHasAFrame) {
