@@ -102,7 +102,7 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
         if (report.answer == Answer::inconclusive && deciding.limit.empty())
             deciding.limit = options.run->budget().reached();
         if (report.result.verdict.counterexample && !options.brief)
-            report.behaviour = session.behaviour(*report.result.verdict.counterexample, bounds);
+            report.behaviour = session.behaviour_with_values(assertion, *report.result.verdict.counterexample, bounds);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
     } catch (const diagnostics::LimitReached& reached) {  // before it
         options.run->finish();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "checker/cspm/syntax/lookup.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/deep_stack.hpp"
+#include "checker/cspm/whole_run.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/process/operational_semantics.hpp"
@@ -141,15 +143,45 @@ struct Session::Impl {
         return term_system(term, span);
     }
 
+    /// One side of an assertion as a term.
+    process::TermId term_of(const ExprPtr& expr, const Decl& assertion) {
+        const Ready code = ready(expr, &assertion);
+        const process::TermId term = evaluator.process(*code.code, *code.unit);
+        if (!assertion.assertion.tau_priority) return term;
+        const Ready set = ready(assertion.assertion.tau_priority, &assertion);
+        return evaluator.tau_priority(term, evaluator.event_set(*set.code, *set.unit));
+    }
+
     std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,
                                                 const std::function<void()>& poll) {
-        const Ready code = ready(expr, &assertion);
-        process::TermId term = evaluator.process(*code.code, *code.unit);
-        if (assertion.assertion.tau_priority) {
-            const Ready set = ready(assertion.assertion.tau_priority, &assertion);
-            term = evaluator.tau_priority(term, evaluator.event_set(*set.code, *set.unit));
-        }
-        return system(term, expr->span, poll);
+        return system(term_of(expr, assertion), expr->span, poll);
+    }
+
+    /// Gives the run's descriptions the values that they leave out; returns the run of terms of `whole`.
+    std::optional<WholeRun> with_values(process::TermId process, std::string& initial, std::vector<refine::Step>& run) {
+        std::optional<WholeRun> found = whole_run(whole->semantics, whole->events, process, initial, run, events);
+        if (!found) return std::nullopt;
+        initial = process::describe(whole->terms, found->initial);
+        for (std::size_t i = 0; i < run.size(); ++i)
+            run[i].state = process::describe(whole->terms, found->steps[i].target);
+        return found;
+    }
+
+    std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion, refine::Counterexample& shown,
+                                                            const refine::Limits& limits) {
+        if (!whole) whole = std::make_unique<Impl>(script, nullptr, true);
+        refine::Budget budget(limits);
+        const Polling polling(*whole, budget);
+        const Assertion& asked = assertion.assertion;
+        const bool refinement = asked.kind == AssertionKind::refinement;
+        const process::TermId process =
+            whole->term_of(refinement ? asked.implementation : asked.specification, assertion);
+        if (!shown.accepting.empty()) (void)with_values(process, shown.accepting_initial, shown.accepting);
+        const std::optional<WholeRun> run = with_values(process, shown.initial, shown.steps);
+        if (!run) return std::nullopt;
+        process::Behaviour result = process::behaviour(whole->semantics, run->initial, run->steps);
+        translate(result, [&](process::Event event) { return events.intern(whole->events.name(event)); });
+        return result;
     }
 
     refine::Model model(const Decl& assertion) const {
@@ -325,6 +357,8 @@ struct Session::Impl {
     Resolver resolver;
     Evaluator evaluator;
     Memory memory;
+    std::unique_ptr<Impl>
+        whole;  ///< the same script with all arguments kept; null until a run is to be shown with them
 };
 
 Session::Session(Script script, diagnostics::Budget* budget, bool whole_states)
@@ -417,6 +451,26 @@ std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr
 process::EventSet Session::events(const ExprPtr& expr) {
     const Impl::Ready ready = impl_->ready(expr);
     return impl_->evaluator.event_set(*ready.code, *ready.unit);
+}
+
+std::optional<process::Behaviour> Session::behaviour_with_values(const Decl& assertion,
+                                                                 refine::Counterexample& counterexample,
+                                                                 const refine::Limits& limits) {
+    const auto lacks = [](const std::vector<refine::Step>& run) {
+        return std::ranges::any_of(run, [](const refine::Step& step) { return leaves_values_out(step.state); });
+    };
+    const bool values =
+        leaves_values_out(counterexample.initial) || lacks(counterexample.steps) || lacks(counterexample.accepting);
+    // In a loop values may change round after round: as a state it is one without them.
+    if (!values || counterexample.terms.empty() || !counterexample.loop.empty())
+        return behaviour(counterexample, limits);
+    try {
+        if (auto found = impl_->behaviour_with_values(assertion, counterexample, limits)) return found;
+    } catch (const process::Interrupted&) {
+    } catch (const EvaluationError&) {
+    } catch (const process::SemanticsError&) {
+    }
+    return behaviour(counterexample, limits);
 }
 
 std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& counterexample,

@@ -57,6 +57,11 @@ public:
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
     /// The same within limits; none where one is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
+    /// The same for people: the descriptions in the counterexample get the values of arguments that nothing reads,
+    /// which the terms of states do not have. The terms of this behaviour are not the session's.
+    [[nodiscard]] std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion,
+                                                                          refine::Counterexample&,
+                                                                          const refine::Limits&);
     /// What a term can do. Throws EvaluationError or process::SemanticsError where its definitions cannot be evaluated.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
     /// One of these taken apart: what each component does in it.

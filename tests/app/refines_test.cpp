@@ -245,15 +245,21 @@ TEST(Refines, FaultsArePlacedWhereTheyAre) {
     EXPECT_THAT(run({"cspm", open.path()}).err, HasSubstr("open.csp:2:"));
 }
 
-// All calls that differ in an argument that nothing reads are one process.
-TEST(Refines, ArgumentsThatNothingReadsHaveNoValue) {
+// All calls that differ in an argument that nothing reads are one process; a run that is shown has the values.
+TEST(Refines, ArgumentsThatNothingReadsAreShown) {
     const TemporaryFile script("unread.csp", R"(channel a, b : {0..1}
 P(i, c, x) = a.x -> Done(i, c)
-Done(i, c) = b.0 -> Done(i, 'y')
-assert STOP [T= P(1, 'x', 0)
+Done(i, c) = b.0 -> Done(i + 1, 'y')
+assert STOP [T= P(1, 'x', 0) ||| P(0, 'z', 1)
+assert (P(7, 'x', 0) \ {|a, b|}) :[divergence free]
 )");
-    const std::string text = run({"cspm", script.path(), "--format", "json"}).out;
-    EXPECT_THAT(text, AllOf(HasSubstr("Done(_,_)"), Not(HasSubstr("'_'"))));
+    const Json object = refines(script.path());
+    const Json& parts = object["results"][0]["counterexamples"][0]["implementation_behaviour"]["child_behaviours"];
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0]["states"], Json::array({"P(1,'x',0)", "Done(1,'x')"}));
+    EXPECT_EQ(parts[1]["machine_name"], "P(0,'z',1)");
+    const std::string looping = object["results"][1].dump();
+    EXPECT_THAT(looping, AllOf(HasSubstr("Done(_,_)"), Not(HasSubstr("'_'"))));
 }
 
 // A specification that diverges at once is refined in FD by everything, but by something.
