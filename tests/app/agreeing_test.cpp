@@ -120,6 +120,38 @@ TEST(Agreeing, VerdictsByHand) {
     expect_agreement(folder, rows);
 }
 
+/// Models of questions that people asked of other tools, with the verdicts that the rules of the semantics give.
+const std::vector<Row> models_of_questions{
+    // An inner transition without a trigger and an outer one with one: either may come first. The environment may
+    // refuse
+    // a call, and time waits for it.
+    {"anon", "A:H B:H C:F D:F", false},
+    // A value that is put into a buffer may be read before the next one is.
+    {"bufs", "Old:F", false},
+    // The module ends when both machines have, which may be never; nothing else ends it.
+    {"fin", "T:H N:F", false},
+    // A machine that waits for an event of its own is not stuck, nor is a module in which another one goes on.
+    {"local", "WholeFree:H PartFree:H", false},
+    // The counter reaches 0, then the other guard is open.
+    {"loop", "K:F D:H T:F", false},
+    // Exits from the inside out, then the action, then entries from the outside in.
+    {"order", "A:H B:H C:H", false},
+    // Of transitions of an inner and an outer state by one event either is taken.
+    {"prio", "R1:F R2:F D:F", false},
+    // Events of two machines may reach the third in either order.
+    {"raise", "R:F D:H V:H", false},
+    // A clock that is reset at entry and the time since entry are the same. What has ended is no deadlock of a timed
+    // claim, and time may pass before it terminates, which the block does not allow.
+    {"timer2", "X:H Y:H Z:F", false},
+};
+
+TEST(Agreeing, VerdictsOnQuestions) {
+    const fs::path shared = tests::shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";
+    for (const Row& row : models_of_questions)
+        EXPECT_EQ(verdicts(shared / "suite/findings3/right" / row.model), row.verdicts) << row.model;
+}
+
 TEST(Agreeing, VerdictsOfTheCollection) {
     const fs::path shared = tests::shared_folder();
     if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";
