@@ -103,7 +103,7 @@ public:
                              const Group* group = nullptr);
 
     // Temporary objects, until `release`.
-    /// A tuple, sequence, map or stream; shared where its items are.
+    /// A tuple, sequence or map, shared where its items are; or a stream, which is not.
     [[nodiscard]] Value compound(Kind kind, std::int64_t number, Values items);
     [[nodiscard]] Value closure(const Function& function, Values items);
     [[nodiscard]] const GroupObject* group(const Group& group, Values items, std::size_t members);
