@@ -1,4 +1,6 @@
-// See shared_modules.hpp. The largest modules first: what is inside them is then there once.
+// See shared_modules.hpp. FDR's front end gives the names of an instance inside a parameterised module no place in the
+// instances of that module: looking one up fails. So a module with an instance inside it is never shared, and what is
+// inside a shared module is written out there. Of modules inside each other those are shared that save the most text.
 #include "csp_emit/passes/shared_modules.hpp"
 
 #include <algorithm>
@@ -72,7 +74,7 @@ public:
         : decls_(std::move(decls)), names_(std::move(names)), parameter_(names_.unique("u__")) {}
 
     std::vector<DeclPtr> run() {
-        while (share_largest()) {
+        while (share_most()) {
         }
         return decls_;
     }
@@ -82,15 +84,18 @@ private:
     struct Group {
         std::size_t size = 0;
         std::vector<Place> places;
+
+        [[nodiscard]] std::size_t saved() const { return size * (places.size() - 1); }
     };
 
-    bool share_largest() {
+    bool share_most() {
         std::vector<Group> groups;
         std::map<std::uint64_t, std::vector<std::size_t>> by_hash;
         collect(decls_, {}, {}, groups, by_hash);
         std::erase_if(groups,
                       [](const Group& group) { return group.places.size() < 2 || group.size <= worth_sharing; });
-        std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.size > b.size; });
+        std::stable_sort(groups.begin(), groups.end(),
+                         [](const Group& a, const Group& b) { return a.saved() > b.saved(); });
         const auto best =
             std::find_if(groups.begin(), groups.end(), [](const Group& group) { return movable(group.places); });
         if (best == groups.end()) return false;
@@ -98,18 +103,24 @@ private:
         return true;
     }
 
-    void collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
+    /// Modules that may be shared; whether there is an instance among the declarations or inside them.
+    bool collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
                  std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
+        bool instances = false;
         for (std::size_t i = 0; i < decls.size(); ++i) {
             const Decl& decl = *decls[i];
-            if (decl.kind != DeclKind::module || !decl.decls.empty()) continue;
+            if (decl.kind == DeclKind::instance) instances = true;
+            if (decl.kind != DeclKind::module || !decl.decls.empty() || !decl.parameters.empty()) continue;
             Path here = path;
             here.push_back(i);
-            if (decl.parameters.empty()) group_of(decls[i], groups, by_hash).places.push_back({here, decls[i], around});
             std::vector<const Decl*> inside = around;
             inside.push_back(&decl);
-            collect(decl.exports, here, inside, groups, by_hash);
+            if (collect(decl.exports, here, inside, groups, by_hash))
+                instances = true;
+            else
+                group_of(decls[i], groups, by_hash).places.push_back({here, decls[i], around});
         }
+        return instances;
     }
 
     Group& group_of(const DeclPtr& module, std::vector<Group>& groups,

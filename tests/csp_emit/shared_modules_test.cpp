@@ -4,9 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <set>
+
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
+#include "tests/nested_instances.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -63,12 +68,41 @@ TEST(SharedModules, StandWhereAllTheirUsersSeeThem) {
     EXPECT_THAT(text, HasSubstr("\n    instance n = m__(0)"));
 }
 
-TEST(SharedModules, TheLargestComeFirst) {
+TEST(SharedModules, AreThoseThatSaveTheMost) {
     const std::string controller = "channel c\nmodule m\nexports" + body;
     const cspm::Script before = script(types + in_module("C", controller) + in_module("D", controller));
     const std::string text = cspm::print(cspm::Script{share_modules(before.decls, {})});
     EXPECT_THAT(text, HasSubstr("module C__(u__)"));
     EXPECT_THAT(text, Not(HasSubstr("m__(u__)")));
+}
+
+// The machine is on its own, in its controller, and in the controller in a module, where it is shared; a controller
+// with an instance inside is not.
+TEST(SharedModules, HaveNoInstancesInside) {
+    const std::string machine = "module m\nexports" + body;
+    const std::string controller = in_module("C", "channel c\n" + machine);
+    const cspm::Script before = script(types + machine + controller + in_module("D", controller));
+    const cspm::Script after{share_modules(before.decls, {})};
+    const std::string text = cspm::print(after);
+    EXPECT_EQ(tests::nested_instances(after.decls), std::vector<std::string>{}) << text;
+    EXPECT_THAT(text, HasSubstr("\ninstance m = m__(0)\n"));
+    EXPECT_THAT(text, HasSubstr("\n    instance m = m__(0)\n"));
+    EXPECT_THAT(text, HasSubstr("\n        instance m = m__(0)\n"));
+    EXPECT_THAT(text, Not(HasSubstr("C__(u__)")));
+}
+
+TEST(SharedModules, OfTheCorpusHaveNoInstancesInside) {
+    std::set<std::filesystem::path> folders;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(robochart::tests::source_folder() / "corpus"))
+        if (file.path().extension() == ".rct") folders.insert(file.path().parent_path());
+    for (const std::filesystem::path& folder : folders) {
+        const auto model = testing::project(folder.string());
+        ASSERT_TRUE(model->diagnostics.ok()) << folder << model->messages();
+        for (const Time time : {Time::untimed, Time::timed})
+            EXPECT_EQ(tests::nested_instances(model->emit(time, true).script.decls), std::vector<std::string>{})
+                << folder;
+    }
+    EXPECT_GE(folders.size(), 6U);
 }
 
 // Inside C the type is another one.

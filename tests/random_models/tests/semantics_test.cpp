@@ -11,6 +11,7 @@
 #include "diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/nested_instances.hpp"
 #include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
@@ -32,6 +33,7 @@ void expect_script_reads_back(Loaded& loaded, const cspm::Script& script, std::u
     const cspm::Script again = cspm::read(loaded.sources, loaded.sources.add("printed.csp", text), findings);
     ASSERT_TRUE(findings.ok()) << "seed " << seed << "\n" << diagnostics::render_text(loaded.sources, findings) << text;
     ASSERT_TRUE(equal(again, script)) << "seed " << seed << "\n" << text;
+    EXPECT_EQ(tests::nested_instances(script.decls), std::vector<std::string>{}) << "seed " << seed << "\n" << text;
     cspm::check_types(again, findings);
     ASSERT_TRUE(findings.ok()) << "seed " << seed << "\n" << diagnostics::render_text(loaded.sources, findings);
 }

@@ -1,0 +1,28 @@
+// What FDR's front end accepts and cannot evaluate: it gives the names of an instance inside a parameterised module no
+// place in the instances of that module, so that the first use of such a name ends in "lookup not found".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax/syntax.hpp"
+
+namespace robochart::tests {
+
+/// "M::i" for each instance i somewhere inside a module M with parameters.
+inline std::vector<std::string> nested_instances(const std::vector<cspm::DeclPtr>& decls, const std::string& path = "",
+                                                 bool parameterised = false) {
+    std::vector<std::string> result;
+    for (const cspm::DeclPtr& decl : decls) {
+        const std::string name = path + (decl->names.empty() ? "" : decl->names.front());
+        if (decl->kind == cspm::DeclKind::instance && parameterised) result.push_back(name);
+        for (const auto* const inside : {&decl->decls, &decl->exports}) {
+            const bool around = parameterised || !decl->parameters.empty();
+            const std::string below = decl->kind == cspm::DeclKind::module ? name + "::" : path;
+            for (std::string& each : nested_instances(*inside, below, around)) result.push_back(std::move(each));
+        }
+    }
+    return result;
+}
+
+}  // namespace robochart::tests
