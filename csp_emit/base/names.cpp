@@ -220,8 +220,7 @@ bool is_predefined(const std::string& name) {
 void reserve_all(NameManager& names) {
     for (const char* name : reserved_names) names.reserve(name);
     for (const std::string& name : library_names()) names.reserve(name);
-    for (int i = 0; i <= static_cast<int>(cspm::Builtin::dbisim); ++i)
-        names.reserve(std::string(cspm::builtin_name(static_cast<cspm::Builtin>(i)).name));
+    for (const cspm::BuiltinName& builtin : cspm::builtin_names()) names.reserve(std::string(builtin.name));
 }
 
 }  // namespace robochart::csp_emit
