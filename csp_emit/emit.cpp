@@ -286,7 +286,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
         }
     reserve(project, names);
     std::vector<DeclPtr> generated = data_definitions(project);
-    append(generated, record_functions(project, theirs.all));
+    append(generated, record_definitions(project, theirs.all));
     std::vector<std::string> left_out;
     add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded, left_out);
     if (project.instantiations_replaced())

@@ -229,16 +229,43 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
     return decls;
 }
 
-std::vector<DeclPtr> record_functions(const Project& project, const std::set<std::string>& declared) {
+namespace {
+
+/// What stands at the top of the script beside records.
+std::set<std::string> names_at_top(const ir::System& system) {
+    std::set<std::string> names;
+    const auto component = [&](const auto& each) {
+        names.insert(each.package.empty() ? each.name : flatten(each.package));
+    };
+    for (const ir::Machine& machine : system.machines) component(machine);
+    for (const ir::Controller& controller : system.controllers) component(controller);
+    for (const ir::Module& module : system.modules) component(module);
+    for (const ir::Function& function : system.functions) names.insert(function_name(function));
+    for (const ir::NamedConstant& constant : ir::named_constants(system)) names.insert(constant.name);
+    for (const ir::Type& type : system.types) {
+        if (type.kind == ir::TypeKind::enumeration || type.kind == ir::TypeKind::given) names.insert(type_name(type));
+        if (type.kind == ir::TypeKind::enumeration)
+            for (std::size_t i = 0; i < type.labels.size(); ++i) names.insert(literal_name(type, i));
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<DeclPtr> record_definitions(const Project& project, const std::set<std::string>& declared) {
     std::vector<DeclPtr> decls;
     std::set<std::string> taken = declared;
-    for (const ir::Function& function : project.system.functions) taken.insert(function_name(function));
+    taken.merge(names_at_top(project.system));
     const auto add = [&](const std::string& name, const b::Patterns& parameters, const ExprPtr& body) {
         if (!project.mentions(name) || !taken.insert(name).second) return;
         decls.push_back(b::function_decl(name, parameters, body));
     };
     for (const ir::Type& type : project.system.types) {
         if (type.kind != ir::TypeKind::record) continue;
+        const std::string carrier = type_name(type);
+        if (project.mentions(carrier) && !is_reserved(carrier) && taken.insert(carrier).second)
+            decls.push_back(b::nametype(
+                carrier, type_set(project, {static_cast<std::uint32_t>(&type - project.system.types.data())})));
         b::Patterns variables;
         b::Exprs values;
         for (std::size_t i = 0; i < type.labels.size(); ++i) {

@@ -7,9 +7,9 @@ namespace robochart::csp_emit {
 
 /// Enumerations and preconditions of functions: these a user does not override.
 [[nodiscard]] std::vector<cspm::DeclPtr> data_definitions(const Project&);
-/// For each field of a record that a csp block names so and none declares: `P_T_f(x)` and `update_P_T_f(x,v)`, the
-/// record with another value of the field.
-[[nodiscard]] std::vector<cspm::DeclPtr> record_functions(const Project&, const std::set<std::string>& declared);
+/// What csp blocks name and none declares: of a record T its carrier `P_T`, and for each of its fields `P_T_f(x)` and
+/// `update_P_T_f(x,v)`, the record with another value of the field.
+[[nodiscard]] std::vector<cspm::DeclPtr> record_definitions(const Project&, const std::set<std::string>& declared);
 /// Carriers, constants, functions, clipped arithmetic: replaced by a csp block named Instantiations.
 [[nodiscard]] std::vector<cspm::DeclPtr> instantiations(const Project&);
 /// `const_P_S_c` of the constant's own declaration, or of the part if the instantiation gives the part another value.
