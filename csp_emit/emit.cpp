@@ -318,7 +318,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
                cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
     DeclsOfFiles decls_of_files;
     for (const FileBlocks& file : files) decls_of_files[file.file] = file.others;
-    for (const FileBlocks& file : files) check_robotool_names(project, emitted.components, file.others);
+    for (const FileBlocks& file : files) check_robotool_names(project, emitted.components, definitions, file.others);
     check_block_claims(project, decls_of_files, emitted.provenance);
     std::vector<Obligation> of_blocks = block_obligations(project, result.script.decls);
     const auto add = [&](std::vector<Obligation> more) {

@@ -1,5 +1,7 @@
-// Generators of 2021 and 2022 had an event `moveRet` where a call of `move` ends, and `enteredV.SID_s` where a state is
-// entered; today's, whose names the script has, are read off scripts of 2024 and 2026 (docs/semantics.md).
+// What names in CSP blocks have become. Generators of 2021 and 2022 had no modules: `S_e`, `S_O` and `S_moveCall` for
+// what is `P::S::e`, `P::S::O__` and `P::S::moveCall` now; an event `moveRet` where a call of `move` ends; and
+// `enteredV.SID_s` where a state is entered. Today's names, which the script has, are read off scripts of 2024 and 2026
+// (docs/semantics.md). A later generation had modules for components, and none for packages.
 #include "csp_emit/robotool_names.hpp"
 
 #include <fmt/format.h>
@@ -7,9 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <string_view>
 
+#include "checker/cspm/syntax/rename.hpp"
+#include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "csp_emit/base/user_names.hpp"
 #include "csp_emit/passes/liveness.hpp"
 
 namespace robochart::csp_emit {
@@ -19,21 +25,65 @@ namespace {
 constexpr std::array<std::string_view, 9> inner = {"MachineBody", "Memory",  "enter",      "exit",    "exited",
                                                    "interrupt",   "share__", "internal__", "entered_"};
 
+constexpr std::string_view separator = "::";
+
+std::string last_of(const std::string& path) {
+    const std::size_t end = path.rfind(separator);
+    return end == std::string::npos ? path : path.substr(end + separator.size());
+}
+
+std::string first_of(const std::string& path) {
+    return path.substr(0, path.find(separator));
+}
+
+bool is_any(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A name of an older generator: what it is now, or why there is nothing in its place.
+struct OldName {
+    std::string now;
+    std::string instead;
+    bool left_out = false;  ///< an event that is not seen any more
+};
+
+const char* const no_return =
+    "is of an older generator; today a call is one event, and nothing is seen of its return: leave it out";
+
+/// What was `COMPONENT_LAST` or `COMPONENT::LAST`.
+std::optional<OldName> of_component(const ComponentEmission& component, const std::string& path,
+                                    const std::string& last) {
+    constexpr std::string_view returned = "Ret";
+    if (last == "enteredV")
+        return OldName{{},
+                       fmt::format("is of an older generator; today each state has an event of its own, "
+                                   "{}::STATE::entered, which the processes VS__ and VS_O__ show",
+                                   path)};
+    if (last.ends_with(returned) && is_any(component.visible, last.substr(0, last.size() - returned.size()) + "Call"))
+        return OldName{{}, no_return, true};
+    return std::nullopt;
+}
+
 class NameCheck {
 public:
-    NameCheck(const Project& project, const std::map<std::string, ComponentEmission>& components)
-        : project_(project), components_(components) {}
+    NameCheck(const Project& project, const std::map<std::string, ComponentEmission>& components,
+              std::set<std::string> declared)
+        : project_(project), components_(components), declared_(std::move(declared)) {
+        for (const auto& [path, component] : components_) declared_.insert(first_of(path));
+    }
 
     void decls(const std::vector<cspm::DeclPtr>& all) {
         for (const cspm::DeclPtr& decl : all) {
             if (decl->body) expr(*decl->body);
             decls(decl->decls);
+            decls(decl->exports);
         }
     }
 
 private:
     void expr(const cspm::Expr& each) {
         if (each.kind == cspm::ExprKind::name) name(each);
+        if (each.kind == cspm::ExprKind::prefix && left_out(each)) return expr(*each.args.at(1));
         for (const cspm::DeclPtr& decl : each.decls)
             if (decl->body) expr(*decl->body);
         for (const cspm::Link& link : each.links)
@@ -42,64 +92,129 @@ private:
         for_each_part(each, [&](const cspm::Expr& part) { expr(part); });
     }
 
-    /// `COMPONENT::LAST`, or `COMPONENT::STATE::LAST`.
+    /// `S::moveRet -> P`, which is P now.
+    bool left_out(const cspm::Expr& prefix) {
+        const cspm::Expr& event = *prefix.args.at(0);
+        if (event.kind != cspm::ExprKind::name || !prefix.fields.empty()) return false;
+        const std::optional<OldName> old = old_name(event.text);
+        if (!old || !old->left_out) return false;
+        const diagnostics::Span rest = prefix.args.at(1)->span;
+        diagnostics::Diagnostic& finding = report(event, old->instead);
+        finding.fixes.push_back({{event.span.source, event.span.begin, rest.begin}, "", "leave out"});
+        return true;
+    }
+
     void name(const cspm::Expr& each) {
-        const std::size_t end = each.text.rfind("::");
-        if (end == std::string::npos) return;
-        const std::string last = each.text.substr(end + 2);
-        std::string path = each.text.substr(0, end);
-        auto component = components_.find(path);
-        const bool direct = component != components_.end();
-        while (component == components_.end()) {
-            const std::size_t above = path.rfind("::");
-            if (above == std::string::npos) return;
-            path.resize(above);
-            component = components_.find(path);
+        if (const std::optional<OldName> old = old_name(each.text)) {
+            if (old->now.empty()) {
+                report(each, old->instead);
+                return;
+            }
+            report(each, fmt::format("is of an older generator; today it is {}", old->now))
+                .fixes.push_back({each.span, old->now, "today's name"});
+            return;
         }
-        if (has(component->second, last)) return;
-        const std::string instead = direct ? of_component(component->second, path, last) : "";
-        if (!instead.empty()) return report(each, instead);
-        if (std::find(inner.begin(), inner.end(), last) != inner.end())
+        const auto component = component_around(each.text);
+        if (component == components_.end()) return;
+        const std::string last = last_of(each.text);
+        if (!is_any(component->second.visible, last) && std::find(inner.begin(), inner.end(), last) != inner.end())
             report(each,
                    "is inside a machine there; here each machine is one sequential process, of which its events, "
                    "calls, writes and the states entered can be seen");
     }
 
-    static bool has(const ComponentEmission& component, const std::string& channel) {
-        const std::vector<std::string>& visible = component.visible;
-        return std::find(visible.begin(), visible.end(), channel) != visible.end();
+    using Component = std::map<std::string, ComponentEmission>::const_iterator;
+
+    /// The innermost component that a qualified name is of.
+    [[nodiscard]] Component component_around(const std::string& name) const {
+        for (std::size_t end = name.rfind(separator); end != std::string::npos && end > 0;
+             end = name.rfind(separator, end - 1))
+            if (const auto found = components_.find(name.substr(0, end)); found != components_.end()) return found;
+        return components_.end();
     }
 
-    static std::string of_component(const ComponentEmission& component, const std::string& path,
-                                    const std::string& last) {
-        if (last == "enteredV")
-            return fmt::format(
-                "is of an older generator; today each state has an event of its own, {}::STATE::entered, "
-                "which the processes VS__ and VS_O__ show",
-                path);
-        constexpr std::string_view returned = "Ret";
-        if (last.ends_with(returned) && has(component, last.substr(0, last.size() - returned.size()) + "Call"))
-            return "is of an older generator; today a call is one event, and nothing is seen of its return: leave it "
-                   "out";
-        return "";
+    [[nodiscard]] std::optional<OldName> old_name(const std::string& name) const {
+        const std::size_t end = name.rfind(separator);
+        if (end == std::string::npos) return declared_.contains(name) ? std::nullopt : flattened(name);
+        const auto component = components_.find(name.substr(0, end));
+        if (component != components_.end())
+            return is_any(component->second.visible, last_of(name))
+                       ? std::nullopt
+                       : of_component(component->second, component->first, last_of(name));
+        return declared_.contains(first_of(name)) ? std::nullopt : without_package(name);
     }
 
-    void report(const cspm::Expr& each, const std::string& what) {
-        if (std::find(reported_.begin(), reported_.end(), each.text) != reported_.end()) return;
-        reported_.push_back(each.text);
-        project_.diagnostics.report(rules::name_of_robotool, each.span, {each.text, what});
+    /// `S_e` for `P::S::e`. Of several components that it may be of the outermost counts, if there is one.
+    [[nodiscard]] std::optional<OldName> flattened(const std::string& name) const {
+        std::optional<OldName> found;
+        std::size_t depth = 0;
+        bool several = false;
+        for (const auto& [path, component] : components_) {
+            const std::optional<OldName> old = flattened(name, path, component);
+            if (!old) continue;
+            const std::size_t deep = depth_of(path);
+            several = found && deep == depth;
+            if (found && deep >= depth) continue;
+            found = old;
+            depth = deep;
+        }
+        return several ? std::nullopt : found;
+    }
+    static std::optional<OldName> flattened(const std::string& name, const std::string& path,
+                                            const ComponentEmission& component) {
+        for (const std::string& prefix : {flatten(path), last_of(path)}) {
+            if (!name.starts_with(prefix + "_")) continue;
+            const std::string last = name.substr(prefix.size() + 1);
+            const std::string now = path + std::string(separator);
+            if (is_any(component.visible, last)) return OldName{now + last, {}};
+            if (auto old = of_component(component, path, last)) return old;
+            const std::string process = last.ends_with("__") ? last : last + "__";
+            if (user_names(component.module->exports).all.contains(process)) return OldName{now + process, {}};
+        }
+        return std::nullopt;
+    }
+    /// `S::e` for `P::S::e`.
+    [[nodiscard]] std::optional<OldName> without_package(const std::string& name) const {
+        std::set<std::string> found;
+        for (const auto& [path, component] : components_) {
+            const std::size_t package = path.find(separator);
+            if (package == std::string::npos) continue;
+            const std::string inside = path.substr(package + separator.size());
+            if (inside.find(separator) == std::string::npos && first_of(name) == inside)
+                found.insert(path.substr(0, package));
+        }
+        if (found.size() != 1) return std::nullopt;
+        return OldName{*found.begin() + std::string(separator) + name, {}};
+    }
+
+    static std::size_t depth_of(const std::string& path) {
+        std::size_t depth = 0;
+        for (std::size_t at = path.find(separator); at != std::string::npos; at = path.find(separator, at + 2)) ++depth;
+        return depth;
+    }
+
+    diagnostics::Diagnostic& report(const cspm::Expr& each, const std::string& what) {
+        return project_.diagnostics.report(rules::name_of_robotool, each.span, {each.text, what});
     }
 
     const Project& project_;
     const std::map<std::string, ComponentEmission>& components_;
-    std::vector<std::string> reported_;
+    std::set<std::string> declared_;  ///< names that mean something in the script, and the packages
 };
 
 }  // namespace
 
 void check_robotool_names(const Project& project, const std::map<std::string, ComponentEmission>& components,
-                          const std::vector<cspm::DeclPtr>& decls) {
-    NameCheck(project, components).decls(decls);
+                          const std::vector<cspm::DeclPtr>& definitions, const std::vector<cspm::DeclPtr>& decls) {
+    std::set<std::string> declared = user_names(definitions).all;
+    declared.merge(user_names(decls).all);
+    declared.merge(cspm::bound_names(decls));
+    NameCheck(project, components, std::move(declared)).decls(decls);
+}
+
+std::string name_of_carrier(const std::string& name) {
+    constexpr std::array<std::string_view, 5> carriers{"nat", "int", "real", "boolean", "string"};
+    return std::find(carriers.begin(), carriers.end(), name) == carriers.end() ? "" : "core_" + name;
 }
 
 }  // namespace robochart::csp_emit

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "csp_emit/base/rules.hpp"
+#include "csp_emit/robotool_names.hpp"
 #include "diagnostics/spelling.hpp"
 
 namespace robochart::csp_emit {
@@ -42,6 +43,13 @@ bool is_known(const Project& project, diagnostics::Span place) {
     });
 }
 
+/// The first place of a name inside another place.
+diagnostics::Span name_in(const Project& project, diagnostics::Span place, const std::string& name) {
+    const std::size_t at = project.sources.text(place.source).find(name, place.begin);
+    if (at == std::string::npos) return place;
+    return {place.source, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + name.size())};
+}
+
 /// Named as RoboTool names carriers and constants.
 bool is_of_instantiations(const std::string& name) {
     return name.starts_with("core_") || name.starts_with("const_");
@@ -53,10 +61,16 @@ void check_instantiations_read(const Project& project, const std::vector<FileBlo
                                const std::set<std::string>& known, const std::vector<std::string>& left_out) {
     for (const auto& [name, clauses] : definitions_of(project, files)) {
         if (known.count(name) != 0 || project.occurrences(name) > clauses.size()) continue;
-        const std::string meant = diagnostics::nearest(name, left_out);
+        const std::string carrier = name_of_carrier(name);
+        const bool old = std::find(left_out.begin(), left_out.end(), carrier) != left_out.end();
+        const std::string meant = old ? carrier : diagnostics::nearest(name, left_out);
         if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, clauses.front())) continue;
-        project.diagnostics.report(rules::definition_unread, clauses.front(),
-                                   {name, meant.empty() ? std::string() : fmt::format("; did you mean '{}'?", meant)});
+        diagnostics::Diagnostic& finding =
+            project.diagnostics.report(rules::definition_unread, clauses.front(),
+                                       {name, old             ? fmt::format("; today's name of it is '{}'", carrier)
+                                              : meant.empty() ? std::string()
+                                                              : fmt::format("; did you mean '{}'?", meant)});
+        if (old) finding.fixes.push_back({name_in(project, clauses.front(), name), carrier, "today's name"});
     }
 }
 
