@@ -9,6 +9,7 @@
 
 #include "diagnostics/files.hpp"
 #include "diagnostics/spelling.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -201,6 +202,54 @@ std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Di
     return result;
 }
 
+/// Files of RoboSim where the inputs are: in a folder, or beside a file.
+std::set<std::string> robosim_files(const std::vector<std::string>& inputs) {
+    std::set<std::string> result;
+    for (const std::string& input : inputs) {
+        std::error_code code;
+        const bool is_folder = fs::is_directory(input, code);
+        const fs::path path(input);
+        const fs::path folder = is_folder ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");
+        for (const std::string& file : diagnostics::files_below(folder.string(), is_folder).files)
+            if (fs::path(file).extension() == ".rst") result.insert(fs::path(file).lexically_normal().string());
+    }
+    return result;
+}
+
+/// The names behind the words that begin declarations, in a text that need not be RoboChart.
+std::set<std::string> names_declared(const std::string& path) {
+    static const std::set<std::string_view> declaring = {"interface", "record", "enumeration", "type",    "stm",
+                                                         "platform",  "module", "controller",  "function"};
+    SourceManager sources;
+    Diagnostics ignored;
+    std::string error;
+    const auto source = sources.load(path, error);
+    std::set<std::string> result;
+    if (!source) return result;
+    std::string_view before;
+    for (const Token& token : tokenize(sources, *source, false, ignored).tokens) {
+        if (token.kind == TokenKind::identifier && declaring.contains(before)) result.emplace(token.text);
+        before = token.text;
+    }
+    return result;
+}
+
+/// Behind each error about a name that only a file of RoboSim declares.
+void report_robosim(const std::vector<std::string>& inputs, Diagnostics& out) {
+    std::vector<diagnostics::Diagnostic> unknown = out.sorted();
+    std::erase_if(unknown, [](const diagnostics::Diagnostic& each) { return each.rule != &rules::unknown_name; });
+    if (unknown.empty()) return;
+    for (const std::string& file : robosim_files(inputs)) {
+        const std::set<std::string> declared = names_declared(file);
+        for (const diagnostics::Diagnostic& each : unknown) {
+            const std::string& name = each.arguments.at(1);
+            const std::size_t last = name.rfind(':');
+            const std::string simple = last == std::string::npos ? name : name.substr(last + 1);
+            if (declared.contains(simple)) out.report(rules::robosim_unread, each.span, {simple, file});
+        }
+    }
+}
+
 void report_empty(const File& file, const SourceManager& sources, Diagnostics& out) {
     if (is_empty(file)) out.report(syntax::empty_file, {file.source, 0, 0}, {sources.path(file.source)});
 }
@@ -245,6 +294,7 @@ std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<st
         for (const auto& file : model->files) report_empty(*file, sources, out);
     add_toolkits(sources, *model, out);
     resolve(*model, out);
+    report_robosim(inputs, out);
     return model;
 }
 

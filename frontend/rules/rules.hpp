@@ -12,7 +12,7 @@ namespace robochart::frontend::rules {
 using diagnostics::Rule;
 
 // rules_names.cpp
-extern const Rule unknown_name, ambiguous_kind, not_unique, unknown_import;
+extern const Rule unknown_name, ambiguous_kind, not_unique, unknown_import, robosim_unread;
 // rules_nodes.cpp
 extern const Rule s2, ij1, ij2, fs1, fs2, fs3, j1, j2, j3, t1, t2, pj1, pj2, pj3, pj3_unknown, pt1, pt2, pt2_unknown,
     stm3, stm3_inner, stm4, parameter_assigned;

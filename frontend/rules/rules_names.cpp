@@ -19,9 +19,14 @@ const Rule unknown_import{
     "RC-N04", warning, "the import of `{}` has no effect: there is {}",
     "An import names a package of the project or a toolkit, or one declaration of these. What is not there is not "
     "missed before one of its names is used; often the package is misspelt, or its files lie in another folder."};
+const Rule robosim_unread{
+    "RC-N05", note, "`{}` is declared in {}, and files of RoboSim are not read",
+    "A folder of RoboTool may hold models in RoboSim (`.rst`) beside those in RoboChart. They are not read, so that "
+    "what only they declare is unknown here. Declare it in a `.rct` file."};
 
 const std::vector<const Rule*>& of_names() {
-    static const std::vector<const Rule*> rules = {&unknown_name, &ambiguous_kind, &not_unique, &unknown_import};
+    static const std::vector<const Rule*> rules = {&unknown_name, &ambiguous_kind, &not_unique, &unknown_import,
+                                                   &robosim_unread};
     return rules;
 }
 

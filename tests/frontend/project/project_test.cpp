@@ -59,6 +59,17 @@ TEST_F(Project, SaysWhatIsMissing) {
     EXPECT_NE(reading_->report().find("contains no RoboChart files"), std::string::npos);
 }
 
+// Only an error about the name that a file of RoboSim declares is followed by the note.
+TEST_F(Project, SaysWhichFileOfRoboSimDeclaresWhatIsMissing) {
+    write("a.rct", "stm S { uses Lamps uses Horns initial i state A { } transition t { from i to A } }");
+    write("deep/parts.rst", "interface Lamps { event lamp } module Horns2 { Horns }");
+    EXPECT_EQ(load(), "a.rct RC-N01 RC-N05 RC-N01 ");
+    EXPECT_NE(reading_->report().find("`Lamps` is declared in "), std::string::npos);
+    EXPECT_EQ(load("a.rct"), "a.rct RC-N01 RC-N01 ") << "another folder";
+    write("parts.rst", "interface Lamps { event lamp }");
+    EXPECT_EQ(load("a.rct"), "a.rct RC-N01 RC-N05 RC-N01 ");
+}
+
 TEST_F(Project, AnEmptyFileIsAnError) {
     write("a.rct", "");
     EXPECT_EQ(load("a.rct"), "a.rct RC-F02 ");
