@@ -74,6 +74,7 @@ class ItemList {
 public:
     ItemList(const File& file, std::string_view text) : text_(text) {
         for (const diagnostics::Span& comment : file.comments) blank(text_, comment.begin, comment.end);
+        for (const frontend::Import& import : file.imports) blank(text_, import.span.begin, import.span.end);
         for (const Assertion& each : file.assertions)
             items_.push_back({with_time(each.span.begin, each.time), each.span.end, &each, nullptr});
         for (const CspBlock& each : file.csp_blocks)
@@ -162,43 +163,48 @@ private:
     std::vector<Item> items_;
 };
 
+/// By place in Model::files. Texts of blocks are sources of their own, under the path of their file and with its
+/// offsets.
+std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId source) {
+    const std::string& path = project.sources.path(source);
+    const auto& files = project.model->files;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (files[i]->source == source || project.sources.path(files[i]->source) == path) return i;
+    return std::nullopt;
+}
+
+/// The places of the errors in each assertion file; nothing where there are errors elsewhere.
+std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Project& project) {
+    std::map<std::size_t, std::vector<diagnostics::Span>> result;
+    if (project.diagnostics.dropped() > 0) return {};
+    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted()) {
+        if (finding.rule->severity != diagnostics::Severity::error) continue;
+        if (!finding.span.known()) return {};
+        const std::optional<std::size_t> file = file_of(project, finding.span.source);
+        if (!file || !project.model->files[*file]->is_assertions) return {};
+        result[*file].push_back(finding.span);
+    }
+    return result;
+}
+
 class Split {
 public:
     explicit Split(const Project& project) : project_(project) {}
 
     std::optional<BrokenClaims> find() {
-        if (!find_wrong() || !leave_out_wrong()) return std::nullopt;
+        errors_ = errors_in_claims(project_);
+        if (errors_.empty() || !leave_out_wrong()) return std::nullopt;
         leave_out_dependent();
         BrokenClaims result;
         const auto& files = project_.model->files;
         for (std::size_t i = 0; i < files.size(); ++i)
             if (!files[i]->is_library) divide(i, *files[i], result);
-        if (!some_) return std::nullopt;
+        result.some = some_;
         result.broken.unit.again = true;
         return result;
     }
 
 private:
-    /// The errors of each assertion file; false where there are none, or errors elsewhere.
-    bool find_wrong() {
-        for (const diagnostics::Diagnostic& finding : project_.diagnostics.sorted()) {
-            if (finding.rule->severity != diagnostics::Severity::error) continue;
-            const std::optional<std::size_t> file = finding.span.known() ? file_of(finding.span.source) : std::nullopt;
-            if (!file || !project_.model->files[*file]->is_assertions) return false;
-            errors_[*file].push_back(finding.span);
-        }
-        return !errors_.empty() && project_.diagnostics.dropped() == 0;
-    }
-
-    /// Texts of blocks are sources of their own, under the path of their file and with its offsets.
-    [[nodiscard]] std::optional<std::size_t> file_of(diagnostics::SourceId source) const {
-        const std::string& path = project_.sources.path(source);
-        const auto& files = project_.model->files;
-        for (std::size_t i = 0; i < files.size(); ++i)
-            if (files[i]->source == source || project_.sources.path(files[i]->source) == path) return i;
-        return std::nullopt;
-    }
-
     [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.text(file.source); }
 
     /// Nothing is known of a block that was not recognised as one, and all depends on an instantiation.
@@ -304,6 +310,10 @@ private:
 
 std::optional<BrokenClaims> broken_claims(const Project& project) {
     return Split(project).find();
+}
+
+bool only_claims_broken(const Project& project) {
+    return !errors_in_claims(project).empty();
 }
 
 }  // namespace robochart::app

@@ -18,10 +18,13 @@ struct BrokenClaims {
         std::map<std::size_t, std::string> texts;
     };
     Side sound;
-    Side broken;  ///< with the models too (`again`)
+    Side broken;        ///< with the models too (`again`)
+    bool some = false;  ///< a claim is left that can be decided
 };
 /// Nothing where an error is not in an assertion file, or where whatever is left could depend on a part that cannot be
 /// read: then nothing is decided.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
+/// Whether there are errors, and all of them are in assertion files.
+[[nodiscard]] bool only_claims_broken(const Project&);
 
 }  // namespace robochart::app

@@ -316,17 +316,18 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
 }
 
 /// Where claims are decided, the others do not wait for one with errors, nor for a CSP block: a part with errors
-/// becomes two where that leaves something to decide (broken_claims.hpp).
+/// becomes two where that leaves something to decide (broken_claims.hpp). Scripts are written of what is left.
 void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
-    const bool decides = decides_assertions(options.verb);
-    if (!decides || !options.print.empty() || !are_claimed(parts, options.claims)) return;
+    const bool writes = options.verb == Verb::emit_csp;
+    if ((!decides_assertions(options.verb) && !writes) || !options.print.empty() || !are_claimed(parts, options.claims))
+        return;
     Options unnamed = options;  // what is asked for by name may be on either side
     unnamed.claims.clear();
     std::vector<Part> result;
     for (Part& part : parts) {
         read_blocks(part, options);
         const auto found = part.project->diagnostics.ok() ? std::nullopt : broken_claims(*part.project);
-        if (!found) {
+        if (!found || !(found->some || writes)) {
             result.push_back(std::move(part));
             continue;
         }

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "app/command/broken_claims.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
@@ -168,10 +169,11 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
                              : cpp_emit::Strategy::automatic;
 }
 
-/// What the report begins with. Before, it knows its model's name.
+/// What the report begins with: of parts that are all refused, which may not have been lowered, the model's name alone.
 void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto edit = options.run->edit();
-    report.summary = summary(parts);
+    const auto accepted = [](const Part& part) { return part.project->diagnostics.ok(); };
+    if (std::ranges::any_of(parts, accepted)) report.summary = summary(parts);
     report.load_seconds = parts.front().project->seconds;
     if (options.preferences.empty()) report.notes = notes(parts);  // else the ranges are those of the file
 }
@@ -398,10 +400,16 @@ bool concerns(const Part& part, const std::vector<Part>& parts, const Options& o
     return some || (options.component.empty() && (!code || parts.size() == 1));
 }
 
-/// The diagnostics of all parts. A program gets those of one part as the answer; those of several are part of the
-/// report.
+/// Whether a report says of each claim of a refused part that it is not decided: nothing but claims is wrong.
+bool reports_refused(const Part& part, const Options& options) {
+    return part.again || (decides_assertions(options.verb) && only_claims_broken(*part.project));
+}
+
+/// The diagnostics of all parts. A program gets those of one part as the answer; those of several, and of claims alone,
+/// are part of the report.
 bool show_all(const std::vector<Part>& parts, const Options& options) {
-    if (parts.size() == 1) return show_diagnostics(*parts.front().project, options);
+    const bool alone = parts.size() == 1 && !reports_refused(parts.front(), options);
+    if (alone) return show_diagnostics(*parts.front().project, options);
     bool good = true;
     for (const Part& part : parts) {
         if (options.format != Format::json) show_findings(*part.project, options);
@@ -410,11 +418,13 @@ bool show_all(const std::vector<Part>& parts, const Options& options) {
     return good;
 }
 
-/// The first part that is refused because the command line is wrong; else, of a single part, because it is.
+/// The first part that is refused because the command line is wrong; else, of a single part, because its model is.
 const Project* hopeless(const std::vector<Part>& parts, const Options& options) {
-    for (const Part& part : parts)
-        if (!acceptable(*part.project, options) && (parts.size() == 1 || refusal(*part.project) == Exit::usage))
-            return part.project.get();
+    for (const Part& part : parts) {
+        if (acceptable(*part.project, options)) continue;
+        const bool alone = parts.size() == 1 && !reports_refused(part, options);
+        if (alone || refusal(*part.project) == Exit::usage) return part.project.get();
+    }
     return nullptr;
 }
 
@@ -459,12 +469,12 @@ bool write_page(const std::vector<Part>& parts, const Options& options, const Re
 /// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
 Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
     begin(parts, options, report);
-    if (parts.size() > 1) note_refused(parts, options, report);
+    note_refused(parts, options, report);
     bool some = false;
     for (const Part& part : parts) {
         const bool refused = !acceptable(*part.project, options);
         some = some || refused;
-        if (refused && part.again) report_broken_claims(*part.project, options, report);
+        if (refused && reports_refused(part, options)) report_broken_claims(*part.project, options, report);
         if (refused || !concerns(part, parts, options)) continue;
         some = true;
         Options wanted = options;
@@ -479,7 +489,7 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
         (void)show_diagnostics(*stopped, options);
         return refusal(*stopped);
     }
-    if (parts.size() > 1) note_refused(parts, options, report);
+    note_refused(parts, options, report);
     note_nothing(options, report);
     const bool written = write_page(parts, options, report);
     const bool accepted = show_all(parts, options);

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -84,9 +86,9 @@ TEST(BrokenClaims, OfAnotherFileMayNameTheBlock) {
         answers({{"m.rct", model}, {"a.assertions", good + refining("Uses", "Wrong")}, {"b.assertions", wrong_block}},
                 2),
         (std::map<std::string, std::string>{{"Good", "holds"}, {"Uses", "error"}}));
-    EXPECT_TRUE(
-        answers({{"m.rct", model}, {"a.assertions", refining("Uses", "Wrong")}, {"b.assertions", wrong_block}}, 2)
-            .empty())
+    EXPECT_EQ(
+        answers({{"m.rct", model}, {"a.assertions", refining("Uses", "Wrong")}, {"b.assertions", wrong_block}}, 2),
+        (std::map<std::string, std::string>{{"Uses", "error"}}))
         << "nothing is left";
 }
 
@@ -115,10 +117,11 @@ TEST(BrokenClaims, OfASyntaxErrorAndOfABlockAreBothLeftOut) {
 // block; an error in front of all claims is one of all.
 TEST(BrokenClaims, ThatOthersMayDependOnStopThem) {
     const std::string values = "csp Instantiations csp-begin\nnametype core_nat = undeclared\ncsp-end\n";
-    EXPECT_TRUE(answers({{"m.rct", model}, {"a.assertions", good}, {"b.assertions", values}}, 2).empty());
-    EXPECT_TRUE(answers({{"m.rct", model}, {"a.assertions", good}, {"b.assertions", "cps" + wrong_block.substr(3)}}, 2)
-                    .empty());
-    EXPECT_TRUE(answers({{"m.rct", model}, {"a.assertions", "imprt x\n" + good}}, 2).empty());
+    const std::map<std::string, std::string> none{{"Good", "error"}};
+    EXPECT_EQ(answers({{"m.rct", model}, {"a.assertions", good}, {"b.assertions", values}}, 2), none);
+    EXPECT_EQ(answers({{"m.rct", model}, {"a.assertions", good}, {"b.assertions", "cps" + wrong_block.substr(3)}}, 2),
+              none);
+    EXPECT_EQ(answers({{"m.rct", model}, {"a.assertions", "imprt x\n" + good}}, 2), none);
 }
 
 TEST(BrokenClaims, AreLeftOutByNameToo) {
@@ -134,8 +137,51 @@ TEST(BrokenClaims, OfAModelStopEverything) {
     EXPECT_TRUE(found.empty());
 }
 
-TEST(BrokenClaims, AloneAreRefusedAsBefore) {
-    EXPECT_TRUE(answers({{"m.rct", model}, {"b.assertions", unknown_name}}, 2).empty());
+const std::string instantiations = "csp Instantiations csp-begin\nnametype core_nat = {0..4}\ncsp-end\n";
+
+// Imports may stand between blocks and claims.
+TEST(BrokenClaims, LeaveTheBlockInstantiationsOfTheirFileAlone) {
+    const std::string package = "package P ";
+    EXPECT_EQ(
+        answers({{"m.rct", package + model},
+                 {"a.assertions", instantiations + "import P::*\n" + good + wrong_block + refining("Own", "Wrong")}},
+                2),
+        (std::map<std::string, std::string>{{"Good", "holds"}, {"Own", "error"}}));
+}
+
+// Where nothing can be decided, the report has the form that it always has, and the page is written.
+TEST(BrokenClaims, AloneAreReportedInEveryFormat) {
+    const Folder folder({{"m.rct", model}, {"b.assertions", wrong_block + refining("Own", "Wrong")}});
+    const Ran json = run({"check", folder.path(), "--format", "json", "--html", folder / "page.html"});
+    EXPECT_EQ(json.exit, 2);
+    const auto report = nlohmann::json::parse(json.out);
+    EXPECT_EQ(report.at("schema"), "robochart-verify/report/1");
+    EXPECT_EQ(report.at("assertions").at(0).at("answer"), "error");
+    EXPECT_EQ(report.at("refused").size(), 1U);
+    std::ifstream page(folder / "page.html");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    EXPECT_THAT(text, HasSubstr("Own"));
+    const Ran shown = run({"check", folder.path()});
+    EXPECT_EQ(shown.exit, 2);
+    EXPECT_THAT(shown.out, HasSubstr("error        Own"));
+    EXPECT_THAT(shown.err, HasSubstr("undeclared"));
+    EXPECT_THAT(run({"check", folder.path(), "--format", "junit"}).out, HasSubstr("Own"));
+    EXPECT_THAT(run({"check", folder.path(), "--format", "sarif"}).out, HasSubstr("Own"));
+}
+
+TEST(BrokenClaims, DoNotKeepScriptsFromBeingWritten) {
+    const Folder folder({{"m.rct", model}, {"b.assertions", good + wrong_block + refining("Own", "Wrong")}});
+    const Ran ran = run({"emit", "csp", folder.path(), "--out", folder / "out"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("b.assertions:3"));
+    const auto written = [&](const std::string& file) {
+        std::ifstream script(folder / ("out/csp-gen/" + file));
+        return std::string{std::istreambuf_iterator<char>(script), {}};
+    };
+    const std::string name = std::filesystem::path(folder.path()).filename();
+    EXPECT_THAT(written(name + ".csp"), HasSubstr("module M"));
+    EXPECT_THAT(written(name + "_assertions.csp"), HasSubstr("Good"));
+    EXPECT_THAT(written(name + "_assertions.csp"), Not(HasSubstr("Wrong")));
 }
 
 }  // namespace
