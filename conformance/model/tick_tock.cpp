@@ -128,7 +128,12 @@ public:
         } catch (const process::Interrupted& limit) {
             verdict_.reason = limit.what();
         }
-        verdict_.statistics = {pairs_.size(), transitions_, depth_, sets_.size(), budget_.seconds()};
+        refine::Statistics& statistics = verdict_.statistics;
+        statistics.states = pairs_.size();
+        statistics.transitions = transitions_;
+        statistics.depth = depth_;
+        statistics.spec_nodes = sets_.size();
+        statistics.seconds = budget_.seconds();
         return std::move(verdict_);
     }
 
