@@ -1,6 +1,7 @@
 // The loop over streams. One thread reads, so that a cancellation is seen before the request that it cancels is begun
 // or while it is worked on, and so that diagnostics wait while the editor is still sending.
 #include <condition_variable>
+#include <exception>
 #include <istream>
 #include <mutex>
 #include <ostream>
@@ -74,7 +75,17 @@ void read_all(std::istream& in, Inbox& inbox, Interruption& interruption) {
 int serve(std::istream& in, std::ostream& out) {
     Server server([&out](const std::string& text) { write_frame(out, text); });
     Inbox inbox;
-    std::thread reader([&] { read_all(in, inbox, server.interruption()); });
+    std::exception_ptr failure;  // of the reader; the loop then ends as at the end of the input
+    std::thread reader([&] {
+        try {
+            read_all(in, inbox, server.interruption());
+        } catch (...) {
+            failure = std::current_exception();
+            Arrival end;
+            end.end = true;
+            inbox.put(std::move(end));
+        }
+    });
     bool ended = false;
     const auto receive = [&](bool wait) {
         for (Arrival& arrival : inbox.take(wait)) {
@@ -90,6 +101,7 @@ int serve(std::istream& in, std::ostream& out) {
         if (!server.has_work() && !ended) server.idle();
     }
     reader.join();
+    if (failure) std::rethrow_exception(failure);
     return server.exit_code().value_or(1);
 }
 

@@ -16,12 +16,12 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/prism/explore/rules.hpp"
 #include "checker/prism/export.hpp"
-#include "checker/prism/sampling/parallel.hpp"
 #include "checker/prism/session.hpp"
 #include "checker/prism/simulation.hpp"
 #include "checker/prism/syntax/printer.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
+#include "diagnostics/threads/threads.hpp"
 #include "prism_emit/emit.hpp"
 
 namespace robochart::app {
@@ -133,14 +133,14 @@ private:
             for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named(wanted.of_model[i]);
         }
         std::vector<diagnostics::Diagnostics> findings(count);
-        threads_ = prism::threads_wanted(options_.threads);
+        threads_ = diagnostics::threads_wanted(options_.threads);
         const diagnostics::Budget::Phase phase(
             options_.run->budget(),
             count == 1 ? "deciding " + options_.inputs.front()
                        : fmt::format("deciding {} for {} sets of constants", options_.inputs.front(), count));
         std::size_t done = count;
         try {
-            prism::in_parallel(count, threads_, [&](std::size_t number, unsigned) {
+            diagnostics::in_parallel(count, threads_, [&](std::size_t number, unsigned) {
                 if (!run(number, wanted, findings[number])) throw WrongModel(number);
             });
         } catch (const WrongModel& first) {
@@ -214,7 +214,7 @@ private:
         const std::size_t sets = wanted.of_properties.size();
         std::vector<std::optional<PrismAnswer>> answers(loaded_.properties.properties.size() * sets);
         std::vector<std::optional<prism::EvaluationError>> failures(answers.size());
-        prism::in_parallel(answers.size(), threads, [&](std::size_t at, unsigned) {
+        diagnostics::in_parallel(answers.size(), threads, [&](std::size_t at, unsigned) {
             const std::size_t property = at / sets;
             const prism::Values& values = wanted.of_properties[at % sets];
             std::optional<diagnostics::Budget::Phase> phase;

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <ctime>
 #include <limits>
 #include <mutex>
-#include <thread>
 
+#include "diagnostics/threads/threads.hpp"
 #include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {
@@ -47,10 +46,8 @@ public:
 
     RunResult run(diagnostics::Diagnostics& diagnostics) {
         const double cpu = cpu_now();
-        std::vector<std::thread> workers;
-        for (unsigned i = 0; i < threads(); ++i) workers.emplace_back([this] { work(); });
-        watch();
-        for (std::thread& worker : workers) worker.join();
+        diagnostics::in_parallel_watched(
+            threads(), [this] { work(); }, [this] { stop_ = enough_ = true; }, [this] { watch(); });
         result_.seconds = since(start_);
         result_.cpu_seconds = cpu_now() - cpu;
         result_.interrupted = stop_.load();
@@ -69,9 +66,7 @@ public:
 
 private:
     [[nodiscard]] unsigned threads() const {
-        const unsigned wanted =
-            options_.threads > 0 ? options_.threads : std::max(1U, std::thread::hardware_concurrency());
-        return std::min<unsigned>(wanted, most_);
+        return std::min<unsigned>(diagnostics::threads_wanted(options_.threads), most_);
     }
 
     struct Done {
@@ -88,11 +83,7 @@ private:
             run_one(trial, awaited);
             const std::lock_guard lock(mutex_);
             ended(trial);
-            changed_.notify_one();
         }
-        const std::lock_guard lock(mutex_);
-        ++idle_;
-        changed_.notify_one();
     }
 
     /// Claims that are not decided by the trials judged so far, so none that a later trial decides is missing.
@@ -143,14 +134,11 @@ private:
         }
     }
 
-    /// Waits for the workers; asks and tells meanwhile.
+    /// While the workers are at work: asks and tells.
     void watch() {
-        std::unique_lock lock(mutex_);
-        while (idle_ < threads()) {
-            changed_.wait_for(lock, std::chrono::milliseconds(100));
-            if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
-            if (options_.progress) options_.progress(progress());
-        }
+        if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
+        const std::lock_guard lock(mutex_);
+        if (options_.progress) options_.progress(progress());
     }
 
     /// Of trials beyond those that the claims rest on, which threads may have begun, nothing is asked.
@@ -202,11 +190,9 @@ private:
     std::atomic<bool> stop_ = false;    ///< interrupted, or no trial can run
     std::atomic<bool> enough_ = false;  ///< or all claims are decided: trials that are only for them may end
     std::mutex mutex_;                  ///< of what follows
-    std::condition_variable changed_;
     std::vector<ClaimJudge> judges_;
     std::uint32_t judged_ = 0;  ///< trials
     std::uint32_t done_ = 0;
-    unsigned idle_ = 0;
 };
 
 /// How far a value is outside of a band; infinite for a time that never came.

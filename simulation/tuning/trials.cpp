@@ -3,12 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <thread>
 
+#include "diagnostics/threads/threads.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {
@@ -18,35 +14,18 @@ namespace {
 class Workers {
 public:
     Workers(const std::vector<TuningTrial>& trials, unsigned threads) : trials_(trials), costs_(trials.size()) {
-        const unsigned wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-        count_ = static_cast<unsigned>(std::min<std::size_t>(wanted, trials.size()));
+        count_ = static_cast<unsigned>(std::min<std::size_t>(diagnostics::threads_wanted(threads), trials.size()));
     }
 
     std::vector<double> run(const std::function<void()>& interrupted) {
-        std::vector<std::thread> threads;
-        for (unsigned i = 0; i < count_; ++i) threads.emplace_back([this] { work(); });
-        std::exception_ptr thrown;
-        for (std::unique_lock lock(mutex_); ended_ < count_;) {
-            changed_.wait_for(lock, std::chrono::milliseconds(100));
-            if (thrown) continue;
-            try {
-                interrupted();
-            } catch (...) {
-                thrown = std::current_exception();
-                stop_ = true;
-            }
-        }
-        for (std::thread& each : threads) each.join();
-        if (thrown) std::rethrow_exception(thrown);
+        diagnostics::in_parallel_watched(
+            count_, [this] { work(); }, [this] { stop_ = true; }, interrupted);
         return std::move(costs_);
     }
 
 private:
     void work() {
         for (std::size_t t = next_++; t < trials_.size() && !stop_; t = next_++) costs_[t] = cost(trials_[t]);
-        const std::lock_guard lock(mutex_);
-        ++ended_;
-        changed_.notify_one();
     }
 
     [[nodiscard]] double cost(const TuningTrial& trial) const {
@@ -72,9 +51,6 @@ private:
     unsigned count_ = 0;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<bool> stop_ = false;
-    std::mutex mutex_;  ///< of what follows
-    std::condition_variable changed_;
-    unsigned ended_ = 0;
 };
 
 }  // namespace

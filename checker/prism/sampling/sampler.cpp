@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "checker/prism/sampling/parallel.hpp"
+#include "diagnostics/threads/threads.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -30,7 +30,7 @@ struct Sampler::Worker {
 Sampler::Sampler(const Instance& instance, const Expr& question, const Values& constants, std::uint64_t most,
                  const SamplingOptions& options)
     : options_(options), most_(most) {
-    const std::uint64_t threads = std::min<std::uint64_t>(threads_wanted(options.threads), most);
+    const std::uint64_t threads = std::min<std::uint64_t>(diagnostics::threads_wanted(options.threads), most);
     for (std::uint64_t i = 0; i < threads; ++i)
         workers_.push_back(std::make_unique<Worker>(instance, question, constants, options.budget));
 }
@@ -50,14 +50,15 @@ void Sampler::fill() {
     block_.assign(std::min(size, most_ - finished_), {});
     // Nobody asks for samples behind one that is open.
     std::atomic<std::size_t> open = block_.size();
-    in_parallel(block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {
-        if (number > open) return;
-        const Draws draws(options_.seed, finished_ + number);
-        block_[number] = workers_[thread]->question.ask(draws, options_.method.path, options_.budget);
-        if (block_[number].decided) return;
-        for (std::size_t least = open; number < least && !open.compare_exchange_weak(least, number);) {
-        }
-    });
+    diagnostics::in_parallel(
+        block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {
+            if (number > open) return;
+            const Draws draws(options_.seed, finished_ + number);
+            block_[number] = workers_[thread]->question.ask(draws, options_.method.path, options_.budget);
+            if (block_[number].decided) return;
+            for (std::size_t least = open; number < least && !open.compare_exchange_weak(least, number);) {
+            }
+        });
 }
 
 void Sampler::report(diagnostics::Diagnostics& diagnostics) const {

@@ -12,12 +12,11 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "checker/refine/levels/shared_work.hpp"
-#include "checker/refine/search/thread_team.hpp"
 #include "diagnostics/budget.hpp"
+#include "diagnostics/threads/threads.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -257,15 +256,14 @@ public:
     }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
-    ~Team() {
-        meeting_.leave();
-        join();
-    }
+    ~Team() = default;
 
     /// Starts all but the caller's.
     void start() {
         try {
-            start_threads(others_, static_cast<unsigned>(exchanges_.size()), [this](unsigned thread) { be(thread); });
+            others_.emplace(
+                static_cast<unsigned>(exchanges_.size()), [this](unsigned thread) { be(thread); },
+                [this] { meeting_.leave(); });
         } catch (const diagnostics::LimitReached& limit) {
             if (programs_.ranks() == 1) throw;
             throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
@@ -274,7 +272,7 @@ public:
     /// The caller's part, then the end of all.
     void finish() {
         be(0);
-        join();
+        others_->join();
         if (std::ranges::all_of(exchanges_, [](const auto& each) { return each->left_together(); }))
             programs_.leave_together();
         for (const auto* const kind : {&errors_, &heard_, &lost_})
@@ -295,17 +293,13 @@ private:
         }
         meeting_.leave();
     }
-    void join() {
-        for (std::thread& each : others_)
-            if (each.joinable()) each.join();
-    }
 
     Exchange& programs_;
     Meeting meeting_;
     const std::function<void(Exchange&)>& work_;
     std::vector<std::unique_ptr<Exchange>> exchanges_;
     std::vector<std::exception_ptr> errors_, heard_, lost_;  // by thread
-    std::vector<std::thread> others_;
+    std::optional<diagnostics::Threads> others_;
 };
 
 }  // namespace

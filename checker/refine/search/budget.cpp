@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
+
+#include "diagnostics/threads/threads.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -35,7 +36,7 @@ double Budget::seconds() const {
 }
 
 unsigned Budget::threads() const {
-    return limits_.threads != 0 ? limits_.threads : std::max(1U, std::thread::hardware_concurrency());
+    return diagnostics::threads_wanted(limits_.threads);
 }
 
 void Budget::tell(Time now) {

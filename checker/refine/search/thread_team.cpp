@@ -1,11 +1,6 @@
 #include "checker/refine/search/thread_team.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
-#include <system_error>
-
-#include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -22,42 +17,34 @@ void await_change(const std::atomic<unsigned>& value, unsigned old) {
 
 }  // namespace
 
-void start_threads(std::vector<std::thread>& threads, unsigned size, const std::function<void(unsigned)>& work) {
-    threads.reserve(size);
-    try {
-        for (unsigned number = 1; number < size; ++number) threads.emplace_back(work, number);
-    } catch (const std::system_error& error) {
-        throw diagnostics::LimitReached(fmt::format("{} threads cannot be started: {}", size, error.what()));
-    }
-}
-
-ThreadTeam::ThreadTeam(unsigned size) {
-    try {
-        start_threads(helpers_, size, [this](unsigned member) { help(member); });
-    } catch (...) {
-        end();
-        throw;
-    }
-}
-
-ThreadTeam::~ThreadTeam() {
-    end();
-}
+ThreadTeam::ThreadTeam(unsigned size)
+    : helpers_(
+          size, [this](unsigned member) { help(member); }, [this] { end(); }) {}
 
 void ThreadTeam::end() {
     over_ = true;
     round_.fetch_add(1);
     round_.notify_all();
-    for (std::thread& helper : helpers_) helper.join();
 }
 
 void ThreadTeam::run(const std::function<void(unsigned)>& work) {
     work_ = &work;
-    busy_.store(static_cast<unsigned>(helpers_.size()));
+    error_ = nullptr;
+    busy_.store(size() - 1);
     round_.fetch_add(1);
     round_.notify_all();
-    work(0);
+    work_as(0);
     for (unsigned busy = busy_.load(); busy != 0; busy = busy_.load()) await_change(busy_, busy);
+    if (error_) std::rethrow_exception(error_);
+}
+
+void ThreadTeam::work_as(unsigned member) {
+    try {
+        (*work_)(member);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = std::current_exception();
+    }
 }
 
 void ThreadTeam::help(unsigned member) {
@@ -65,7 +52,7 @@ void ThreadTeam::help(unsigned member) {
         await_change(round_, seen);
         ++seen;
         if (over_) return;
-        (*work_)(member);
+        work_as(member);
         if (busy_.fetch_sub(1) == 1) busy_.notify_one();
     }
 }

@@ -3,15 +3,13 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <functional>
-#include <thread>
-#include <vector>
+#include <mutex>
+
+#include "diagnostics/threads/threads.hpp"
 
 namespace robochart::refine {
-
-/// Starts threads that do `work`, with the numbers 1, 2, ... below `size`, and adds them to `threads`, which is empty.
-/// Throws LimitReached where one cannot be started; those before it are then in `threads`, for the caller to end.
-void start_threads(std::vector<std::thread>& threads, unsigned size, const std::function<void(unsigned)>& work);
 
 class ThreadTeam {
 public:
@@ -19,22 +17,24 @@ public:
     explicit ThreadTeam(unsigned size);
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
-    ~ThreadTeam();
 
-    [[nodiscard]] unsigned size() const { return static_cast<unsigned>(helpers_.size()) + 1; }
+    [[nodiscard]] unsigned size() const { return helpers_.size(); }
     /// Calls `work` with every member's number, 0 by the caller itself, and returns when all have come back. What one
-    /// member has written before is seen by all after. `work` throws nothing.
+    /// member has written before is seen by all after. Throws what the first member that throws has thrown.
     void run(const std::function<void(unsigned member)>& work);
 
 private:
     void help(unsigned member);
+    void work_as(unsigned member);
     void end();
 
     const std::function<void(unsigned)>* work_ = nullptr;
     std::atomic<unsigned> round_ = 0;
     std::atomic<unsigned> busy_ = 0;
-    bool over_ = false;
-    std::vector<std::thread> helpers_;
+    std::atomic<bool> over_ = false;
+    std::mutex mutex_;
+    std::exception_ptr error_;  ///< of this round; under mutex_
+    diagnostics::Threads helpers_;
 };
 
 }  // namespace robochart::refine

@@ -220,10 +220,10 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
                 const Answer found = answer(
                     graph, ranks, limits,
                     [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-                        KeptWhere kept = where(exchange, 1);
-                        if (every == 0) kept.every = std::chrono::milliseconds(0);
-                        if (disk) return std::make_unique<DiskRowStore>(std::move(kept), bounds);
-                        return std::make_unique<SavedRowStore>(std::move(kept));
+                        KeptWhere place = where(exchange, 1);
+                        if (every == 0) place.every = std::chrono::milliseconds(0);
+                        if (disk) return std::make_unique<DiskRowStore>(std::move(place), bounds);
+                        return std::make_unique<SavedRowStore>(std::move(place));
                     },
                     &levels);
                 ASSERT_EQ(found, expected) << round;
@@ -348,10 +348,10 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
                 const Answer found = answer(
                     graph, ranks, {},
                     [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-                        KeptWhere kept = where(exchange, 1);
-                        if (every == 0) kept.every = std::chrono::milliseconds(0);
-                        if (disk) return std::make_unique<DiskRowStore>(std::move(kept), bounds);
-                        return std::make_unique<SavedRowStore>(std::move(kept));
+                        KeptWhere place = where(exchange, 1);
+                        if (every == 0) place.every = std::chrono::milliseconds(0);
+                        if (disk) return std::make_unique<DiskRowStore>(std::move(place), bounds);
+                        return std::make_unique<SavedRowStore>(std::move(place));
                     },
                     &levels);
                 ASSERT_EQ(found, expected) << round << ", attempt " << attempt;
@@ -539,8 +539,8 @@ int end_without_stacks(const std::string& words, const std::function<void()>& wo
         setrlimit(RLIMIT_AS, &limit);
         try {
             work();
-        } catch (const LimitReached& limit) {
-            _exit(std::string(limit.what()).find(words) == 0 ? 3 : 5);
+        } catch (const LimitReached& reached) {
+            _exit(std::string(reached.what()).find(words) == 0 ? 3 : 5);
         } catch (...) {
             _exit(4);
         }
