@@ -25,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t folders = 16;
+constexpr std::uint64_t largest_part = 4;  // of a folder's share, that an entry may take; a larger file is not read
 
 /// A folder that this user alone writes to, made if it is not there.
 bool usable(const std::string& folder) {
@@ -36,11 +37,13 @@ bool usable(const std::string& folder) {
            (found.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// The whole of a regular file.
-std::optional<std::string> read_whole(const std::string& path) {
+/// The whole of a regular file that has at most so many bytes. The size is that of the open file, so that what is put
+/// in its place meanwhile is not read.
+std::optional<std::string> read_whole(const std::string& path, std::uint64_t most_bytes) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     struct stat found {};
     if (!file.open() || fstat(file.get(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
+    if (static_cast<std::uint64_t>(found.st_size) > most_bytes) return std::nullopt;
     std::string text(static_cast<std::size_t>(found.st_size), '\0');
     std::size_t have = 0;
     while (have < text.size()) {
@@ -81,9 +84,9 @@ std::string Cache::name_of(const Digest& key) const {
 std::optional<std::string> Cache::find(const Digest& key) {
     if (folder_.empty()) return std::nullopt;
     const std::string path = fmt::format("{}/{}", folder_, name_of(key));
-    std::optional<std::string> text = read_whole(path);
-    if (!text) return std::nullopt;
     const std::size_t sealed = Digest().size();
+    std::optional<std::string> text = read_whole(path, share_ / largest_part + sealed);
+    if (!text) return std::nullopt;
     if (text->size() >= sealed) {
         const Digest expected = seal(key, std::string_view(*text).substr(sealed));
         if (std::memcmp(text->data(), expected.data(), sealed) == 0) return text->substr(sealed);
@@ -93,7 +96,7 @@ std::optional<std::string> Cache::find(const Digest& key) {
 }
 
 void Cache::keep(const Digest& key, std::string_view content) {
-    if (folder_.empty() || content.size() > share_ / 4) return;
+    if (folder_.empty() || content.size() > share_ / largest_part) return;
     const Digest sealed = seal(key, content);
     std::string text(sealed.begin(), sealed.end());
     text += content;

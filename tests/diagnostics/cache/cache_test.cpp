@@ -149,6 +149,14 @@ TEST_F(CacheTest, AnEntryThatIsTooLargeIsNotKept) {
     EXPECT_TRUE(entries().empty());
 }
 
+TEST_F(CacheTest, AFileThatIsLargerThanAnEntryIsNotRead) {
+    const std::string content(mebibyte / 64, 'x');
+    cache(8 * mebibyte).keep(key(1), content);
+    EXPECT_EQ(cache(8 * mebibyte).find(key(1)), content);
+    EXPECT_EQ(cache(mebibyte).find(key(1)), content) << "as large as an entry may be";
+    EXPECT_EQ(cache(mebibyte - 64).find(key(1)), std::nullopt);
+}
+
 TEST_F(CacheTest, LeftoversOfAKilledProcessAreRemoved) {
     cache().keep(key(1), "a");
     const fs::path left = entries().front().parent_path() / ".robochart-0123456789abcdef";
