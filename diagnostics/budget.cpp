@@ -35,6 +35,15 @@ std::uint64_t resident_in(const char* statm) {
     return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
+/// In the unit in which the size is a whole number from one on.
+std::string size_text(std::uint64_t bytes) {
+    constexpr std::uint64_t kibibyte = 1U << 10U;
+    constexpr std::uint64_t mebibyte = 1U << 20U;
+    if (bytes >= mebibyte) return fmt::format("{} MiB", bytes / mebibyte);
+    if (bytes >= kibibyte) return fmt::format("{} KiB", bytes / kibibyte);
+    return fmt::format("{} bytes", bytes);
+}
+
 std::vector<pid_t> children_of(pid_t process) {
     std::vector<pid_t> children;
     const std::string tasks = fmt::format("/proc/{}/task", process);
@@ -81,7 +90,7 @@ std::string Budget::reached() {
     else if (limits_.deadline && now >= *limits_.deadline)
         why = "the time limit was reached";
     else if (memory_exceeded(now))
-        why = fmt::format("the memory limit of {} MiB was reached", limits_.memory_bytes >> 20U);
+        why = fmt::format("the memory limit of {} was reached", size_text(limits_.memory_bytes));
     if (why.empty()) {
         stopped_ = false;  // whoever interrupted may have taken it back
         return why;

@@ -540,7 +540,7 @@ bool parse_whole(std::string_view text, std::uint64_t& value) {
     return code == std::errc() && end == text.data() + text.size();
 }
 
-/// "300M", "4GiB", "1048576": binary units, whatever their spelling.
+/// "300M", "4GiB", "1048576B": binary units, whatever their spelling. A number alone could be meant as any of them.
 bool parse_size(std::string_view text, std::uint64_t& bytes) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string unit(text.substr(digits));
@@ -549,7 +549,8 @@ bool parse_size(std::string_view text, std::uint64_t& bytes) {
     unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
     constexpr std::string_view letters = "kmgtpe";
     std::size_t power = 0;
-    if (!unit.empty() && unit != "b") {
+    if (unit.empty()) return false;
+    if (unit != "b") {
         const std::size_t letter = letters.find(unit.front());
         const std::string_view rest = std::string_view(unit).substr(1);
         if (letter == std::string_view::npos || (!rest.empty() && rest != "b" && rest != "ib")) return false;
@@ -580,7 +581,7 @@ bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& v
 }
 
 std::string wanted_number(const Argument& wanted) {
-    if (wanted.kind == Kind::size) return "a size above 0 is wanted, as 300M or 4GiB";
+    if (wanted.kind == Kind::size) return "a size above 0 with its unit is wanted, as 300M or 4GiB";
     const std::string range = wanted.most == any_number ? fmt::format("from {}", wanted.least)
                                                         : fmt::format("from {} to {}", wanted.least, wanted.most);
     return fmt::format("a {} {} is wanted", wanted.kind == Kind::seconds ? "number of seconds" : "whole number", range);

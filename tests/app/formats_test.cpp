@@ -97,7 +97,7 @@ TEST_P(Formats, AreWholeWhereTimeIsUp) {
 
 TEST_P(Formats, AreWholeWhereMemoryIsUp) {
     const Ran ran = run_shell(with_inputs(GetParam(), "--memory 64K"));
-    expect_whole(ran, with_its_schema(GetParam(), ran), "the memory limit of 0 MiB was reached");
+    expect_whole(ran, with_its_schema(GetParam(), ran), "the memory limit of 64 KiB was reached");
 }
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Formats, ::testing::ValuesIn(forms),
