@@ -41,6 +41,8 @@ int command(int argc, char** argv, refine::Exchange& exchange) {
         Options options = given;
         options.by_levels = &served;
         options.identity = command_identity();
+        // mpirun reads its programs through terminals of its own, whatever it writes to.
+        if (options.color == Color::automatic) options.color = Color::never;
         return run_verb(options);
     });
     if (served.others_wait()) MpiProgram::abort(code);

@@ -30,6 +30,15 @@ def decided(command: list[str], scripts: list[str], options: tuple = ()) -> list
     return results
 
 
+def has_colours(mpiexec: str, mpi_program: str, script: str) -> bool:
+    """Whether the text that mpirun passes on to a pipe has escape sequences."""
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    environment.pop("NO_COLOR", None)
+    child = subprocess.run([mpiexec, "-n", "1", mpi_program, "cspm", script, "--progress", "never"],
+                           capture_output=True, text=True, env=environment, check=False)
+    return "\x1b" in child.stdout + child.stderr
+
+
 def steps(result: dict) -> int:
     """The length of the counterexample; 0 without one."""
     return max((len(each["implementation_behaviour"]["trace"]) for each in result["counterexamples"]), default=0)
@@ -65,6 +74,9 @@ def main() -> int:
                 print(f"{place}: by two ranks\n{two}\nby others\n{other}")
                 wrong += 1
         print(f"{place}: {expected['answer']}, ranks {ranks}")
+    if has_colours(mpiexec, mpi_program, scripts[0]):
+        print("colours are printed into a pipe")
+        wrong += 1
     print(f"{len(scripts)} scripts, {len(ordinary)} assertions, {wrong} differences")
     return 1 if wrong else 0
 
