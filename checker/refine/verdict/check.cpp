@@ -1,4 +1,4 @@
-// The questions of check.hpp, each as a search with its monitor; determinism has a file of its own.
+// The questions of check.hpp, each as a search with its monitor; determinism and `has trace` have files of their own.
 #include "checker/refine/verdict/check.hpp"
 
 #include <fmt/format.h>
@@ -214,73 +214,6 @@ void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool for
     fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
 }
 
-/// Every run along the trace, and nothing else.
-class AlongTrace final : public Monitor {
-public:
-    explicit AlongTrace(const std::vector<Event>& trace) : trace_(trace) {}
-    Node start() override { return 0; }
-    Advance advance(Node node, Event event) override {
-        if (node >= trace_.size() || trace_[node] != event) return {Effect::ignore};
-        return {Effect::follow, node + 1};
-    }
-    std::optional<ViolationKind> examine(Node /*node*/, const Offer& /*offer*/) override { return std::nullopt; }
-
-private:
-    const std::vector<Event>& trace_;
-};
-
-bool diverges_along(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget) {
-    AlongTrace monitor(trace);
-    Search search(system, monitor, budget, true);
-    search.first_violation();
-    return search.first_tau_cycle().has_value();
-}
-
-/// The place of the first event that the system can refuse after those before it.
-std::optional<std::size_t> refused_in(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget) {
-    for (std::size_t i = 0; i < trace.size(); ++i) {
-        TraceMonitor monitor(trace, i, trace[i]);
-        Search search(system, monitor, budget);
-        if (search.first_violation()) return i;
-    }
-    return std::nullopt;
-}
-
-/// FDR's manual does not say what the failures models add to `has trace`. Where the system neither refuses nor diverges
-/// on the way they add nothing, and if it cannot perform the trace they do not help; otherwise the answer is open.
-void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
-                 Verdict& verdict) {
-    const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";
-    if (model == Model::failures_divergences && diverges_along(system, trace, budget))
-        verdict.reason = "the process can diverge along the trace" + open;
-    else if (verdict.outcome == Outcome::fails)
-        return;
-    else if (const auto place = refused_in(system, trace, budget))
-        verdict.reason = "the process can perform the trace, but can refuse its event " + std::to_string(*place + 1) +
-                         ", " + system.events().name(trace[*place]) + open;
-    if (verdict.reason.empty()) return;
-    verdict.outcome = Outcome::inconclusive;
-    verdict.counterexample.reset();
-}
-
-void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Verdict& verdict) {
-    TraceMonitor monitor(trace, trace.size());
-    Search search(system, monitor, budget);
-    const Tally tally(search, verdict.statistics);
-    if (const std::optional<Finding> end = search.first_violation()) {
-        confirm_trace(system, trace, search.run_along(search.path_to(end->pair)), budget);
-        verdict.outcome = Outcome::holds;
-        return;
-    }
-    const Run run = run_of_prefix(system, trace, monitor.furthest(), budget);
-    const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
-        confirm_missing_trace(judged, trace, shown.run, own);
-    };
-    Counterexample counterexample = tell(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge));
-    counterexample.event = trace[monitor.furthest()];
-    fail(verdict, std::move(counterexample));
-}
-
 }  // namespace
 
 Run run_of_prefix(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t length, Budget& budget) {
@@ -334,13 +267,6 @@ Verdict deadlock_free(lts::TransitionSystem& system, Model model, const Limits& 
 Verdict divergence_free(lts::TransitionSystem& system, const Limits& limits, Earlier earlier) {
     return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
         decide_states(system, false, true, budget, verdict, earlier);
-    });
-}
-
-Verdict has_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, const Limits& limits) {
-    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
-        decide_trace(system, trace, budget, verdict);
-        if (model != Model::traces) doubt_trace(system, trace, model, budget, verdict);
     });
 }
 

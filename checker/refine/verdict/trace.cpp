@@ -1,0 +1,148 @@
+// `has trace`: searches that go along one trace. They are searches of the reduced form where that is given, like those
+// of the refinement that says the same: `not P :[has trace [T]]: t` is a refinement of P by all traces but t.
+#include <algorithm>
+#include <string>
+
+#include "checker/refine/verdict/check.hpp"
+#include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/monitors.hpp"
+#include "checker/refine/verdict/question.hpp"
+#include "checker/refine/verdict/reduction.hpp"
+#include "checker/refine/verdict/reference.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using process::Event;
+
+/// Whether runs along the trace are mapped to such runs.
+bool fixes(const lts::EventPermutation& exchange, const std::vector<Event>& trace) {
+    return std::ranges::none_of(exchange, [&](const auto& moved) {
+        return moved.first != moved.second && std::ranges::find(trace, moved.first) != trace.end();
+    });
+}
+
+/// What `search` finds, as a run of the system. The reduced form has the same traces, refusals and divergences along
+/// them, so `search` may look for any of these.
+std::optional<Violation> search_along(
+    lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Statistics& statistics,
+    bool shortest,
+    const std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&)>& search) {
+    const SearchQuestion question{[&](lts::TransitionSystem& searched, Budget& own, Statistics& size,
+                                      const Violation* /*known*/) { return search(searched, own, size); },
+                                  [&](const lts::EventPermutation& exchange) { return fixes(exchange, trace); },
+                                  shortest};
+    return search_reduced(system, budget, statistics, question);
+}
+
+/// A run of the trace's first events, and how many of its events some run has: of the trace all, or the most.
+struct Reached {
+    std::optional<Violation> violation;
+    std::size_t furthest = 0;
+};
+
+Reached reach(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t events, Budget& budget,
+              Statistics& statistics, bool shortest) {
+    Reached reached;
+    const auto search = [&](lts::TransitionSystem& searched, Budget& own, Statistics& size) {
+        TraceMonitor monitor(trace, events);
+        Search along(searched, monitor, own);
+        const Tally tally(along, size);
+        const std::optional<Finding> end = along.first_violation();
+        reached.furthest = std::max(reached.furthest, monitor.furthest());
+        return end ? std::optional(violation_of(along, searched, *end)) : std::nullopt;
+    };
+    reached.violation = search_along(system, trace, budget, statistics, shortest, search);
+    return reached;
+}
+
+/// Every run along the trace. Notes the first of its events that some state on the way can refuse.
+class RefusalsAlong final : public Monitor {
+public:
+    explicit RefusalsAlong(const std::vector<Event>& trace) : trace_(trace) {}
+    Node start() override { return 0; }
+    Advance advance(Node node, Event event) override {
+        if (node >= trace_.size() || trace_[node] != event) return {Effect::ignore};
+        return {Effect::follow, node + 1};
+    }
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override {
+        if (node >= trace_.size() || (refused_ && *refused_ <= node)) return std::nullopt;
+        const std::optional<process::EventSet> accepted = acceptance(offer);
+        if (accepted && !std::ranges::binary_search(*accepted, trace_[node])) refused_ = node;
+        return std::nullopt;
+    }
+    [[nodiscard]] std::optional<std::size_t> refused() const { return refused_; }
+
+private:
+    const std::vector<Event>& trace_;
+    std::optional<std::size_t> refused_;
+};
+
+struct Doubts {
+    bool diverges = false;
+    std::optional<std::size_t> refused;  ///< place in the trace
+};
+
+Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& trace, bool divergence, Budget& budget) {
+    Doubts doubts;
+    Statistics ignored;
+    const auto search = [&](lts::TransitionSystem& searched, Budget& own,
+                            Statistics& /*size*/) -> std::optional<Violation> {
+        RefusalsAlong monitor(trace);
+        Search along(searched, monitor, own, divergence);
+        along.first_violation();
+        doubts.refused = monitor.refused();
+        doubts.diverges = divergence && along.first_tau_cycle();
+        return std::nullopt;
+    };
+    search_along(system, trace, budget, ignored, false, search);
+    return doubts;
+}
+
+/// FDR's manual does not say what the failures models add to `has trace`. Where the system neither refuses nor diverges
+/// on the way they add nothing, and if it cannot perform the trace they do not help; otherwise the answer is open.
+void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
+                 Verdict& verdict) {
+    const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";
+    const Doubts doubts = doubts_along(system, trace, model == Model::failures_divergences, budget);
+    if (doubts.diverges)
+        verdict.reason = "the process can diverge along the trace" + open;
+    else if (verdict.outcome == Outcome::fails)
+        return;
+    else if (doubts.refused)
+        verdict.reason = "the process can perform the trace, but can refuse its event " +
+                         std::to_string(*doubts.refused + 1) + ", " + system.events().name(trace[*doubts.refused]) +
+                         open;
+    if (verdict.reason.empty()) return;
+    verdict.outcome = Outcome::inconclusive;
+    verdict.counterexample.reset();
+}
+
+void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Verdict& verdict) {
+    const Reached whole = reach(system, trace, trace.size(), budget, verdict.statistics, false);
+    if (whole.violation) {
+        confirm_trace(system, trace, whole.violation->run, budget);
+        verdict.outcome = Outcome::holds;
+        return;
+    }
+    Statistics ignored;
+    const Reached prefix = reach(system, trace, whole.furthest, budget, ignored, true);
+    const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
+        confirm_missing_trace(judged, trace, shown.run, own);
+    };
+    Counterexample counterexample = tell(confirmed(system, prefix.violation.value(), budget, judge));
+    counterexample.event = trace[whole.furthest];
+    verdict.outcome = Outcome::fails;
+    verdict.counterexample = std::move(counterexample);
+}
+
+}  // namespace
+
+Verdict has_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, const Limits& limits) {
+    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
+        decide_trace(system, trace, budget, verdict);
+        if (model != Model::traces) doubt_trace(system, trace, model, budget, verdict);
+    });
+}
+
+}  // namespace robochart::refine
