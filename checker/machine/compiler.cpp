@@ -78,6 +78,11 @@ private:
     ExplicitMachine found_;
 };
 
+/// Prefixes that are taken apart without asking whether that is worth it.
+constexpr std::size_t few_prefixes = 16;
+/// A process with fewer states, which takes many components to be taken apart, stays whole.
+constexpr std::size_t few_states = 1000;
+
 /// What compressions see of it: the names of hidden events mean nothing to them.
 process::Machine without_names(const ExplicitMachine& explicit_machine) {
     process::Machine machine{{}, explicit_machine.meaning};
@@ -146,6 +151,16 @@ ComponentPtr Compiler::component(TermId term, const std::function<void()>& poll)
     return components_[term] = explored(term, poll);
 }
 
+/// Whether the process as a term has few states. What is known of them then need not be worked out again.
+bool Compiler::is_small(TermId term, const std::function<void()>& poll) {
+    try {
+        Exploration(semantics_, few_states).run(term, poll);
+        return true;
+    } catch (const NotCompiled&) {
+        return false;
+    }
+}
+
 /// One state with a loop for every first event of the operator (see combine.cpp, gated).
 ComponentPtr Compiler::gate(const Node& node) const {
     process::TermStore& terms = semantics_.terms();
@@ -212,7 +227,7 @@ std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::ve
 ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
     const auto system = compile(term, poll);
-    if (!system) throw NotCompiled("a process inside was not compiled");
+    if (!system) return component(term, poll);
     return components_[term] = reduced(RowCollector(*system, term, bounds_.compressed_states).run(poll), poll);
 }
 
@@ -221,7 +236,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
     stage_ = {};
     try {
         std::optional<Skeleton> skeleton = this->skeleton(term, {}, poll);
-        if (!skeleton) return nullptr;
+        if (!skeleton || (skeleton->prefixes > few_prefixes && is_small(term, poll))) return nullptr;
         std::vector<ComponentPtr> components = this->components(*skeleton, poll);
         const std::set<TermId> regions = small_regions(*skeleton, components);
         for (TermId each : regions) region(each, poll);

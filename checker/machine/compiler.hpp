@@ -36,7 +36,8 @@ class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// The compiled process; null where it has no parallel operator to take apart, a component has too many states or
+    /// The compiled process; null where it has no parallel operator to take apart, or only behind many events and few
+    /// states in all, a component has too many states or
     /// cannot be explored on its own (an error of evaluation that the whole may never meet), or the rules are too many.
     /// `poll` is called now and then and may throw process::Interrupted, which passes.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
@@ -53,6 +54,7 @@ public:
                                                           const std::function<void()>& poll);
 
 private:
+    bool is_small(TermId term, const std::function<void()>& poll);
     ComponentPtr component(TermId term, const std::function<void()>& poll);
     ComponentPtr explored(TermId term, const std::function<void()>& poll);
     ComponentPtr gate(const Node& node) const;

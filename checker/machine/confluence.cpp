@@ -14,8 +14,6 @@ constexpr std::size_t most_answers = 4'000'000;  // kept
 constexpr std::size_t most_together = 500;
 /// Components beside the rule's parts that a proof may track.
 constexpr std::size_t most_beside = 4;
-/// Where no proof has succeeded after so many states were looked at, none is tried.
-constexpr std::uint64_t most_in_vain = 1'000;
 
 /// Answers that are no number of what to ask.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
@@ -148,55 +146,66 @@ std::uint32_t Confluence::made(RuleNumber rule, Slots slots) {
     }
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
-    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, 0, 0, {}});
+    tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, 0, 0, 0, 0, {}});
     return static_cast<std::uint32_t>(tracked_.size() - 1);
 }
 
-/// What proofs have taken and given, those for rules of the same components together: of a channel each value has a
-/// rule.
-class Confluence::Experience {
-public:
-    void add(const Slots& parts, const Tracked& tracked, const std::deque<Tracked>& all) {
-        Sum& sum = sums_[{parts, tracked.slots}];
+namespace {
+
+/// The work of proofs, in the unit of `work_of_a_state`.
+double work(const ProofRecord::Sum& sum) {
+    constexpr double of_a_state = 4;  // beside its rules
+    return static_cast<double>(sum.rules) + of_a_state * static_cast<double>(sum.looked);
+}
+
+bool known_well(const ProofRecord::Sum& sum) {
+    constexpr double enough = 2'000;
+    return work(sum) >= enough;
+}
+
+/// A tau that is followed leaves out a state at most, but memory is saved too.
+bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
+    constexpr double most_for_a_state = 2;
+    return sum.proofs > 0 &&
+           (!known_well(sum) || work(sum) <= most_for_a_state * work_of_a_state * static_cast<double>(sum.used));
+}
+
+}  // namespace
+
+ProofPlan ProofRecord::plan(double work_of_a_state) const {
+    ProofPlan result;
+    for (const auto& [key, sum] : sums_) {
+        if (!known_well(sum) || worth_it(sum, work_of_a_state)) continue;
+        Slots& instead = result[key];
+        std::uint64_t most = 0;
+        for (const auto& [next, often] : sum.next) {
+            if (often <= most || !leads_to_proofs({key.first, next}, work_of_a_state)) continue;
+            most = often;
+            instead = next;
+        }
+    }
+    return result;
+}
+
+/// Whether proofs that begin with it are worth it. (What is asked next tracks more.)
+bool ProofRecord::leads_to_proofs(const Key& key, double work_of_a_state) const {
+    const auto known = sums_.find(key);
+    if (known == sums_.end()) return false;
+    const Sum& sum = known->second;
+    return worth_it(sum, work_of_a_state) || std::ranges::any_of(sum.next, [&](const auto& next) {
+               return leads_to_proofs({key.first, next.first}, work_of_a_state);
+           });
+}
+
+void Confluence::add_to(ProofRecord& record) const {
+    for (const Tracked& tracked : tracked_) {
+        ProofRecord::Sum& sum = record.of(parts_of(tracked.rule), tracked.slots);
         sum.proofs += tracked.proofs;
         sum.looked += tracked.looked;
-        for (const auto& [next, often] : tracked.next) sum.next[all[next].slots] += often;
+        sum.rules += tracked.rules;
+        sum.used += tracked.used;
+        for (const auto& [next, often] : tracked.next) sum.next[tracked_[next].slots] += often;
     }
-    [[nodiscard]] ProofPlan plan() const {
-        ProofPlan result;
-        for (const auto& [key, sum] : sums_) {
-            if (sum.proofs > 0 || sum.looked < most_in_vain) continue;
-            Slots& instead = result[key];
-            std::uint64_t most = 0;
-            for (const auto& [next, often] : sum.next) {
-                if (often <= most || !leads_to_proofs({key.first, next})) continue;
-                most = often;
-                instead = next;
-            }
-        }
-        return result;
-    }
-
-private:
-    struct Sum {
-        std::uint64_t proofs = 0, looked = 0;
-        std::map<Slots, std::uint64_t> next;
-    };
-    /// Whether proofs that begin with it have succeeded. (What is asked next tracks more.)
-    [[nodiscard]] bool leads_to_proofs(const std::pair<Slots, Slots>& key) const {
-        const Sum& sum = sums_.at(key);
-        return sum.proofs > 0 || std::any_of(sum.next.begin(), sum.next.end(), [&](const auto& next) {
-                   return leads_to_proofs({key.first, next.first});
-               });
-    }
-
-    std::map<std::pair<Slots, Slots>, Sum> sums_;
-};
-
-ProofPlan Confluence::plan() const {
-    Experience experience;
-    for (const Tracked& each : tracked_) experience.add(parts_of(each.rule), each, tracked_);
-    return experience.plan();
 }
 
 Slots Confluence::parts_of(RuleNumber rule) const {
@@ -276,6 +285,8 @@ public:
         return true;
     }
     [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
+    /// That the last proof has looked at.
+    [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
     /// Where there is no proof: the rule in whose way the rule is, and those that led to where that is so, last first.
     [[nodiscard]] const std::vector<RuleNumber>& blamed() const { return blamed_; }
     /// Keys of the states from that one back to the first: the rules that led on from the n-th are n - 1 of those.
@@ -294,6 +305,7 @@ private:
         known_.clear();
         blamed_.clear();
         led_on_.clear();
+        next_.rules = 0;
     }
     void add(Locals state, std::size_t from, RuleNumber by) {
         const std::uint64_t here = key(*tracked_, state);
@@ -333,7 +345,12 @@ Confluence::~Confluence() = default;
 
 bool Confluence::confluent(RuleNumber rule, Locals state) {
     std::uint32_t found = first_[rule];
-    while (found < yes) found = answer(found, state);
+    std::uint32_t asked = no;
+    while (found < yes) {
+        asked = found;
+        found = answer(asked, state);
+    }
+    if (found == yes) ++tracked_[asked].used;
     return found == yes;
 }
 
@@ -353,6 +370,7 @@ std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Local
     Closure& closure = *closure_;
     const bool proved = closure.prove(tracked_[number], state);
     tracked_[number].looked += closure.keys().size();
+    tracked_[number].rules += closure.rules();
     if (proved) {
         ++tracked_[number].proofs;
         for (const std::uint64_t each : closure.keys()) keep(number, each, yes);
@@ -376,6 +394,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     if (!determined(rule, state)) return false;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
         return std::all_of(others.begin(), others.end(), [&](RuleNumber by) {
+            ++next.rules;
             const WholeRule& other = rules_->rules[by];
             if (by == tracked.rule || cannot_fire(other, tracked, state)) return true;
             if (!commutes(rule, other, state)) return disturbing = by, false;

@@ -25,6 +25,31 @@ using Slots = std::vector<std::uint32_t>;
 /// are looked at, the slots to look at in place of them. Empty: the proof is taken to fail.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
+/// What proofs have taken and given, those for rules of the same components together: of a channel each value has a
+/// rule.
+class ProofRecord {
+public:
+    /// What one proof looked at, and whether it succeeded. `next`: what was tracked in its place afterwards.
+    struct Sum {
+        std::uint64_t proofs = 0;  ///< that succeeded
+        std::uint64_t looked = 0;  ///< states that proofs looked at
+        std::uint64_t rules = 0;   ///< that were looked at in these states
+        std::uint64_t used = 0;    ///< taus that were followed because of such a proof
+        std::map<Slots, std::uint64_t> next;
+    };
+
+    [[nodiscard]] Sum& of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
+    /// What proofs need not look at, where the successors of a state take so much work. Proofs are not tried that have
+    /// not succeeded, nor those that took more work than the states did that they left out.
+    [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
+
+private:
+    using Key = std::pair<Slots, Slots>;
+    [[nodiscard]] bool leads_to_proofs(const Key& key, double work_of_a_state) const;
+
+    std::map<Key, Sum> sums_;
+};
+
 /// Proves taus confluent by their rule and the present states of the components that take part in it, and keeps what
 /// has been proved. Gives the same answers whatever it was asked before.
 class Confluence {
@@ -39,8 +64,8 @@ public:
     /// Takes the first tau of the state, given by the components' states, that is proved to be confluent. False if
     /// there is none.
     bool follow(std::span<Local> state);
-    /// What the proofs so far show.
-    [[nodiscard]] ProofPlan plan() const;
+    /// Adds what the proofs so far have taken and given.
+    void add_to(ProofRecord&) const;
 
 private:
     using RuleNumber = std::uint32_t;
@@ -57,21 +82,20 @@ private:
     /// A rule with the components whose present states its proofs look at, and what these proofs gave.
     struct Tracked {
         RuleNumber rule = 0;
-        Slots slots;                                  ///< ascending: the rule's parts, and components beside them
-        std::vector<std::uint64_t> weights;           ///< of each one's state in keys
-        std::vector<char> has;                        ///< by slot, whether it is one of them
-        const Asking* asking = nullptr;               ///< of the slots, once a proof is tried
-        std::uint64_t proofs = 0;                     ///< that succeeded
-        std::uint64_t looked = 0;                     ///< states that proofs looked at
+        Slots slots;                         ///< ascending: the rule's parts, and components beside them
+        std::vector<std::uint64_t> weights;  ///< of each one's state in keys
+        std::vector<char> has;               ///< by slot, whether it is one of them
+        const Asking* asking = nullptr;      ///< of the slots, once a proof is tried
+        std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often which other one was asked after a proof that failed
     };
     /// What rules other than the tracked one lead to, and the rule that leads to each.
     struct Outcomes {
         std::vector<Local> states;  ///< of all components, one after the other
         std::vector<RuleNumber> by;
+        std::uint64_t rules = 0;  ///< looked at, in all
     };
     class Closure;
-    class Experience;
 
     void count_offers();
     void list_tau_rules();

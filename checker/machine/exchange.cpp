@@ -1,7 +1,6 @@
 #include "checker/machine/exchange.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace robochart::machine {
@@ -143,17 +142,25 @@ bool Exchange::maps_rules(std::uint32_t region, const std::function<void()>& pol
 
 Exchange::EventsByBody Exchange::bodies(const Region& region, const std::function<void()>& poll) const {
     EventsByBody result;
+    using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    const auto as_set = [](Pairs& pairs) {
+        std::sort(pairs.begin(), pairs.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    };
+    Pairs asked, assigned;
     for (const Rule& rule : region.rules) {
         if (poll) poll();
-        std::set<std::pair<std::uint32_t, std::uint32_t>> asked{{rule.lead.participant, rule.lead.event}};
+        asked.assign(1, {rule.lead.participant, rule.lead.event});
         for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
-            asked.emplace(region.requirements[i].participant, region.requirements[i].event);
-        std::set<std::pair<std::uint32_t, Local>> assigned;
+            asked.emplace_back(region.requirements[i].participant, region.requirements[i].event);
+        assigned.clear();
         for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)
-            assigned.emplace(region.assignments[i].slot, region.assignments[i].value);
+            assigned.emplace_back(region.assignments[i].slot, region.assignments[i].value);
+        as_set(asked);
+        as_set(assigned);
         Body body{rule.level, static_cast<std::uint32_t>(asked.size())};
-        for (const auto& pairs : {asked, assigned})
-            for (const auto& [who, what] : pairs) body.insert(body.end(), {who, what});
+        for (const Pairs* const pairs : {&asked, &assigned})
+            for (const auto& [who, what] : *pairs) body.insert(body.end(), {who, what});
         result[body].push_back(rule.place);
     }
     return result;

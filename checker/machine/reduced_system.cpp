@@ -11,43 +11,80 @@ namespace {
 
 /// Whichever state a row of followed taus is left at, it stands for those before it: so a row may be of any length.
 constexpr std::size_t most_steps = 1000;
-/// States by which it is found out what proofs need not look at.
-constexpr std::size_t pilot_states = 3000;    // that it expands
-constexpr std::size_t pilot_found = 200'000;  // that it finds
+/// States by which it is found out what proofs are worth, in rounds: the first ones take out what is worth least.
+constexpr std::size_t pilot_states[] = {200, 600, 2200};  // that it expands
+constexpr std::size_t pilot_found = 200'000;              // that it finds
+/// Where fewer taus are followed for each transition, asking for them costs more than they leave out.
+constexpr double least_followed = 0.01;
 
 /// Searches some of a system's states, the last found first, so that they are from all over it; of one state's
 /// successors some turn comes first, in an order that depends on the system alone.
 class Pilot final : private lts::SuccessorSink {
 public:
-    explicit Pilot(lts::TransitionSystem& system) : system_(system), found_(system.width()) {}
+    explicit Pilot(std::size_t width) : found_(width) {}
 
-    void run(const std::function<void()>& poll) {
-        std::vector<lts::Word> initial(system_.width());
-        system_.initial(initial);
-        open_.push_back(found_.insert(initial).index);
-        for (std::size_t expanded = 0; !open_.empty() && expanded < pilot_states && found_.size() < pilot_found;
-             ++expanded) {
+    /// Goes on with so many states.
+    void run(lts::TransitionSystem& system, std::size_t states, const std::function<void()>& poll) {
+        if (found_.size() == 0) {
+            std::vector<lts::Word> initial(system.width());
+            system.initial(initial);
+            open_.push_back(found_.insert(initial).index);
+        }
+        for (std::size_t i = 0; i < states && !open_.empty() && found_.size() < pilot_found; ++i) {
             if (poll) poll();
             const lts::StateIndex state = open_.back();
             open_.pop_back();
             const std::size_t before = open_.size();
-            system_.successors(found_[state], *this);
+            system.successors(found_[state], *this);
             const std::size_t fresh = open_.size() - before;
-            if (fresh == 0) continue;
             const auto first = open_.begin() + static_cast<std::ptrdiff_t>(before);
-            std::rotate(first, first + static_cast<std::ptrdiff_t>(expanded * 7 % fresh), open_.end());
+            if (fresh != 0) std::rotate(first, first + static_cast<std::ptrdiff_t>(expanded_ * 7 % fresh), open_.end());
+            ++expanded_;
         }
     }
+    [[nodiscard]] std::size_t expanded() const { return expanded_; }
+    [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
 
 private:
     void add(Event /*event*/, lts::StateView target, Event /*revealed*/) override {
+        ++transitions_;
         if (const auto [index, fresh] = found_.insert(target); fresh) open_.push_back(index);
     }
 
-    lts::TransitionSystem& system_;
     lts::StateStore found_;
     std::vector<lts::StateIndex> open_;
+    std::size_t expanded_ = 0;
+    std::uint64_t transitions_ = 0;
 };
+
+/// What a pilot search shows; none where it follows hardly any tau.
+std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
+                                        const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
+                                        const std::function<void()>& poll) {
+    constexpr double of_a_state = 5;  // beside the steps of components
+    Pilot pilot(combined->words);
+    ProofRecord record;
+    ProofPlan plan;
+    double work = 0;
+    double followed = 0;
+    for (const std::size_t states : pilot_states) {
+        auto whole = std::make_unique<SupercombinatorSystem>(combined, terms);
+        const SupercombinatorSystem& searched = *whole;
+        ReducedSystem reduced(std::move(whole), combined, rules, plan);
+        reduced.watch(poll);
+        const std::size_t expanded_before = pilot.expanded();
+        const std::uint64_t transitions_before = pilot.transitions();
+        pilot.run(reduced, states, poll);
+        if (pilot.expanded() == expanded_before) break;
+        const auto transitions = static_cast<double>(pilot.transitions() - transitions_before);
+        followed = static_cast<double>(reduced.chased()) / std::max(1.0, transitions);
+        work += static_cast<double>(searched.work());
+        reduced.add_to(record);
+        plan = record.plan(of_a_state + work / static_cast<double>(pilot.expanded()));
+    }
+    if (followed < least_followed) return std::nullopt;
+    return plan;
+}
 
 }  // namespace
 
@@ -59,10 +96,8 @@ std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::fu
     };
     if (!rules || std::none_of(rules->rules.begin(), rules->rules.end(), may_be_followed)) return nullptr;
     const auto shared = std::make_shared<const WholeRules>(std::move(*rules));
-    ReducedSystem looking(another(), combined_, shared, {});
-    looking.watch(poll);
-    Pilot(looking).run(poll);
-    return std::make_unique<ReducedSystem>(another(), combined_, shared, looking.plan());
+    const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, shared, poll);
+    return plan ? std::make_unique<ReducedSystem>(another(), combined_, shared, *plan) : nullptr;
 }
 
 ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,

@@ -28,8 +28,8 @@ public:
     void watch(const std::function<void()>& poll) override;
     [[nodiscard]] std::uint64_t chased() const override { return chased_; }
     [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
-    /// What the proofs in the states found so far show (Confluence).
-    [[nodiscard]] ProofPlan plan() const { return confluence_.plan(); }
+    /// Adds what the proofs in the states found so far have taken and given (Confluence).
+    void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// The compiled process that it is the reduced form of.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 

@@ -34,6 +34,7 @@ public:
 
     Skeleton build(TermId term) {
         node(term, 0, {}, 0);
+        result_.prefixes = prefixes_taken_;
         return std::move(result_);
     }
     /// Whether a parallel operator is at work in the term, or soon will be.

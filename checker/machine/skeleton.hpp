@@ -38,6 +38,7 @@ struct Node {
 struct Skeleton {
     std::vector<Node> nodes;
     std::vector<NodeId> slots;  ///< of each component, its node
+    std::size_t prefixes = 0;   ///< taken apart, to get to the parallel operators behind them
 };
 
 /// Takes a term apart, down to the terms in `leaves` and those without operators that stay; compressed terms in

@@ -94,6 +94,7 @@ private:
     template <typename Way>
     void take(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
+        ++system_.work_;
         change(who, way);
         const Event name = next == rule.first_requirement ? way.revealed : revealed;
         if (next == rule.end_requirement)

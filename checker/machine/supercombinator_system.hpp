@@ -27,6 +27,8 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
+    /// Steps of components that were looked at for successors, so far.
+    [[nodiscard]] std::uint64_t work() const { return work_; }
 
 private:
     struct Move {
@@ -67,6 +69,7 @@ private:
     mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // once looked for
     std::function<void()> poll_;                                    // asked where one state has many successors
     std::uint32_t performed_ = 0;
+    std::uint64_t work_ = 0;
 };
 
 }  // namespace robochart::machine

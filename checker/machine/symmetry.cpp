@@ -15,6 +15,8 @@ using diagnostics::splitmix64_mixed;
 constexpr std::size_t largest_component = 20'000;  // states
 constexpr std::size_t most_rules = 200'000;
 constexpr std::size_t most_exchanges = 500;  // verified, in all
+/// Rules and states looked at for proposals that turned out to be wrong. Where so many were in vain, no more is tried.
+constexpr std::size_t most_in_vain = 200'000;
 
 class Finder {
 public:
@@ -126,9 +128,15 @@ private:
     }
 
     std::optional<lts::EventPermutation> exchanged(SlotRange first, SlotRange second) {
-        if (exchanges_ == most_exchanges || second.first < first.end) return std::nullopt;
+        if (exchanges_ == most_exchanges || in_vain_ > most_in_vain || second.first < first.end) return std::nullopt;
         ++exchanges_;
-        return Exchange(combined_, shapes_, first, second).verified(poll_);
+        std::size_t looked = 0;
+        auto exchange = Exchange(combined_, shapes_, first, second).verified([&] {
+            ++looked;
+            if (poll_) poll_();
+        });
+        if (!exchange) in_vain_ += looked;
+        return exchange;
     }
 
     [[nodiscard]] lts::Replica replica(SlotRange range, lts::EventPermutation exchange) const {
@@ -149,6 +157,7 @@ private:
     std::vector<ComponentShape> shapes_;             // by slot, once made
     std::vector<bool> taken_;                        // by slot: it belongs to a replica
     std::size_t exchanges_ = 0;
+    std::size_t in_vain_ = 0;
     std::vector<lts::ReplicaSet> result_;
 };
 

@@ -63,6 +63,59 @@ assert Small::Zero :[has trace [T]]: <Small::get.0>
 
 // In a timed section with zero durations tock is always possible beside an event that waits, and
 // timed_priority lets no time pass while a tau is possible (semantics 3.10).
+std::vector<AssertionResult> results(const std::string& text, const refine::Limits& limits) {
+    Reading reading(text);
+    (void)check_types(reading.script, reading.diagnostics);
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    Session session(reading.script);
+    std::vector<AssertionResult> all;
+    for (const DeclPtr& assertion : session.assertions()) all.push_back(session.check(*assertion, limits));
+    return all;
+}
+
+// Five components of three hidden steps: 4^5 states in all, of which one is left where confluent taus are followed. A
+// trace is there in the reduced form if it is there in the whole.
+TEST(SessionTest, ATraceIsLookedForInTheReducedForm) {
+    const std::string text = R"(channel step : {0..4}.{0..2}
+channel done, other
+C(i) = step.i.0 -> step.i.1 -> step.i.2 -> SKIP
+System = ((||| i : {0..4} @ C(i)) ; (done -> STOP |~| done -> done -> STOP)) \ {|step|}
+assert System :[has trace [T]]: <done, done>
+assert System :[has trace [T]]: <done, other>
+assert System :[has trace [F]]: <done>
+assert System :[has trace [F]]: <done, done>
+)";
+    refine::Limits fewer_states;
+    fewer_states.reduction = true;
+    refine::Limits all_states;
+    all_states.reduction = false;
+    const std::vector<AssertionResult> reduced = results(text, fewer_states);
+    const std::vector<AssertionResult> whole = results(text, all_states);
+    using refine::Outcome;
+    const std::vector<Outcome> expected{Outcome::holds, Outcome::fails, Outcome::holds, Outcome::inconclusive};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(reduced.at(i).verdict.outcome, expected[i]) << i;
+        EXPECT_EQ(whole.at(i).verdict.outcome, expected[i]) << i;
+        EXPECT_EQ(reduced.at(i).verdict.reason, whole.at(i).verdict.reason);
+        EXPECT_LT(reduced.at(i).verdict.statistics.states, 30U) << i;
+        EXPECT_GT(whole.at(i).verdict.statistics.states, 1000U) << i;
+    }
+    const auto& shown = reduced.at(1).verdict.counterexample.value();
+    EXPECT_EQ(shown.steps.size(), whole.at(1).verdict.counterexample.value().steps.size()) << "the shortest run";
+}
+
+// Each way to begin leads to components of its own: taken apart it would have some hundred, for a dozen states.
+TEST(SessionTest, AProcessOfFewStatesIsNotTakenApart) {
+    Reading reading(R"(channel a, b, c : {0..3}
+channel stop
+Small = a?x -> b?y -> c?z -> ((stop -> SKIP ||| stop -> SKIP) ; Small)
+)");
+    (void)check_types(reading.script, reading.diagnostics);
+    ASSERT_TRUE(reading.ok()) << reading.report();
+    Session session(reading.script);
+    EXPECT_TRUE(session.system(build::name("Small"))->states_are_terms());
+}
+
 /// Making instances copies what they are made of: the budget is asked meanwhile.
 TEST(SessionTest, InstancesAreMadeWithinABudget) {
     diagnostics::SourceManager sources;
