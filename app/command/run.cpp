@@ -18,6 +18,7 @@
 #include "app/command/output.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/storage_error.hpp"
+#include "diagnostics/ending.hpp"
 
 namespace robochart::app {
 namespace {
@@ -27,6 +28,8 @@ using Clock = std::chrono::steady_clock;
 constexpr timespec between_looks{0, 10'000'000};
 /// How long work may go on behind a limit before it is cut short: until it polls, and then gives back what it holds.
 constexpr std::chrono::milliseconds grace{300};
+/// How long a verb may print behind a signal.
+constexpr std::chrono::milliseconds longest_printing{2000};
 
 /// The limits are those of the whole run, and begin now.
 diagnostics::Limits limits_of(const Options& options) {
@@ -102,6 +105,7 @@ void Run::last_word(LastWord word) {
 void Run::finish() {
     const std::lock_guard lock(mutex_);
     finishing_ = true;
+    diagnostics::program_ends = true;
 }
 
 Exit Run::stopped(const std::string& why) {
@@ -109,16 +113,38 @@ Exit Run::stopped(const std::string& why) {
     return last_word_(why);
 }
 
+/// A run goes on after a limit of memory if what has reached it gives enough back; after all others it ends. Where even
+/// this thread finds no memory, nobody else is left to say so. A verb that has its answer may take its time to print it
+/// after a limit; after a signal nobody waits for it that long.
 void Run::watch() {
     std::optional<Clock::time_point> since;
-    while (!over_) {
-        if (const int signal = sigtimedwait(&signals_taken_, nullptr, &between_looks); signal > 0) take(signal);
+    int asked_to_end = 0;
+    const auto finishing = [this] {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        return lock && finishing_;
+    };
+    const auto look = [&] {
+        if (const int signal = sigtimedwait(&signals_taken_, nullptr, &between_looks); signal > 0) {
+            if (signal != SIGXCPU) asked_to_end = signal;
+            take(signal);
+        }
         const std::string why = budget_.reached();
-        if (why.empty()) continue;
+        if (why.empty()) return since.reset();
         if (!since) since = Clock::now();
+        const std::optional<Clock::time_point>& deadline = budget_.limits().deadline;
+        if (budget_.interrupted() || (deadline && Clock::now() >= *deadline)) diagnostics::program_ends = true;
         const std::uint64_t most = budget_.limits().memory_bytes;
         const bool far_beyond = budget_.resident() > most + most / 10;
-        if (Clock::now() - *since >= grace || far_beyond) say_and_end(why);
+        if (Clock::now() - *since < grace && !far_beyond) return;
+        if (asked_to_end != 0 && Clock::now() - *since >= longest_printing && finishing())
+            end_at_once(128 + asked_to_end);
+        say_and_end(why);
+    };
+    try {
+        while (!over_) look();
+    } catch (const std::exception&) {
+        std::fputs("robochart-verify: there is no more memory\n", stderr);
+        end_at_once(static_cast<int>(Exit::inconclusive));
     }
 }
 

@@ -369,6 +369,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
             print_object(script, session.event_table(), options, known);
         else if (json)
             print_last("", options, known);
+        if (known.last) options.run->finish();
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();
         script.errors.emplace_back(limit.what());

@@ -22,6 +22,7 @@
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
+#include "diagnostics/ending.hpp"
 #include "diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
@@ -363,7 +364,9 @@ struct Session::Impl {
 
 Session::Session(Script script, diagnostics::Budget* budget, bool whole_states)
     : impl_(std::make_unique<Impl>(std::move(script), budget, whole_states)) {}
-Session::~Session() = default;
+Session::~Session() {
+    diagnostics::discard(impl_);
+}
 
 const Script& Session::script() const {
     return impl_->script;
