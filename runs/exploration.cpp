@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "runs/evaluation_failure.hpp"
 #include "runs/structure.hpp"
 
 namespace robochart::runs {
@@ -75,9 +76,8 @@ private:
             for (Absence& each : stepper.absences()) result.absences.push_back(absences_.number(std::move(each)));
             if (const auto& whole = stepper.structure()) result.structure = part(*whole);
         } catch (const cspm::EvaluationError& error) {
-            result.error = error.what();
-        } catch (const process::SemanticsError& error) {
-            result.error = error.what();
+            const Context& context = reader_.context();
+            result.error = placed_failure(error, context.system, context.sources);
         }
         if (!result.error.empty()) result.offers.clear();
         if (result.machines.empty()) result.process = process::describe(reader_.context().session.terms(), term);

@@ -347,7 +347,6 @@ std::vector<process::Transition> Interpreter::transitions_at(TermId term) const 
     try {
         return context_.session.transitions(term);
     } catch (const cspm::EvaluationError&) {
-    } catch (const process::SemanticsError&) {
     }
     return {};
 }

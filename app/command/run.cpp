@@ -16,6 +16,7 @@
 
 #include "app/command/command_line.hpp"
 #include "app/command/output.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/storage_error.hpp"
 #include "diagnostics/ending.hpp"
@@ -193,6 +194,10 @@ Exit run_within(Run& run, const Options& options, const std::function<Exit(const
         return verb(options);
     } catch (const diagnostics::LimitReached& limit) {
         return run.stopped(limit.what());
+    } catch (const cspm::EvaluationError& error) {  // verbs catch it where they know the place in the model
+        run.finish();
+        print_error("robochart-verify: the script cannot be evaluated: {}\n", error.what());
+        return Exit::bad_input;
     } catch (const std::bad_alloc&) {
         return run.stopped("there is no more memory");
     } catch (const std::system_error& error) {

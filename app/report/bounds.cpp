@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "app/report/element_at.hpp"
 #include "csp_emit/expressions/clipping.hpp"
 #include "diagnostics/text.hpp"
+#include "semantics/ir/element_at.hpp"
 
 namespace robochart::app {
 namespace {
@@ -37,7 +37,7 @@ void BoundWatch::note(const cspm::ObservedCall& call) {
     if (!text) return;
     const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
     if (!known_.emplace(std::make_pair(call.function, at), true).second) return;
-    const std::string element = element_at(project_.system, call.span);
+    const std::string element = ir::element_at(project_.system, call.span);
     BoundReport bound{project_.label + (element.empty() ? "model" : element), project_.sources.place(call.span),
                       fmt::format("in {}, {}", written(project_.sources, call.span), *text), time_};
     const auto same = std::find_if(report_.begin(), report_.end(), [&](const BoundReport& other) {

@@ -20,8 +20,8 @@ namespace robochart::app {
 namespace {
 
 std::string_view outcome_word(conformance::Outcome outcome) {
-    constexpr std::array<std::string_view, 5> words{"conforms", "DIFFERS", "NOT SCHEDULABLE", "not generated",
-                                                    "inconclusive"};
+    constexpr std::array<std::string_view, 6> words{"conforms",      "DIFFERS", "NOT SCHEDULABLE",
+                                                    "not generated", "error",   "inconclusive"};
     return words[static_cast<std::size_t>(outcome)];
 }
 
@@ -316,8 +316,8 @@ std::string_view name_of(Answer answer) {
 }
 
 std::string_view name_of(conformance::Outcome outcome) {
-    constexpr std::array<std::string_view, 5> names{"conforms", "differs", "not schedulable", "not generated",
-                                                    "inconclusive"};
+    constexpr std::array<std::string_view, 6> names{"conforms",      "differs", "not schedulable",
+                                                    "not generated", "error",   "inconclusive"};
     return names[static_cast<std::size_t>(outcome)];
 }
 
@@ -346,7 +346,8 @@ Exit Report::exit() const {
         return std::any_of(conformance.begin(), conformance.end(),
                            [&](const auto& c) { return c.result.outcome == outcome; });
     };
-    if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated))
+    if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated) ||
+        code(conformance::Outcome::error))
         return Exit::bad_input;
     if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable))
         return Exit::failed;

@@ -53,7 +53,8 @@ JunitCase case_of(const ConformanceReport& c) {
     made.name = c.component;
     made.seconds = c.seconds;
     if (c.result.outcome == Outcome::conforms) return made;
-    const bool unknown = c.result.outcome == Outcome::inconclusive || c.result.outcome == Outcome::not_generated;
+    const bool unknown = c.result.outcome == Outcome::inconclusive || c.result.outcome == Outcome::not_generated ||
+                         c.result.outcome == Outcome::error;
     made.kind = unknown ? Kind::error : Kind::failed;
     made.message = c.result.reason.empty() ? "the code does not conform" : c.result.reason;
     made.text = conformance_text(c);

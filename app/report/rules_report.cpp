@@ -106,9 +106,11 @@ const char* verdict_word(RuleVerdict::Kind kind) {
         case RuleVerdict::Kind::not_applicable:
             return "not applicable";
         case RuleVerdict::Kind::not_decided:
+            return "not decided";
+        case RuleVerdict::Kind::error:
             break;
     }
-    return "not decided";
+    return "error";
 }
 
 std::string verdict_text(const RulesReport& report, const RuleVerdict& verdict) {
@@ -120,17 +122,22 @@ std::string verdict_text(const RulesReport& report, const RuleVerdict& verdict) 
 
 std::string verdicts_text(const RulesReport& report, bool quiet) {
     std::string text;
-    std::size_t broken = 0, undecided = 0;
+    std::size_t broken = 0, undecided = 0, errors = report.errors.size();
     for (const RuleVerdict& each : report.verdicts) {
-        const bool wrong = each.kind == RuleVerdict::Kind::broken || each.kind == RuleVerdict::Kind::not_decided;
+        const bool failed = each.kind == RuleVerdict::Kind::error;
+        const bool wrong =
+            failed || each.kind == RuleVerdict::Kind::broken || each.kind == RuleVerdict::Kind::not_decided;
         if (wrong || !quiet) text += verdict_text(report, each);
         if (each.kind == RuleVerdict::Kind::broken) ++broken;
         if (each.kind == RuleVerdict::Kind::not_decided) ++undecided;
+        if (failed) ++errors;
     }
+    for (const std::string& each : report.errors) text += fmt::format("error: {}\n", each);
     for (const std::string& each : report.time_stops) text += fmt::format("time can stop in {}\n", each);
+    for (const std::string& each : report.time_open) text += fmt::format("not decided: {}\n", each);
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
-    return text + fmt::format("{}: {} broken, {} not decided\n", number_of(report.verdicts.size(), "verdict"), broken,
-                              undecided);
+    return text + fmt::format("{}: {} broken, {} not decided{}\n", number_of(report.verdicts.size(), "verdict"), broken,
+                              undecided, errors == 0 ? "" : ", " + number_of(errors, "error"));
 }
 
 Json verdict_json(const RulesReport& report, const RuleVerdict& verdict) {
@@ -186,8 +193,9 @@ Json property_json(const RulesReport& report, const RuleProperty& property) {
 Exit exit_of(const RulesReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     bool failed = !report.time_stops.empty();
-    bool undecided = !report.limit.empty() || !report.not_read.empty();
+    bool undecided = !report.limit.empty() || !report.not_read.empty() || !report.time_open.empty();
     for (const RuleVerdict& each : report.verdicts) {
+        if (each.kind == RuleVerdict::Kind::error) return Exit::bad_input;
         failed = failed || each.kind == RuleVerdict::Kind::broken;
         undecided = undecided || each.kind == RuleVerdict::Kind::not_decided;
     }
@@ -230,6 +238,7 @@ std::string rules_json(const RulesReport& report) {
         json["verdicts"] = Json::array();
         for (const RuleVerdict& each : report.verdicts) json["verdicts"].push_back(verdict_json(report, each));
         json["timeStops"] = report.time_stops;
+        if (!report.time_open.empty()) json["timeNotDecided"] = report.time_open;
     } else if (report.as_sleec_tk) {
         json["numericValues"] = report.ranges;
         json["pairs"] = Json::array();

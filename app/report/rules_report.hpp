@@ -49,11 +49,11 @@ struct ComparedPair {
 
 /// A rule and a component of a model.
 struct RuleVerdict {
-    enum class Kind { obeyed, broken, never_asked, not_applicable, not_decided };
+    enum class Kind { obeyed, broken, never_asked, not_applicable, not_decided, error };
     std::string component;
     std::size_t rule = 0;
     Kind kind = Kind::not_decided;
-    std::string reason;              ///< not applicable, not decided: why
+    std::string reason;              ///< not applicable, not decided, error: why
     std::vector<std::string> lines;  ///< broken: how
     std::uint64_t states = 0;
 };
@@ -63,6 +63,7 @@ struct RulesReport {
     std::string model;                    ///< "": rules alone
     std::vector<RuleVerdict> verdicts;    ///< of a model
     std::vector<std::string> time_stops;  ///< components in which time can stop
+    std::vector<std::string> time_open;   ///< "whether time can stop in C: why it is not decided"
     bool as_sleec_tk = false;
     std::string without_limit;
     std::vector<RuleName> rules;
@@ -75,12 +76,12 @@ struct RulesReport {
     std::vector<std::string> ranges;          ///< as SLEEC-TK: the values of numeric measures
     std::vector<ComparedPair> pairs;          ///< as SLEEC-TK
     std::vector<std::string> not_read;        ///< as SLEEC-TK: rules that it would not read, with the reason
-    std::vector<std::string> errors;
-    std::string limit;  ///< what ended the run; "" if nothing did
+    std::vector<std::string> errors;          ///< of the files, and where a component cannot be evaluated
+    std::string limit;                        ///< what ended the run; "" if nothing did
 };
 
-/// 2 where a file is wrong, 1 where there is a conflict, a rule is broken, a concern raised or a purpose blocked, 3
-/// where something is not decided.
+/// 2 where a file is wrong or a component cannot be evaluated, 1 where there is a conflict, a rule is broken, a concern
+/// raised or a purpose blocked, 3 where something is not decided.
 [[nodiscard]] Exit exit_of(const RulesReport& report);
 [[nodiscard]] std::string rules_text(const RulesReport& report, const Options& options);
 [[nodiscard]] std::string rules_json(const RulesReport& report);

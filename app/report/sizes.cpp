@@ -1,11 +1,13 @@
-// See sizes.hpp. What cannot be evaluated has been reported by the checks, and has no size.
+// See sizes.hpp. What cannot be evaluated has no size, which is said.
 #include "app/report/sizes.hpp"
+
+#include <fmt/format.h>
 
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "app/report/state_space.hpp"
-#include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/process/operational_semantics.hpp"
+#include "runs/evaluation_failure.hpp"
 
 namespace robochart::app {
 namespace {
@@ -35,8 +37,10 @@ void measure_sizes(const Project& project, cspm::Session& session, const csp_emi
                             size_of(session, component.compressed, options)};
             const auto edit = options.run->edit();
             report.sizes.push_back(std::move(size));
-        } catch (const cspm::EvaluationError&) {
-            continue;
+        } catch (const cspm::EvaluationError& error) {
+            const auto edit = options.run->edit();
+            report.remarks.push_back(fmt::format("the size of {}{} is not known: {}", project.label, component.path,
+                                                 runs::placed_failure(error, project.system, project.sources)));
         }
 }
 

@@ -11,6 +11,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
 #include "csp_emit/assertion_forms.hpp"
+#include "runs/evaluation_failure.hpp"
 #include "runs/interpreter.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/obligations/open.hpp"
@@ -267,6 +268,9 @@ JudgedRule ModelRules::judge(std::size_t rule) const {
         follow(judged);
     } catch (const sleec::NotDecided& error) {
         judged.verdict.reason = error.what();
+    } catch (const cspm::EvaluationError& error) {
+        judged.verdict.kind = RuleVerdict::Kind::error;
+        judged.verdict.reason = runs::placed_failure(error, project_.system, project_.sources);
     }
     return judged;
 }
@@ -285,14 +289,20 @@ void ModelRules::follow(JudgedRule& judged) const {
         judged.verdict.reason = "as long as no measure changes within a second";
 }
 
-bool ModelRules::stops_time() const {
+TimeStops ModelRules::time_stops() const {
     namespace build = cspm::build;
     cspm::Script script = emission_.script;
     const cspm::DeclPtr asked = csp_emit::timelock_free(
         build::hide(csp_emit::running_on(component_.process, "tock"),
                     build::productions(csp_emit::outputs_of(emission_.provenance, component_.path))));
     script.decls.push_back(asked);
-    return session(std::move(script))->check(*asked, limits(options_)).verdict.outcome == refine::Outcome::fails;
+    try {
+        const refine::Verdict verdict = session(std::move(script))->check(*asked, limits(options_)).verdict;
+        return {verdict.outcome == refine::Outcome::fails,
+                verdict.outcome == refine::Outcome::inconclusive ? verdict.reason : "", false};
+    } catch (const cspm::EvaluationError& error) {
+        return {false, runs::placed_failure(error, project_.system, project_.sources), true};
+    }
 }
 
 }  // namespace robochart::app

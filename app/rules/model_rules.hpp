@@ -27,6 +27,13 @@ struct JudgedRule {
     std::optional<runs::Run> run;  ///< none: it could not be found in terms of the model
 };
 
+/// Whether time can stop in a component, while its platform takes every output and call at once: that breaks no rule.
+struct TimeStops {
+    bool stops = false;
+    std::string unknown;  ///< why it is not known; "": it is
+    bool error = false;   ///< unknown, because the component cannot be evaluated
+};
+
 /// One component and the rules of a file, in the timed semantics. Refers to what it is made from.
 class ModelRules {
 public:
@@ -34,9 +41,7 @@ public:
                const csp_emit::ComponentProcesses& component, const Options& options);
 
     [[nodiscard]] JudgedRule judge(std::size_t rule) const;
-    /// Whether time can stop in the component, while its platform takes every output and call at once: a component that
-    /// stops time breaks no rule.
-    [[nodiscard]] bool stops_time() const;
+    [[nodiscard]] TimeStops time_stops() const;
 
 private:
     class Question;

@@ -108,10 +108,10 @@ const csp_emit::ComponentProcesses* RuleClaims::component(const ir::Property& pr
     return nullptr;
 }
 
-bool RuleClaims::stops_time(const csp_emit::ComponentProcesses& component, const LoadedRules& file) {
-    const auto [at, fresh] = stops_time_.try_emplace(component.path, false);
+const TimeStops& RuleClaims::time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file) {
+    const auto [at, fresh] = time_stops_.try_emplace(component.path);
     if (fresh)
-        at->second = ModelRules({*file.rules, file.sources}, project_, emission_, component, options_).stops_time();
+        at->second = ModelRules({*file.rules, file.sources}, project_, emission_, component, options_).time_stops();
     return at->second;
 }
 
@@ -128,6 +128,7 @@ void RuleClaims::decide(const ir::Property& property, AssertionReport& report) {
         report.reason = judged.verdict.reason;
         switch (judged.verdict.kind) {
             case RuleVerdict::Kind::not_applicable:
+            case RuleVerdict::Kind::error:
                 return;
             case RuleVerdict::Kind::not_decided:
                 report.answer = Answer::inconclusive;
@@ -145,9 +146,13 @@ void RuleClaims::decide(const ir::Property& property, AssertionReport& report) {
         }
         report.answer = property.negated ? Answer::fails : Answer::holds;
         if (property.negated && report.reason.empty()) report.reason = "every run obeys the rule";
-        if (stops_time(*asked, *found.file))
-            report.reason += fmt::format("{}time can stop in {}, which breaks no rule",
-                                         report.reason.empty() ? "" : "; ", asked->path);
+        const TimeStops& time = time_stops(*asked, *found.file);
+        const std::string behind = report.reason.empty() ? "" : "; ";
+        if (time.stops)
+            report.reason += fmt::format("{}time can stop in {}, which breaks no rule", behind, asked->path);
+        if (!time.unknown.empty())
+            report.reason +=
+                fmt::format("{}not decided whether time can stop in {}: {}", behind, asked->path, time.unknown);
     } catch (const sleec::NotDecided& error) {
         report.reason = error.what();
     }

@@ -9,6 +9,7 @@
 #include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
 #include "app/report/rules_report.hpp"
+#include "app/rules/model_rules.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "sleec/checks/checked.hpp"
 
@@ -46,13 +47,13 @@ private:
     const std::vector<std::unique_ptr<LoadedRules>>& files_beside(const std::string& assertions);
     Found find(const ir::Property& property);
     const csp_emit::ComponentProcesses* component(const ir::Property& property) const;
-    bool stops_time(const csp_emit::ComponentProcesses& component, const LoadedRules& file);
+    const TimeStops& time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file);
 
     const Project& project_;
     const csp_emit::Emission& emission_;
     const Options& options_;
     std::map<std::string, std::vector<std::unique_ptr<LoadedRules>>> folders_;
-    std::map<std::string, bool> stops_time_;  ///< of components, by path
+    std::map<std::string, TimeStops> time_stops_;  ///< of components, by path
 };
 
 }  // namespace robochart::app

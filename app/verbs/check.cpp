@@ -13,7 +13,6 @@
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "app/report/bounds.hpp"
-#include "app/report/element_at.hpp"
 #include "app/report/sizes.hpp"
 #include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
@@ -22,6 +21,7 @@
 #include "diagnostics/escape.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "runs/evaluation_failure.hpp"
 #include "runs/exercised.hpp"
 #include "runs/interpreter.hpp"
 
@@ -69,12 +69,8 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     }
 }
 
-/// What cannot be evaluated, with its place and the element of the model that it is in.
 std::string said(const Project& project, const cspm::EvaluationError& error) {
-    const std::string place = project.sources.place(error.span);
-    if (place.empty()) return error.what();
-    const std::string element = element_at(project.system, error.span);
-    return fmt::format("{}: {}{}{}", diagnostics::shown(place), error.what(), element.empty() ? "" : ", in ", element);
+    return runs::placed_failure(error, project.system, project.sources);
 }
 
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
@@ -159,9 +155,6 @@ void decide_firing(const Context& context, const csp_emit::FiringQuestion& quest
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
         report.reason = said(context.project, error);
-    } catch (const process::SemanticsError& error) {
-        report.answer = Answer::error;
-        report.reason = error.what();
     }
 }
 

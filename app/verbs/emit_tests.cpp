@@ -10,10 +10,10 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
-#include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/testgen/test_suite.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "runs/evaluation_failure.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -68,6 +68,7 @@ bool write_tests(Project& project, const Options& options, Report& report) {
     for (const ir::ComponentRef& component : components) {
         const refine::Limits bounds = limits(options, "tests of " + component.path);
         std::string refused;
+        diagnostics::Span place;
         try {
             const Made made = make(project, options, component, bounds);
             const std::string below = fmt::format("tests/{}{}/", project.folder, file_name(project, component));
@@ -77,11 +78,12 @@ bool write_tests(Project& project, const Options& options, Report& report) {
         } catch (const std::length_error& large) {
             refused = large.what();
         } catch (const cspm::EvaluationError& failed) {
-            refused = failed.what();
+            refused = runs::failure(failed, project.system);
+            place = failed.span;
         } catch (const conformance::AlphabetError& mismatch) {
             refused = mismatch.what();
         }
-        if (!refused.empty()) project.diagnostics.report(rules::no_monitor, {}, {component.path, refused});
+        if (!refused.empty()) project.diagnostics.report(rules::no_monitor, place, {component.path, refused});
     }
     return project.diagnostics.ok();
 }

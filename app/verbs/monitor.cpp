@@ -15,9 +15,9 @@
 #include "app/rules/rule_guard.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
-#include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/process/term.hpp"
 #include "diagnostics/escape.hpp"
+#include "runs/evaluation_failure.hpp"
 #include "simulation/trial/kind_traces.hpp"
 #include "sleec/emit/monitor_file.hpp"
 #include "sleec/obligations/samples.hpp"
@@ -28,8 +28,8 @@ namespace {
 /// The tables of one component; null with a diagnostic.
 std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options& options,
                                                  const ir::ComponentRef& component, std::uint32_t cycle_length) {
-    const auto refuse = [&](const std::string& why) {
-        project.diagnostics.report(rules::no_monitor, {}, {component.path, why});
+    const auto refuse = [&](const std::string& why, diagnostics::Span place = {}) {
+        project.diagnostics.report(rules::no_monitor, place, {component.path, why});
         return nullptr;
     };
     const refine::Limits bounds = limits(options, "monitor of " + component.path);
@@ -43,7 +43,7 @@ std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options
     } catch (const std::length_error& large) {
         return refuse(large.what());
     } catch (const cspm::EvaluationError& failed) {
-        return refuse(failed.what());
+        return refuse(runs::failure(failed, project.system), failed.span);
     } catch (const conformance::AlphabetError& mismatch) {
         return refuse(mismatch.what());
     }

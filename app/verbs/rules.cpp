@@ -236,10 +236,12 @@ private:
             const auto edit = options_.run->edit();
             report_->verdicts.push_back(std::move(verdict));
         }
-        if (asked.stops_time()) {
-            const auto edit = options_.run->edit();
-            report_->time_stops.push_back(component.path);
-        }
+        const TimeStops time = asked.time_stops();
+        const auto edit = options_.run->edit();
+        if (time.stops) report_->time_stops.push_back(component.path);
+        if (time.unknown.empty()) return;
+        const std::string why = fmt::format("whether time can stop in {}: {}", component.path, time.unknown);
+        (time.error ? report_->errors : report_->time_open).push_back(why);
     }
 
     [[nodiscard]] const sleec::CheckedRules& rules() const { return *loaded_.rules; }

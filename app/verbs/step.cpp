@@ -26,6 +26,7 @@
 #include "checker/process/operational_semantics.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/splitmix64.hpp"
+#include "runs/evaluation_failure.hpp"
 #include "runs/stepper.hpp"
 #include "runs/text.hpp"
 #include "semantics/ir/query.hpp"
@@ -434,8 +435,13 @@ Exit step_component(const Options& options) {
         return refusal(*project);
     }
     const std::string name = ir::qualified(component);
-    SteppedComponent stepped(*project, name, time, options);
-    return animate(stepped.stepper(), options, {name, options.inputs.front(), project, time}, parts);
+    try {
+        SteppedComponent stepped(*project, name, time, options);
+        return animate(stepped.stepper(), options, {name, options.inputs.front(), project, time}, parts);
+    } catch (const cspm::EvaluationError& error) {
+        print_error("robochart-verify: {}\n", runs::placed_failure(error, project->system, project->sources));
+        return Exit::bad_input;
+    }
 }
 
 Exit step_script(const Options& options) {
@@ -449,14 +455,20 @@ Exit step_script(const Options& options) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
-    cspm::Session session(loaded.script, &options.run->budget());
-    const csp_emit::Provenance nothing;
     const ir::System no_system;
-    const ir::Instantiation no_instantiation;
-    const runs::Context context{nothing, no_system, no_instantiation, loaded.sources, session};
-    runs::StepReader reader(context);
-    runs::Stepper stepper(reader, session.process(asked->assertion.specification));
-    return animate(stepper, options, {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed}, {});
+    try {
+        cspm::Session session(loaded.script, &options.run->budget());
+        const csp_emit::Provenance nothing;
+        const ir::Instantiation no_instantiation;
+        const runs::Context context{nothing, no_system, no_instantiation, loaded.sources, session};
+        runs::StepReader reader(context);
+        runs::Stepper stepper(reader, session.process(asked->assertion.specification));
+        return animate(stepper, options, {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed},
+                       {});
+    } catch (const cspm::EvaluationError& error) {
+        print_error("robochart-verify: {}\n", runs::placed_failure(error, no_system, loaded.sources));
+        return Exit::bad_input;
+    }
 }
 
 }  // namespace
@@ -469,14 +481,7 @@ Exit run_step(const Options& options) {
     });
     const std::string extension = std::filesystem::path(options.inputs.front()).extension().string();
     const bool script = extension == ".csp" || extension == ".cspm" || extension == ".fdr3";
-    try {
-        return script ? step_script(options) : step_component(options);
-    } catch (const cspm::EvaluationError& error) {
-        print_error("robochart-verify: {}\n", error.what());
-    } catch (const process::SemanticsError& error) {
-        print_error("robochart-verify: {}\n", error.what());
-    }
-    return Exit::bad_input;
+    return script ? step_script(options) : step_component(options);
 }
 
 }  // namespace robochart::app

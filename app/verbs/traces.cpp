@@ -18,13 +18,14 @@
 #include "app/command/run.hpp"
 #include "app/step/trace_page.hpp"
 #include "app/verbs/verbs.hpp"
-#include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/model/rules.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/json.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "runs/evaluation_failure.hpp"
+#include "semantics/ir/element_at.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -302,6 +303,13 @@ std::string subject(const Options& options) {
     return options.component.empty() ? "the model" : options.component;
 }
 
+/// The part that a place is in; the first where none is known.
+const Project& part_at(const std::vector<Part>& parts, diagnostics::Span place) {
+    for (const Part& part : parts)
+        if (!ir::element_at(part.project->system, place).empty()) return *part.project;
+    return *parts.front().project;
+}
+
 }  // namespace
 
 Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
@@ -326,9 +334,8 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
-        project.diagnostics.report(
-            rules::no_monitor, {},
-            {subject(options), fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
+        const std::string why = runs::failure(failed, part_at(parts, failed.span).system);
+        project.diagnostics.report(rules::no_monitor, failed.span, {subject(options), why});
     } catch (const conformance::AlphabetError& mismatch) {
         project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
     }

@@ -29,24 +29,31 @@ namespace robochart::cspm {
 
 namespace {
 
-// A process that stays a term; faults of recursion are named as errors of evaluation.
+using PlaceOfTerm = std::function<Span(process::TermId)>;
+
+// What the firing rules object to becomes an error of evaluation, so that users of a session see one kind: at the
+// definition at fault, if `place_of` knows it, or else at `span`.
+template <class Work>
+auto evaluated(Span span, const PlaceOfTerm& place_of, const Work& work) {
+    try {
+        return work();
+    } catch (const process::SemanticsError& error) {
+        const Span place = error.term ? place_of(*error.term) : Span{};
+        throw EvaluationError(error.what(), place.known() ? place : span, {});
+    }
+}
+
+// A process that stays a term.
 class SessionSystem final : public lts::TransitionSystem {
 public:
-    using Place = std::function<Span(process::TermId)>;
-
     /// Faults are placed at the definition at fault, which `place` says, or else at `span`.
-    SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span, Place place)
+    SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span, PlaceOfTerm place)
         : system_(semantics, term), span_(span), place_(std::move(place)) {}
 
     [[nodiscard]] std::size_t width() const override { return system_.width(); }
     void initial(std::span<lts::Word> state) override { system_.initial(state); }
     void successors(lts::StateView state, lts::SuccessorSink& sink) override {
-        try {
-            system_.successors(state, sink);
-        } catch (const process::SemanticsError& error) {
-            const Span place = error.term ? place_(*error.term) : Span{};
-            throw EvaluationError(error.what(), place.known() ? place : span_, {});
-        }
+        evaluated(span_, place_, [&] { system_.successors(state, sink); });
     }
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
@@ -56,7 +63,7 @@ public:
 private:
     process::TermSystem system_;
     Span span_;
-    Place place_;
+    PlaceOfTerm place_;
 };
 
 /// At most so much of a description that a line holds it; characters stay whole.
@@ -109,6 +116,12 @@ struct Session::Impl {
         const Code* code = nullptr;
         on_deep_stack([&] { code = resolver.expression(expr, place, unit); });
         return {code, unit};
+    }
+
+    template <class Work>
+    auto evaluated_at(Span span, const Work& work) {
+        return evaluated(
+            span, [this](process::TermId at) { return place_of(at); }, work);
     }
 
     /// The first definition that a call in the term is of.
@@ -390,7 +403,7 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     result.span = assertion.span;
     result.negated = assertion.assertion.negated;
     try {
-        result.verdict = impl_->decide(assertion, limits, result);
+        result.verdict = impl_->evaluated_at(assertion.span, [&] { return impl_->decide(assertion, limits, result); });
     } catch (const process::Interrupted& stopped) {
         result.verdict = {};
         result.verdict.reason = stopped.what() + impl_->stage_reached();
@@ -421,34 +434,38 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
 }
 
 std::vector<process::Transition> Session::transitions(process::TermId term) {
-    const auto found = impl_->semantics.successors(term);
-    return {found.begin(), found.end()};
+    return impl_->evaluated_at({}, [&] {
+        const auto found = impl_->semantics.successors(term);
+        return std::vector<process::Transition>(found.begin(), found.end());
+    });
 }
 
 std::vector<process::Move> Session::moves(process::TermId term, const process::Transition& step) {
-    return process::moves(impl_->semantics, term, step);
+    return impl_->evaluated_at({}, [&] { return process::moves(impl_->semantics, term, step); });
 }
 
 process::TermId Session::process(const ExprPtr& expr) {
     const Impl::Ready ready = impl_->ready(expr);
-    return impl_->evaluator.process(*ready.code, *ready.unit);
+    return impl_->evaluated_at(expr->span, [&] { return impl_->evaluator.process(*ready.code, *ready.unit); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
-    return impl_->system(process(expr), expr->span, {});
+    return impl_->evaluated_at(expr->span, [&] { return impl_->system(process(expr), expr->span, {}); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     budget.report_by([this](refine::Progress& progress) { impl_->tell_stage(progress); });
     const Impl::Polling polling(*impl_, budget);
-    return impl_->system(process(expr), expr->span, impl_->polling_within(budget, limits));
+    return impl_->evaluated_at(
+        expr->span, [&] { return impl_->system(process(expr), expr->span, impl_->polling_within(budget, limits)); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr, const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     const Impl::Polling polling(*impl_, budget);
-    return impl_->whole_system(process(expr), expr->span, [&budget] { budget.charge(); });
+    return impl_->evaluated_at(
+        expr->span, [&] { return impl_->whole_system(process(expr), expr->span, [&budget] { budget.charge(); }); });
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

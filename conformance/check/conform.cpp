@@ -23,6 +23,7 @@
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
+#include "runs/evaluation_failure.hpp"
 
 namespace robochart::conformance {
 
@@ -227,7 +228,9 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
         return result;
     } catch (const cspm::EvaluationError& failed) {
         Result result;
-        result.reason = fmt::format("the script of the model cannot be evaluated: {}", failed.what());
+        result.outcome = Outcome::error;
+        result.reason =
+            sources == nullptr ? runs::failure(failed, system) : runs::placed_failure(failed, system, *sources);
         return result;
     }
 }

@@ -20,6 +20,7 @@ enum class Outcome {
     differs,          ///< the code does something NF_c(M) does not allow
     not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
     not_generated,    ///< the generator refused the component (diagnostics say why)
+    error,            ///< the script of the model cannot be evaluated
     inconclusive,
 };
 

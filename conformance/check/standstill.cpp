@@ -268,7 +268,6 @@ void explain(Result& result, cspm::Session& session, const cspm::ExprPtr& proces
             if (*aside && (*aside)->model_run)
                 (*aside)->run = run_with(*(*aside)->model_run, (*aside)->reason, explained);
     } catch (const process::Interrupted&) {
-    } catch (const process::SemanticsError&) {
     } catch (const cspm::EvaluationError&) {
     }
 }

@@ -1,6 +1,9 @@
 // The channels that machines, controllers and modules declare alike (semantics 3.2).
 #include "csp_emit/base/component.hpp"
 
+#include <memory>
+#include <utility>
+
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/types.hpp"
 
@@ -19,6 +22,17 @@ cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string
     return b::call(function, arguments);
 }
 
+namespace {
+
+/// At the place of the element that it is for, where an error about it is reported.
+cspm::DeclPtr placed(const cspm::DeclPtr& decl, const ir::Origin& origin) {
+    cspm::Decl result = *decl;
+    result.span = origin.span;
+    return std::make_shared<const cspm::Decl>(std::move(result));
+}
+
+}  // namespace
+
 void ChannelDeclarations::mean(const std::string& event, EventMeaning meaning) {
     csp_emit::mean(provenance_, owner_, event, std::move(meaning));
 }
@@ -30,7 +44,7 @@ void ChannelDeclarations::event(const ir::Event& event) {
         fields.push_back(type_set(project_, *event.type));
         types.push_back(*event.type);
     }
-    decls_.push_back(b::channel({event.name}, b::dot(fields)));
+    decls_.push_back(placed(b::channel({event.name}, b::dot(fields)), event.origin));
     mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
     mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
 }
@@ -39,7 +53,7 @@ void ChannelDeclarations::call(const ir::OperationSignature& operation) {
     b::Exprs fields;
     for (const ir::TypeId type : operation.parameters) fields.push_back(type_set(project_, type));
     const std::string channel = operation.name + "Call";
-    decls_.push_back(b::channel({channel}, fields.empty() ? nullptr : b::dot(fields)));
+    decls_.push_back(placed(b::channel({channel}, fields.empty() ? nullptr : b::dot(fields)), operation.origin));
     mean(channel, {MeaningKind::call, "call " + operation.name, operation.parameters, operation.origin});
 }
 
@@ -51,7 +65,7 @@ void ChannelDeclarations::variable(const std::string& name, ir::TypeId type, boo
         channels.push_back("set_EXT_" + name);
         mean(channels[1], {MeaningKind::external_write, "others write " + name, {type}, origin});
     }
-    decls_.push_back(b::channel(channels, type_set(project_, type)));
+    decls_.push_back(placed(b::channel(channels, type_set(project_, type)), origin));
 }
 
 }  // namespace robochart::csp_emit

@@ -8,6 +8,7 @@
 
 #include "csp_emit/emit.hpp"
 #include "probability/experiments/encoding.hpp"
+#include "runs/evaluation_failure.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::probability {
@@ -73,7 +74,7 @@ std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const
         made->system = made->session->whole_system(component_process(made->emission, path), limits_of(limits.budget));
         made->exploration = std::make_unique<Exploration>(*made->system, limits.most_states, poll);
     } catch (const cspm::EvaluationError& error) {
-        throw Wrong(error.what());
+        throw Wrong(runs::placed_failure(error, system, sources));
     }
     made->context.reset(
         new runs::Context{made->emission.provenance, system, made->instantiation, sources, *made->session});

@@ -1,7 +1,7 @@
 // The machines' elements nest by their places in the text, so the smallest one is the innermost.
-#include "app/report/element_at.hpp"
+#include "semantics/ir/element_at.hpp"
 
-namespace robochart::app {
+namespace robochart::ir {
 namespace {
 
 bool inside(diagnostics::Span inner, diagnostics::Span outer) {
@@ -12,7 +12,7 @@ bool inside(diagnostics::Span inner, diagnostics::Span outer) {
 class Smallest {
 public:
     explicit Smallest(diagnostics::Span place) : place_(place) {}
-    void offer(const std::string& package, const ir::Origin& origin) {
+    void offer(const std::string& package, const Origin& origin) {
         const bool smaller = best_.empty() || origin.span.end - origin.span.begin < size_;
         if (!inside(place_, origin.span) || !smaller) return;
         best_ = package.empty() ? origin.element : package + "::" + origin.element;
@@ -28,23 +28,23 @@ private:
 
 }  // namespace
 
-std::string element_at(const ir::System& system, diagnostics::Span span) {
+std::string element_at(const System& system, diagnostics::Span span) {
     Smallest smallest(span);
     const auto offer_all = [&](const std::string& package, const auto& elements) {
         for (const auto& element : elements) smallest.offer(package, element.origin);
     };
-    for (const ir::Function& function : system.functions) smallest.offer(function.package, function.origin);
-    for (const ir::Module& module : system.modules) {
+    for (const Function& function : system.functions) smallest.offer(function.package, function.origin);
+    for (const Module& module : system.modules) {
         smallest.offer(module.package, module.origin);
         offer_all(module.package, module.platform.variables);
         offer_all(module.package, module.platform.constants);
     }
-    for (const ir::Controller& controller : system.controllers) {
+    for (const Controller& controller : system.controllers) {
         smallest.offer(controller.package, controller.origin);
         offer_all(controller.package, controller.variables);
         offer_all(controller.package, controller.constants);
     }
-    for (const ir::Machine& machine : system.machines) {
+    for (const Machine& machine : system.machines) {
         smallest.offer(machine.package, machine.origin);
         offer_all(machine.package, machine.nodes);
         offer_all(machine.package, machine.transitions);
@@ -54,4 +54,4 @@ std::string element_at(const ir::System& system, diagnostics::Span span) {
     return smallest.best();
 }
 
-}  // namespace robochart::app
+}  // namespace robochart::ir

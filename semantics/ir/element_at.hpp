@@ -6,10 +6,10 @@
 #include "diagnostics/source.hpp"
 #include "semantics/ir/ir.hpp"
 
-namespace robochart::app {
+namespace robochart::ir {
 
 /// The smallest element of a component, or the function, around a place, with its package: "P::S::t1"; "" where there
 /// is none.
-[[nodiscard]] std::string element_at(const ir::System&, diagnostics::Span);
+[[nodiscard]] std::string element_at(const System&, diagnostics::Span);
 
-}  // namespace robochart::app
+}  // namespace robochart::ir

@@ -181,7 +181,8 @@ Value Domains::extensions(Value value) {
         result = store_.set({store_.dot({})});
     } else {
         const Values sets = missing_fields(value);
-        result = sets.size() == 1 ? explicit_set(sets[0], {}) : product_of(sets, Kind::dot, {});
+        const Span place = program_.heads[static_cast<std::size_t>(head_of(value))].span;
+        result = sets.size() == 1 ? explicit_set(sets[0], place) : product_of(sets, Kind::dot, place);
     }
     extensions_.emplace(value, result);
     return result;

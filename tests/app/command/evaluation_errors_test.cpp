@@ -1,0 +1,119 @@
+// What cannot be evaluated is an error with the model's place in every verb that evaluates a script: exit 2.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Line 7 divides by the weight, which may be 0.
+const std::string sorter = R"(stm Sorter {
+	event weight : nat
+	event lane : nat
+	var w : nat
+	initial i
+	state Ready { }
+	transition t0 { from Ready to Ready trigger weight ? w action send lane ! (6 % w) }
+	transition t1 { from i to Ready }
+}
+)";
+const std::string rules = R"(def_start
+	event weight
+	event lane
+def_end
+rule_start
+	Lane when weight then lane within 2 seconds
+rule_end
+)";
+const std::string log = "robochart-trace 1\ncomponent Sorter\nrun one\nweight?0 lane!0 tock\n";
+
+struct Question {
+    const char* name;
+    std::vector<std::string> arguments;  ///< behind the verb's own; "MODEL", "RULES" and "LOG" are files
+    std::string input;
+};
+
+void PrintTo(const Question& question, std::ostream* out) {
+    *out << question.name;
+}
+
+class EvaluationErrors : public ::testing::TestWithParam<Question> {};
+
+TEST_P(EvaluationErrors, HaveThePlaceOfTheModel) {
+    const Folder folder({{"sorter.rct", sorter}, {"lanes.sleec", rules}, {"one.trace", log}});
+    std::vector<std::string> arguments = GetParam().arguments;
+    for (std::string& each : arguments) {
+        if (each == "MODEL") each = folder / "sorter.rct";
+        if (each == "RULES") each = folder / "lanes.sleec";
+        if (each == "LOG") each = folder / "one.trace";
+        if (each == "OUT") each = folder / "out";
+    }
+    const Ran ran = run(arguments, GetParam().input);
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr("sorter.rct:7")) << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr("division by zero"));
+    EXPECT_THAT(ran.out + ran.err, HasSubstr("Sorter::t0"));
+    EXPECT_THAT(ran.err, Not(HasSubstr("internal error")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Verbs, EvaluationErrors,
+                         ::testing::Values(Question{"check", {"check", "MODEL", "--core"}, ""},
+                                           Question{"rules", {"rules", "RULES", "MODEL"}, ""},
+                                           Question{"conform", {"conform", "MODEL"}, ""},
+                                           Question{"monitor", {"emit", "monitor", "MODEL", "--out", "OUT"}, ""},
+                                           Question{"tests", {"emit", "tests", "MODEL", "--out", "OUT"}, ""},
+                                           Question{"traces", {"conform", "MODEL", "--traces", "LOG"}, ""},
+                                           Question{"step", {"step", "MODEL", "Sorter"}, "1\n1\n1\n"}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+// Line 2 declares the call: its two reals have too many values together.
+TEST(EvaluationErrorsOfTypes, HaveThePlaceOfTheDeclaration) {
+    const Folder folder(
+        {{"arm.rct",
+          "interface Arm {\n reach(x : real, y : real)\n}\nstm Turn {\n requires Arm\n event go\n initial i\n "
+          "state A { entry reach(-70000, 0.01) }\n transition t0 { from i to A }\n transition t1 { from A to A "
+          "trigger go }\n}\n"},
+         {"arm.sleec",
+          "def_start\n event go\n event done\n measure near : boolean\ndef_end\nrule_start\n R when go then "
+          "done\nrule_end\n"}});
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"check", folder / "arm.rct", "--core"},
+          std::vector<std::string>{"rules", folder / "arm.sleec", folder / "arm.rct"}}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+        EXPECT_THAT(ran.out + ran.err, HasSubstr("arm.rct:2: a type has more than")) << arguments.front();
+    }
+}
+
+TEST(EvaluationErrorsOfRules, AreVerdicts) {
+    const Folder folder(
+        {{"half.rct",
+          "stm Half {\n event go\n event done\n var w : nat\n initial i\n state A { }\n transition t0 { from i "
+          "to A }\n transition t1 { from A to A trigger go condition 6 % w > 0 action send done }\n}\n"},
+         {"half.sleec",
+          "def_start\n event go\n event done\ndef_end\nrule_start\n R when go then done within 2 "
+          "seconds\nrule_end\n"}});
+    const Ran ran = run({"rules", folder / "half.sleec", folder / "half.rct", "--format", "json"});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(json.at("verdicts").at(0).at("verdict"), "error");
+    EXPECT_THAT(json.at("verdicts").at(0).at("reason").get<std::string>(), HasSubstr("half.rct:8"));
+}
+
+TEST(EvaluationErrorsOfConformance, AreOutcomes) {
+    const Folder folder({{"sorter.rct", sorter}});
+    const Ran ran = run({"conform", folder / "sorter.rct", "--format", "json"});
+    EXPECT_EQ(ran.exit, 2);
+    const auto json = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(json.at("conformance").at(0).at("outcome"), "error");
+    EXPECT_THAT(run({"conform", folder / "sorter.rct", "--format", "junit"}).out, HasSubstr("<error"));
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
