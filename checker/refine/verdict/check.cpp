@@ -25,7 +25,7 @@ using process::Event;
 namespace {
 
 std::string known_so_far(const Statistics& size) {
-    if (size.searched_steps == 0) return "";
+    if (size.searched_steps < 2) return "";
     const std::uint64_t longest = size.searched_steps - 1;
     return fmt::format("; no violation in runs of up to {} step{}{}", longest, longest == 1 ? "" : "s",
                        size.divergence_open ? ", divergence aside" : "");
