@@ -1,5 +1,6 @@
 // Models. See check.hpp.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -11,6 +12,7 @@
 #include "checker/prism/checks/rules.hpp"
 #include "checker/prism/checks/scope.hpp"
 #include "checker/prism/checks/types.hpp"
+#include "diagnostics/spelling.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -184,6 +186,7 @@ private:
                 types.expect(item.guard, Type::boolean);
                 types.expect(item.value, Type::real);
             }
+        check_actions();
         // What is wrong in a base is reported there alone.
         const std::size_t errors = diagnostics_.errors();
         for (const bool renamed : {false, true})
@@ -191,6 +194,48 @@ private:
                 for (const Command& command : module.commands)
                     if (renamed != module.base.text.empty() && (!renamed || diagnostics_.errors() == errors))
                         check_command(module, command, types);
+    }
+
+    /// Actions are those of commands, and the new names that the composition gives them. A model without any command
+    /// gets its transitions from elsewhere (GivenSpace).
+    void check_actions() {
+        std::set<std::string> actions;
+        bool commands = false;
+        for (const Module& module : model_.modules)
+            for (const Command& command : module.commands) {
+                commands = true;
+                if (!command.action.text.empty()) actions.insert(command.action.text);
+            }
+        if (!commands) return;
+        if (file_.system) add_new_names(*file_.system, actions);
+        const std::vector<std::string> known(actions.begin(), actions.end());
+        if (file_.system) check_actions(*file_.system, known);
+        for (const RewardStructure& each : model_.rewards)
+            for (const RewardItem& item : each.items) check_action(item.action, known);
+    }
+
+    static void add_new_names(const Composition& system, std::set<std::string>& actions) {
+        for (const Renaming& each : system.renamings) actions.insert(each.to.text);
+        for (const CompositionPtr& part : system.parts) add_new_names(*part, actions);
+    }
+
+    void check_actions(const Composition& system, const std::vector<std::string>& known) {
+        for (const Name& action : system.actions) check_action(action, known);
+        for (const Renaming& each : system.renamings) check_action(each.from, known);
+        for (const CompositionPtr& part : system.parts) check_actions(*part, known);
+    }
+
+    void check_action(const Name& action, const std::vector<std::string>& known) {
+        if (action.text.empty() || std::ranges::binary_search(known, action.text)) return;
+        auto& finding = diagnostics_.report(rules::not_declared, action.span, {"action", action.text});
+        if (const std::string meant = diagnostics::nearest(action.text, known); !meant.empty())
+            finding.notes.push_back({{}, fmt::format("did you mean '{}'?", meant)});
+        else if (known.empty())
+            finding.notes.push_back({{}, "no command has an action"});
+        else
+            finding.notes.push_back(
+                {{},
+                 fmt::format("commands have the action{} {}", known.size() == 1 ? "" : "s", fmt::join(known, ", "))});
     }
 
     void check_variable(const Variable& variable, TypeChecker& types) {

@@ -8,8 +8,8 @@ using diagnostics::Rule;
 using diagnostics::Severity;
 
 const Rule not_declared{"PRISM-T01", Severity::error, "{} '{}' is not declared",
-                        "The name is that of no constant, variable, formula, label, module or property, whichever is "
-                        "asked for here."};
+                        "The name is that of no constant, variable, formula, label, module, property or action, "
+                        "whichever is asked for here. Actions are those of commands."};
 const Rule declared_twice{"PRISM-T02", Severity::error, "'{}' is declared twice",
                           "Constants, variables and formulas share one space of names; modules, labels, reward "
                           "structures and properties have one each. Each name is declared once."};

@@ -65,29 +65,54 @@ ExprPtr Parser::infix(Op op, ExprPtr left, ExprPtr right) {
     return node(op, from, {std::move(left), std::move(right)});
 }
 
-/// `a U<=3 b`; these do not chain.
+/// `a U<=3 b`; these do not chain. Outside of brackets `R` begins the next property, which no semicolon has to
+/// separate.
 ExprPtr Parser::expression() {
     const Depth depth(*this);
     ExprPtr left = temporal();
+    if (!at_infix_operator()) return left;
     const Op op = at("U") ? Op::until : at("W") ? Op::weak_until : Op::release;
-    if (!at("U") && !at("W") && !at("R")) return left;
     take();
     Expr expr;
     expr.op = op;
     expr.steps = steps();
     const Span from = left->span;
+    const Within operand(*this, {surroundings_.enclosed, true, false});
     expr.parts = {std::move(left), temporal()};
     return checked(std::move(expr), from);
 }
 
+bool Parser::at_infix_operator() const {
+    return at("U") || at("W") || (at("R") && surroundings_.enclosed);
+}
+
+/// `F a & b` is `F (a & b)`.
 ExprPtr Parser::temporal() {
-    if (!at("X") && !at("F") && !at("G")) return conditional();
+    if (!at_prefix_operator()) return conditional();
     const Depth depth(*this);
     const Token& token = take();
     Expr expr;
     expr.op = token.text == "X" ? Op::next : token.text == "F" ? Op::eventually : Op::globally;
     if (expr.op != Op::next) expr.steps = steps();
+    const Within operand(*this, {surroundings_.enclosed, true, false});
     expr.parts = {temporal()};
+    return checked(std::move(expr), token.span);
+}
+
+/// `a & F b`, which PRISM reads in parentheses only. Two readings of a text are a mistake: in `a & F b & c` and in
+/// `F a & F b` nothing says where an operand ends.
+ExprPtr Parser::temporal_operand() {
+    const Depth depth(*this);
+    const Token& token = take();
+    const auto unclear = [&] { fail(rules::unclear_operand, token.span, {std::string(token.text)}); };
+    if (surroundings_.joined) unclear();
+    Expr expr;
+    expr.op = token.text == "X" ? Op::next : token.text == "F" ? Op::eventually : Op::globally;
+    if (expr.op != Op::next) expr.steps = steps();
+    expr.parts = {binary(negation_level)};
+    for (const std::string_view more : {"&", "|", "<=>", "=>", "?"})
+        if (at(more)) unclear();
+    if (at_infix_operator()) unclear();
     return checked(std::move(expr), token.span);
 }
 
@@ -118,6 +143,7 @@ std::shared_ptr<const StepBound> Parser::steps() {
 ExprPtr Parser::conditional() {
     ExprPtr condition = implication();
     if (!accept("?")) return condition;
+    join();
     const Depth depth(*this);
     const Span from = condition->span;
     ExprPtr yes = conditional();
@@ -129,6 +155,7 @@ ExprPtr Parser::conditional() {
 ExprPtr Parser::implication() {
     ExprPtr left = binary(0);
     if (!accept("=>")) return left;
+    join();
     const Depth depth(*this);
     ExprPtr right = implication();
     return infix(Op::implies, std::move(left), std::move(right));
@@ -137,6 +164,7 @@ ExprPtr Parser::implication() {
 ExprPtr Parser::binary(int level) {
     if (level == power_level) return power();
     if (level == negation_level && at("!")) return negation();
+    if (level == negation_level && at_prefix_operator()) return temporal_operand();
     ExprPtr left = binary(level + 1);
     for (;;) {
         const Infix* next = nullptr;
@@ -144,6 +172,7 @@ ExprPtr Parser::binary(int level) {
             if (each.level == level && at(each.symbol)) next = &each;
         if (next == nullptr) return left;
         take();
+        if (level < negation_level) join();
         left = infix(next->op, std::move(left), binary(level + 1));
     }
 }
@@ -182,6 +211,7 @@ ExprPtr Parser::primary() {
     if (token.kind == Tok::word) return word();
     if (at("(")) {
         take();
+        const Within parentheses(*this, in_brackets);
         ExprPtr inner = expression();
         expect(")");
         return inner;
@@ -217,6 +247,7 @@ ExprPtr Parser::word() {
 
 /// Behind the opening parenthesis.
 ExprPtr Parser::call(std::string function, Span from) {
+    const Within parentheses(*this, in_brackets);
     std::vector<ExprPtr> arguments;
     do arguments.push_back(expression());
     while (accept(","));
@@ -226,6 +257,7 @@ ExprPtr Parser::call(std::string function, Span from) {
 
 ExprPtr Parser::filter(Span from) {
     expect("(");
+    const Within parentheses(*this, in_brackets);
     if (peek().kind != Tok::word && !at("+") && !at("&") && !at("|")) fail("the operator of a filter");
     std::string kind(take().text);
     std::vector<ExprPtr> parts;

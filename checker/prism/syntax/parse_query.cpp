@@ -31,6 +31,7 @@ ExprPtr Parser::query() {
     relation(query);
     expect("[");
     expr.query = std::make_shared<const Query>(std::move(query));
+    const Within brackets(*this, in_brackets);
     expr.parts = {expr.op == Op::reward ? reward_body() : expression()};
     ExprPtr question = checked(std::move(expr), opener.span);
     question = old_filter(std::move(question), opener.span);
@@ -40,6 +41,7 @@ ExprPtr Parser::query() {
 
 void Parser::reward_index(Query& query) {
     if (!accept("{")) return;
+    const Within braces(*this, in_brackets);
     if (peek().kind == Tok::quoted)
         query.reward = quoted("a name");
     else
@@ -64,6 +66,7 @@ void Parser::relation(Query& query) {
     for (const auto& [symbol, op] : relations) {
         if (!accept(symbol)) continue;
         query.relation = op;
+        const Within bound(*this, {});
         constexpr int sum = 5;
         query.bound = binary(sum);
         return;
@@ -88,6 +91,7 @@ ExprPtr Parser::reward_body() {
 
 /// `P=? [ path {states}{min}{max} ]`, as older versions wrote filters.
 ExprPtr Parser::old_filter(ExprPtr question, Span from) {
+    const Within braces(*this, in_brackets);
     ExprPtr states;
     bool least = false;
     bool most = false;
@@ -111,6 +115,7 @@ ExprPtr Parser::old_filter(ExprPtr question, Span from) {
 ExprPtr Parser::for_paths(Op op) {
     const Depth depth(*this);
     const Span from = expect("[");
+    const Within brackets(*this, in_brackets);
     ExprPtr body = expression();
     expect("]");
     return node(op, from, {std::move(body)});

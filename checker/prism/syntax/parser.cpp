@@ -464,6 +464,7 @@ PropertyFile Parser::properties() {
 
 ExprPtr Parser::lone_expression() {
     ExprPtr result;
+    const Within whole_text(*this, in_brackets);
     guarded(
         [&] {
             result = expression();

@@ -88,6 +88,9 @@ private:
     // expressions
     ExprPtr expression();  ///< path operators included
     ExprPtr temporal();
+    ExprPtr temporal_operand();
+    [[nodiscard]] bool at_prefix_operator() const { return at("X") || at("F") || at("G"); }
+    [[nodiscard]] bool at_infix_operator() const;
     ExprPtr conditional();
     ExprPtr implication();
     ExprPtr binary(int level);
@@ -113,10 +116,34 @@ private:
     ExprPtr for_paths(Op op);
     std::shared_ptr<const StepBound> steps();
 
+    /// Where in an expression the reader is.
+    struct Surroundings {
+        bool enclosed = false;  ///< in brackets: `R` is the path operator, not the next question
+        bool operand = false;   ///< in the operand of a path operator, outside of inner brackets
+        bool joined = false;    ///< that operand has a connective
+    };
+    static constexpr Surroundings in_brackets{true, false, false};
+    /// Sets the surroundings while it lives.
+    class Within {
+    public:
+        Within(Parser& parser, Surroundings inside) : parser_(parser), outside_(parser.surroundings_) {
+            parser.surroundings_ = inside;
+        }
+        ~Within() { parser_.surroundings_ = outside_; }
+        Within(const Within&) = delete;
+        Within& operator=(const Within&) = delete;
+
+    private:
+        Parser& parser_;
+        Surroundings outside_;
+    };
+    void join() { surroundings_.joined = surroundings_.operand; }
+
     std::vector<Token> tokens_;
     diagnostics::Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     unsigned depth_ = 0;
+    Surroundings surroundings_;
 };
 
 }  // namespace robochart::prism

@@ -29,10 +29,15 @@ const Rule given_twice{"PRISM-P07", Severity::error, "{} is given twice",
                        "A model has one type, at most one init ... endinit and at most one system ... endsystem."};
 const Rule unreadable{"PRISM-P08", Severity::error, "cannot read '{}': {}",
                       "The file of the model, or of the properties, is missing, is no file, or cannot be read."};
+const Rule unclear_operand{"PRISM-P09", Severity::error,
+                           "'{}' needs parentheses here: it is open where an operand ends",
+                           "X, F, G, U, W and R take all that follows, as F a & b is F (a & b). In the operands of "
+                           "connectives they stand in parentheses unless nothing follows: (F a) & (F b)."};
 
 std::span<const Rule* const> syntax() {
-    static constexpr std::array<const Rule*, 8> table{&unexpected_token, &bad_character, &open_label,  &big_number,
-                                                      &too_deep,         &not_supported, &given_twice, &unreadable};
+    static constexpr std::array<const Rule*, 9> table{&unexpected_token, &bad_character, &open_label,
+                                                      &big_number,       &too_deep,      &not_supported,
+                                                      &given_twice,      &unreadable,    &unclear_operand};
     return table;
 }
 

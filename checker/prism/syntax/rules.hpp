@@ -15,6 +15,7 @@ extern const diagnostics::Rule too_deep;
 extern const diagnostics::Rule not_supported;
 extern const diagnostics::Rule given_twice;
 extern const diagnostics::Rule unreadable;
+extern const diagnostics::Rule unclear_operand;
 
 /// All of them, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> syntax();

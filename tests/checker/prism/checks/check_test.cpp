@@ -1,6 +1,7 @@
 // Static checks: what the pages of the rules do not show.
 #include "checker/prism/checks/check.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,6 +12,7 @@
 namespace robochart::prism {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::Read;
 
 struct Checked {
@@ -43,6 +45,26 @@ std::string together(const std::string& system) {
     std::string text;
     for (const std::string& act : acts) text += (text.empty() ? "" : " ") + act;
     return text;
+}
+
+/// The findings of a model with actions `go` and `stop`, and more.
+std::string actions(const std::string& more) {
+    const Checked checked(
+        "dtmc module M x:[0..1]; [go] x=0 -> (x'=1); [stop] x=1 -> true; [] true -> true; endmodule\n" + more);
+    return checked.model ? "" : checked.read.report();
+}
+
+TEST(PrismActions, ThatNoCommandHasAreErrorsWithTheNearestName) {
+    EXPECT_EQ(actions("rewards [go] true : 1; [] true : 1; true : 1; endrewards"), "");
+    EXPECT_THAT(actions("rewards [og] true : 1; endrewards"), HasSubstr("did you mean 'go'?"));
+    EXPECT_THAT(actions("rewards [quite_another] true : 1; endrewards"),
+                HasSubstr("commands have the actions go, stop"));
+    EXPECT_THAT(actions("system M / {stpo} endsystem"), HasSubstr("did you mean 'stop'?"));
+    EXPECT_THAT(actions("system M {og<-b} endsystem"), HasSubstr("action 'og' is not declared"));
+    EXPECT_THAT(actions("module N y:[0..1]; [go] true -> true; endmodule system M |[goo]| N endsystem"),
+                HasSubstr("did you mean 'go'?"));
+    // A new name is an action from then on.
+    EXPECT_EQ(actions("system M {go<-walk} / {walk} endsystem rewards [walk] true : 1; endrewards"), "");
 }
 
 TEST(PrismComposition, WithoutOneAllActTogetherOnCommonActions) {

@@ -125,6 +125,33 @@ TEST(PrismReader, SemicolonsBetweenPropertiesMayBeLeftOut) {
     EXPECT_EQ(property_findings("P=? [ F a ] P=? [ F b ]"), "PRISM-P01:1");
 }
 
+TEST(PrismReader, OutsideOfBracketsRBeginsTheNextProperty) {
+    Read read;
+    const PropertyFile file = read_properties(
+        read.sources, read.add("P=? [ F x=1 ]\nR=? [ F x=1 ]\n(x=1)\nR{\"r\"}=? [ C ]\nP=? [ x=1\nR x=2 ]"),
+        read.diagnostics);
+    EXPECT_EQ(read.findings(), "");
+    ASSERT_EQ(file.properties.size(), 5U);
+    EXPECT_EQ(file.properties[1].expression->op, Op::reward);
+    EXPECT_EQ(file.properties[4].expression->parts[0]->op, Op::release);
+}
+
+TEST(PrismReader, PathOperatorsMayBeOperandsWhereTheirOwnOperandEndsClearly) {
+    const auto printed = [](const std::string& property) {
+        Read read;
+        const PropertyFile file = read_properties(read.sources, read.add(property), read.diagnostics);
+        return read.diagnostics.ok() ? print(file.properties[0].expression) : read.findings();
+    };
+    EXPECT_EQ(printed("P=? [ (a & F b) ]"), "P=? [ a & (F b) ]");
+    EXPECT_EQ(printed("P=? [ F (a => F b) ]"), "P=? [ F a => (F b) ]");
+    EXPECT_EQ(printed("P=? [ G !F a ]"), "P=? [ G !(F a) ]");
+    EXPECT_EQ(printed("P=? [ a | b & X !c ]"), "P=? [ a | b & (X !c) ]");
+    EXPECT_EQ(printed("P=? [ F a & b ]"), "P=? [ F a & b ]");  // as PRISM: F (a & b)
+    for (const char* unclear : {"P=? [ F a & F b ]", "P=? [ a & F b & c ]", "P=? [ a => F b | c ]", "P=? [ !F a & b ]",
+                                "P=? [ a & F b U c ]", "P=? [ a U b & F c ]", "P=? [ G a => F b ]"})
+        EXPECT_EQ(printed(unclear), "PRISM-P09:1") << unclear;
+}
+
 TEST(PrismReader, DeepTextIsRefusedAndNothingBreaks) {
     const std::string many(100'000, '(');
     EXPECT_EQ(findings("formula f = " + many), "PRISM-P05:1");
