@@ -106,6 +106,8 @@ std::string result_text(const PrismAnswer& answer) {
             return value_text(result.low);
         case Kind::range:
             return fmt::format("[{}, {}]", value_text(result.low), value_text(result.high));
+        case Kind::states:
+            return fmt::format("{} state{}", result.printed.size(), result.printed.size() == 1 ? "" : "s");
         case Kind::unknown:
             break;
     }
@@ -123,7 +125,7 @@ std::string title(const PrismProperty& property) {
 }
 
 std::string kind_text(const PrismReport& report) {
-    if (!report.mdp) return "dtmc";
+    if (report.kind != prism::ModelKind::mdp) return "dtmc";
     return report.scheduler.empty() ? "mdp" : fmt::format("mdp under the scheduler {}", report.scheduler);
 }
 
@@ -131,7 +133,8 @@ std::string run_text(const PrismReport& report, const PrismRun& run) {
     std::string text = fmt::format("{}{}{}: {}, {} states", report.model, run.constants.empty() ? "" : ", ",
                                    list(run.constants), kind_text(report), run.states);
     if (run.initial != 1) text += fmt::format(" ({} initial)", run.initial);
-    if (report.mdp && report.scheduler.empty()) text += fmt::format(", {} choices", run.choices);
+    if (report.kind == prism::ModelKind::mdp && report.scheduler.empty())
+        text += fmt::format(", {} choices", run.choices);
     return text + fmt::format(", {} transitions", run.transitions);
 }
 
@@ -210,6 +213,8 @@ const char* answer_word(const PrismAnswer& answer) {
             return answer.result.estimate ? "estimate" : "number";
         case Kind::range:
             return "range";
+        case Kind::states:
+            return "states";
         case Kind::unknown:
             break;
     }
@@ -361,7 +366,8 @@ std::string prism_text(const PrismReport& report, const Options& options) {
 }
 
 std::string prism_json(const PrismReport& report) {
-    Json json{{"schema", "robochart-verify/prism/1"}, {"model", report.model}, {"kind", report.mdp ? "mdp" : "dtmc"}};
+    Json json{{"schema", "robochart-verify/prism/1"}, {"model", report.model}};
+    if (report.kind) json["kind"] = report.kind == prism::ModelKind::mdp ? "mdp" : "dtmc";
     if (!report.scheduler.empty()) json["scheduler"] = report.scheduler;
     json["properties"] = Json::array();
     for (const PrismProperty& each : report.properties)

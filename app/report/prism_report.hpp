@@ -43,8 +43,8 @@ struct PrismProperty {
 struct PrismReport {
     std::string model;                                    ///< path
     const diagnostics::SourceManager* sources = nullptr;  ///< of the commands in counterexamples
-    bool mdp = false;
-    std::string scheduler;  ///< of an mdp: who made the choices; "": any scheduler may
+    std::optional<prism::ModelKind> kind;                 ///< as written; nothing where that could not be read
+    std::string scheduler;                                ///< of an mdp: who made the choices; "": any scheduler may
     std::vector<PrismProperty> properties;
     std::vector<PrismRun> runs;
     std::vector<std::string> errors;

@@ -71,7 +71,15 @@ StateVector Evaluator::evaluate(const ExprPtr& expr) {
 StateVector Evaluator::state_expression(const ExprPtr& expr) {
     const Code::Root root = code_.compile(expr);
     if (code_.is_constant(root)) return all_states(code_.value(root, nullptr));
-    if (code_.type(root) == Type::boolean) return StateVector::of(space_.satisfying(code_, root));
+    if (code_.type(root) != Type::boolean) return state_by_state(root);
+    try {
+        return StateVector::of(space_.satisfying(code_, root));
+    } catch (const EvaluationError&) {
+        return state_by_state(root);
+    }
+}
+
+StateVector Evaluator::state_by_state(Code::Root root) {
     StateVector result;
     result.type = code_.type(root);
     std::vector<std::int32_t> values(space_.layout().fields().size());
@@ -79,13 +87,24 @@ StateVector Evaluator::state_expression(const ExprPtr& expr) {
         poll();
         space_.unpack(state, values.data());
         try {
-            result.reals.push_back(code_.real(root, values.data()));
-        } catch (EvaluationError& error) {
-            error.state = space_.layout().text(values.data());
-            throw;
+            if (result.type == Type::boolean)
+                result.truths.push_back(code_.holds(root, values.data()) ? Truth::yes : Truth::no);
+            else
+                result.reals.push_back(code_.real(root, values.data()));
+        } catch (const EvaluationError& error) {
+            result.add_undefined(std::make_shared<const Undefined>(Undefined{error, ""}));
         }
     }
     return result;
+}
+
+/// The error of a value that is used and not there.
+void Evaluator::used(const NoValue& missing) const {
+    const std::string state = space_.text(static_cast<markov::State>(missing.state()));
+    if (!missing.why().open.empty()) throw Undecided(fmt::format("in the state {}: {}", state, missing.why().open));
+    EvaluationError error = missing.why().error;
+    error.state = state;
+    throw error;
 }
 
 StateVector Evaluator::all_states(const Value& value) const {
@@ -102,6 +121,7 @@ markov::StateSet Evaluator::set(const ExprPtr& expr) {
     const StateVector values = evaluate(expr);
     StateSet result(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
+        values.require(i);
         if (values.truths[i] == Truth::unknown)
             throw Undecided(
                 fmt::format("in the state {}: {}", space_.text(static_cast<markov::State>(i)), values.reason));
@@ -117,20 +137,23 @@ StateVector Evaluator::logical(const Expr& expr) {
         return left;
     }
     const StateVector right = evaluate(expr.parts[1]);
-    if (left.reason.empty()) left.reason = right.reason;
+    StateVector result;
+    result.reason = left.reason.empty() ? right.reason : left.reason;
     for (std::size_t i = 0; i < left.size(); ++i) {
         const Truth a = left.truths[i];
         const Truth b = right.truths[i];
-        Truth& result = left.truths[i];
-        if (expr.op == Op::conjunction) result = both(a, b);
-        if (expr.op == Op::disjunction) result = negated(both(negated(a), negated(b)));
-        if (expr.op == Op::implies) result = negated(both(a, negated(b)));
-        if (expr.op == Op::iff && (a == Truth::unknown || b == Truth::unknown))
-            result = Truth::unknown;
-        else if (expr.op == Op::iff)
-            result = a == b ? Truth::yes : Truth::no;
+        Truth truth = both(a, b);
+        if (expr.op == Op::disjunction) truth = negated(both(negated(a), negated(b)));
+        if (expr.op == Op::implies) truth = negated(both(a, negated(b)));
+        if (expr.op == Op::iff) truth = both(negated(both(a, negated(b))), negated(both(b, negated(a))));
+        if (truth != Truth::undefined) {
+            result.truths.push_back(truth);
+            continue;
+        }
+        const UndefinedPtr why = left.undefined_in(i);
+        result.add_undefined(why ? why : right.undefined_in(i));
     }
-    return left;
+    return result;
 }
 
 StateVector Evaluator::comparison(const Expr& expr) {
@@ -138,6 +161,12 @@ StateVector Evaluator::comparison(const Expr& expr) {
     const StateVector right = evaluate(expr.parts[1]);
     StateVector result;
     for (std::size_t i = 0; i < left.size(); ++i) {
+        UndefinedPtr why = left.undefined_in(i);
+        if (!why) why = right.undefined_in(i);
+        if (why) {
+            result.add_undefined(std::move(why));
+            continue;
+        }
         if (left.type == Type::boolean) {
             const bool known = left.truths[i] != Truth::unknown && right.truths[i] != Truth::unknown;
             const bool same = (left.truths[i] == right.truths[i]) == (expr.op == Op::equal);
@@ -155,15 +184,22 @@ StateVector Evaluator::comparison(const Expr& expr) {
 }
 
 StateVector Evaluator::conditional(const Expr& expr) {
-    const StateSet condition = set(expr.parts[0]);
+    const StateVector condition = evaluate(expr.parts[0]);
     const StateVector yes = evaluate(expr.parts[1]);
     const StateVector no = evaluate(expr.parts[2]);
     StateVector result;
     result.type = yes.type == no.type ? yes.type : Type::real;
     result.reason = yes.reason.empty() ? no.reason : yes.reason;
     for (std::size_t i = 0; i < condition.size(); ++i) {
-        const StateVector& taken = condition[i] ? yes : no;
-        if (result.type == Type::boolean)
+        const StateVector& taken = condition.truths[i] == Truth::yes ? yes : no;
+        if (condition.truths[i] == Truth::unknown)
+            throw Undecided(
+                fmt::format("in the state {}: {}", space_.text(static_cast<markov::State>(i)), condition.reason));
+        UndefinedPtr why = condition.undefined_in(i);
+        if (!why) why = taken.undefined_in(i);
+        if (why)
+            result.add_undefined(std::move(why));
+        else if (result.type == Type::boolean)
             result.truths.push_back(taken.truths[i]);
         else
             result.reals.push_back(taken.number(i));
@@ -175,18 +211,7 @@ namespace {
 
 Real extreme(const std::vector<StateVector>& arguments, std::size_t state, bool least) {
     Real best = arguments[0].number(state);
-    for (std::size_t i = 1; i < arguments.size(); ++i) {
-        const Real next = arguments[i].number(state);
-        const std::optional<int> order = next.compare(best);
-        if (order) {
-            if (least ? *order < 0 : *order > 0) best = next;
-            continue;
-        }
-        const Enclosure a = best.bounds();
-        const Enclosure b = next.bounds();
-        best = least ? Real(Enclosure{std::min(a.low, b.low), std::min(a.high, b.high)})
-                     : Real(Enclosure{std::max(a.low, b.low), std::max(a.high, b.high)});
-    }
+    for (std::size_t i = 1; i < arguments.size(); ++i) best = extreme(best, arguments[i].number(state), least);
     return best;
 }
 
@@ -195,7 +220,7 @@ Real whole(const Real& value, const std::string& function) {
     if (function == "round") operand = operand + Real(Rational(1, 2));
     if (function == "ceil") operand = Real(std::int64_t{0}) - operand;
     const std::optional<Rational> result = floor_of(operand);
-    if (!result) throw Undecided(fmt::format("{} of a number {} is not known", function, value.text()));
+    if (!result) throw Unclear(fmt::format("{} of a number {} is not known", function, value.text()));
     return function == "ceil" ? Rational(-*result) : *result;
 }
 
@@ -223,7 +248,9 @@ Real operated(const Expr& expr, const std::vector<StateVector>& arguments, std::
     if (expr.text == "log") return logarithm(a, b());
     if (expr.text != "mod") return whole(a, expr.text);
     const Real divisor = b();
-    if (divisor.compare(Real(std::int64_t{0})) != 1) throw std::domain_error("mod: the divisor must be above 0");
+    const std::optional<int> sign = divisor.compare(Real(std::int64_t{0}));
+    if (!sign) throw Unclear("whether the divisor of mod is above 0 is not known");
+    if (*sign != 1) throw std::domain_error("mod: the divisor must be above 0");
     return a - divisor * whole(a / divisor, "floor");
 }
 
@@ -240,10 +267,20 @@ StateVector Evaluator::arithmetic(const Expr& expr) {
     }
     const bool rounds = expr.text == "floor" || expr.text == "ceil" || expr.text == "round";
     result.type = real && !rounds ? Type::real : Type::integer;
-    try {
-        for (std::size_t i = 0; i < chain_.states(); ++i) result.reals.push_back(operated(expr, arguments, i));
-    } catch (const std::domain_error& error) {
-        throw EvaluationError(rules::arithmetic, expr.span, {error.what()});
+    for (std::size_t i = 0; i < chain_.states(); ++i) {
+        UndefinedPtr why;
+        for (const StateVector& argument : arguments)
+            if (!why) why = argument.undefined_in(i);
+        try {
+            if (!why) result.reals.push_back(operated(expr, arguments, i));
+        } catch (const Unclear& error) {
+            why = std::make_shared<const Undefined>(
+                Undefined{EvaluationError(rules::too_close, expr.span, {error.what()}), error.what()});
+        } catch (const std::domain_error& error) {
+            why = std::make_shared<const Undefined>(
+                Undefined{EvaluationError(rules::arithmetic, expr.span, {error.what()}), ""});
+        }
+        if (why) result.add_undefined(std::move(why));
     }
     return result;
 }

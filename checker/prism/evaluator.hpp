@@ -19,6 +19,10 @@
 
 namespace robochart::prism {
 
+namespace automata {
+struct Product;
+}
+
 /// A question that cannot be decided: the message says why.
 class Undecided : public std::runtime_error {
 public:
@@ -46,6 +50,7 @@ class Evaluator {
 public:
     Evaluator(const StateSpace& space, Code& code, const EvaluatorOptions& options);
 
+    /// Where an expression has no value, as 0/0, that is an error if the value is used.
     [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
     /// With a filter's states where it has one; else the initial states.
     [[nodiscard]] Result answer(const ExprPtr& expr);
@@ -60,6 +65,7 @@ private:
 
     // expressions
     StateVector state_expression(const ExprPtr& expr);
+    StateVector state_by_state(Code::Root root);
     StateVector logical(const Expr& expr);
     StateVector comparison(const Expr& expr);
     StateVector conditional(const Expr& expr);
@@ -72,6 +78,10 @@ private:
     StateVector bounded(const Expr& expr, const StateVector& numbers, const Real& bound, Op relation) const;
     std::optional<StateVector> qualitative(const Expr& expr, Direction direction, const Real& bound, Op relation);
     StateVector path(const ExprPtr& expr, Direction direction);
+    class PathReader;
+    StateVector nested_path(const ExprPtr& expr, Direction direction);
+    [[nodiscard]] StateVector in_product(const automata::Product& product, const StateSet& goal,
+                                         Direction direction) const;
     StateVector next(const ExprPtr& operand, Direction direction);
     StateVector one_step_before(const StateVector& after, Direction direction) const;
     StateVector until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction);
@@ -98,6 +108,8 @@ private:
     [[nodiscard]] bool asks(const ExprPtr& expr);
     [[nodiscard]] const markov::Graph& graph();
     Result over(const StateVector& values, const StateSet& states) const;
+    Result extreme_states(const Expr& expr);
+    [[noreturn]] void used(const NoValue& missing) const;
     [[nodiscard]] StateSet initial() const;
     void poll() const {
         if (options_.budget != nullptr) options_.budget->poll();

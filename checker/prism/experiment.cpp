@@ -42,6 +42,7 @@ Value value_of(const std::string& text, const Constant& constant) {
         Code code({}, {}, {});
         Value value = code.value(code.compile(expr), nullptr);
         if (constant.type == Type::real) value = {Type::real, 0, value.number()};
+        if (!value.number().finite()) throw BadValue(fmt::format("{}={}: not a number", constant.name.text, text));
         return value;
     } catch (const EvaluationError& error) {
         error.report(diagnostics);

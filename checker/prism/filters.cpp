@@ -2,38 +2,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "checker/prism/evaluator.hpp"
+#include "checker/prism/explore/rules.hpp"
 
 namespace robochart::prism {
 namespace {
 
-/// Least and greatest of the numbers in some states, as enclosures.
+/// Least and greatest of the numbers in some states.
 std::pair<Real, Real> extremes(const StateVector& values, const markov::StateSet& states) {
-    std::optional<Enclosure> least, most;
-    std::optional<Real> first;
-    bool exact = true;
-    Real exact_least, exact_most;
+    std::optional<std::pair<Real, Real>> result;
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (!states[i]) continue;
         const Real value = values.number(i);
-        const Enclosure bounds = value.bounds();
-        exact = exact && value.exact();
-        if (!least) {
-            least = most = bounds;
-            exact_least = exact_most = value;
-            continue;
-        }
-        if (exact && value.compare(exact_least) == -1) exact_least = value;
-        if (exact && value.compare(exact_most) == 1) exact_most = value;
-        least = Enclosure{std::min(least->low, bounds.low), std::min(least->high, bounds.high)};
-        most = Enclosure{std::max(most->low, bounds.low), std::max(most->high, bounds.high)};
+        result = result ? std::pair(extreme(result->first, value, true), extreme(result->second, value, false))
+                        : std::pair(value, value);
     }
-    if (exact) return {exact_least, exact_most};
-    return {Real(*least), Real(*most)};
+    return *result;
 }
 
 std::string value_text(const StateVector& values, std::size_t state) {
+    if (values.undefined_in(state)) return "no value";
     if (values.type != Type::boolean) return values.number(state).text();
     const Truth truth = values.truths[state];
     return truth == Truth::unknown ? "unknown" : truth == Truth::yes ? "true" : "false";
@@ -65,6 +56,9 @@ Result Evaluator::over(const StateVector& values, const StateSet& states) const 
             result.where = space_.text(static_cast<markov::State>(i));
     }
     if (all == Truth::unknown) return result;
+    if (all == Truth::undefined)
+        for (std::size_t i = 0; i < states.size(); ++i)
+            if (states[i]) values.require(i);
     result.kind = Result::Kind::truth;
     result.truth = all == Truth::yes;
     result.reason.clear();
@@ -72,22 +66,58 @@ Result Evaluator::over(const StateVector& values, const StateSet& states) const 
 }
 
 Result Evaluator::answer(const ExprPtr& expr) {
-    if (expr->op == Op::filter) return filtered(*expr);
-    return over(evaluate(expr), initial());
+    try {
+        if (expr->op == Op::filter) return filtered(*expr);
+        return over(evaluate(expr), initial());
+    } catch (const NoValue& missing) {
+        used(missing);
+    }
+}
+
+namespace {
+
+/// Where the value is the least or the greatest. Unknown where enclosures overlap, unless no other state can have it.
+StateVector at_extreme(const StateVector& values, const markov::StateSet& states, bool least) {
+    const auto [low, high] = extremes(values, states);
+    StateVector result;
+    for (std::size_t i = 0; i < states.size(); ++i)
+        result.truths.push_back(states[i] ? related(values.number(i), Op::equal, least ? low : high) : Truth::no);
+    if (std::ranges::count(result.truths, Truth::no) + 1 == std::ssize(result.truths))
+        std::ranges::replace(result.truths, Truth::unknown, Truth::yes);
+    result.reason = fmt::format("which states have the {} value is not known", least ? "least" : "greatest");
+    return result;
+}
+
+bool asks_for_states(const Expr& filter) {
+    return filter.text == "argmin" || filter.text == "argmax";
+}
+
+}  // namespace
+
+/// argmin and argmax.
+Result Evaluator::extreme_states(const Expr& expr) {
+    const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);
+    if (count(states) == 0) throw Undecided("no state satisfies the filter");
+    const StateVector values = evaluate(expr.parts[0]);
+    const StateVector found = at_extreme(values, states, expr.text == "argmin");
+    Result result;
+    result.type = values.type;
+    result.reason = found.reason;
+    if (std::ranges::find(found.truths, Truth::unknown) != found.truths.end()) return result;
+    result.kind = Result::Kind::states;
+    result.reason.clear();
+    for (std::size_t i = 0; i < states.size(); ++i)
+        if (found.truths[i] == Truth::yes)
+            result.printed.emplace_back(space_.text(static_cast<markov::State>(i)), value_text(values, i));
+    return result;
 }
 
 /// In an expression a filter has one value everywhere.
 StateVector Evaluator::filter(const Expr& expr) {
-    if (expr.text == "argmin" || expr.text == "argmax") {
+    if (asks_for_states(expr)) {
         const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);
-        const StateVector values = evaluate(expr.parts[0]);
-        const auto [least, most] = extremes(values, states);
-        StateVector result;
-        for (std::size_t i = 0; i < states.size(); ++i)
-            result.truths.push_back(
-                states[i] ? related(values.number(i), Op::equal, expr.text == "argmin" ? least : most) : Truth::no);
-        result.reason = "the states of the extreme value are not known";
-        return result;
+        if (count(states) == 0) throw Undecided("no state satisfies the filter");
+        return at_extreme(evaluate(expr.parts[0]), states, expr.text == "argmin");
     }
     const Result result = filtered(expr);
     if (result.kind == Result::Kind::unknown) throw Undecided(result.reason);
@@ -104,7 +134,7 @@ StateVector Evaluator::filter(const Expr& expr) {
 
 Result Evaluator::filtered(const Expr& expr) {
     const std::string& kind = expr.text;
-    if (kind == "argmin" || kind == "argmax") return over(filter(expr), initial());
+    if (asks_for_states(expr)) return extreme_states(expr);
     const StateVector values = evaluate(expr.parts[0]);
     const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);
     const bool logical = kind == "forall" || kind == "&" || kind == "exists" || kind == "|" || kind == "count";
@@ -120,8 +150,9 @@ Result Evaluator::filtered(const Expr& expr) {
     if (kind == "print" || kind == "printall") {
         Result all = over(values, initial());
         for (std::size_t i = 0; i < states.size(); ++i) {
-            const bool zero = values.type == Type::boolean ? values.truths[i] == Truth::no
-                                                           : values.number(i).compare(Real(std::int64_t{0})) == 0;
+            const bool zero = !values.undefined_in(i) &&
+                              (values.type == Type::boolean ? values.truths[i] == Truth::no
+                                                            : values.number(i).compare(Real(std::int64_t{0})) == 0);
             if (states[i] && (kind == "printall" || !zero))
                 all.printed.emplace_back(space_.text(static_cast<markov::State>(i)), value_text(values, i));
         }
@@ -131,6 +162,7 @@ Result Evaluator::filtered(const Expr& expr) {
         std::int64_t least = 0;
         std::int64_t most = 0;
         for (std::size_t i = 0; i < states.size(); ++i) {
+            if (states[i]) values.require(i);
             if (states[i] && values.truths[i] == Truth::yes) ++least;
             if (states[i] && values.truths[i] != Truth::no) ++most;
         }
@@ -157,8 +189,14 @@ Result Evaluator::filtered(const Expr& expr) {
     }
     if (kind == "sum" || kind == "+" || kind == "avg") {
         Real sum;
-        for (std::size_t i = 0; i < states.size(); ++i)
-            if (states[i]) sum = sum + values.number(i);
+        try {
+            for (std::size_t i = 0; i < states.size(); ++i)
+                if (states[i]) sum = sum + values.number(i);
+        } catch (const Unclear& error) {
+            throw Undecided(error.what());
+        } catch (const std::domain_error& error) {
+            throw EvaluationError(rules::arithmetic, expr.span, {error.what()});
+        }
         return number(kind == "avg" ? sum / Real(static_cast<std::int64_t>(count(states))) : sum);
     }
     const auto [least, most] = extremes(values, states);

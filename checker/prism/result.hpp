@@ -17,6 +17,7 @@ struct Result {
         truth,   ///< it holds, or not
         number,  ///< `low` is the value, or an enclosure of it
         range,   ///< from `low` to `high`, over several states
+        states,  ///< those of `printed`, which have the least or the greatest value
         unknown  ///< `reason` says why
     };
     Kind kind = Kind::unknown;

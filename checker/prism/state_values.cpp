@@ -4,13 +4,22 @@
 namespace robochart::prism {
 
 Truth negated(Truth truth) {
-    if (truth == Truth::unknown) return truth;
+    if (truth == Truth::unknown || truth == Truth::undefined) return truth;
     return truth == Truth::yes ? Truth::no : Truth::yes;
 }
 
 Truth both(Truth a, Truth b) {
     if (a == Truth::no || b == Truth::no) return Truth::no;
-    return a == Truth::yes && b == Truth::yes ? Truth::yes : Truth::unknown;
+    if (a == Truth::unknown || b == Truth::unknown) return Truth::unknown;
+    return a == Truth::undefined || b == Truth::undefined ? Truth::undefined : Truth::yes;
+}
+
+void StateVector::add_undefined(UndefinedPtr why) {
+    undefined.emplace(size(), std::move(why));
+    if (type == Type::boolean)
+        truths.push_back(Truth::undefined);
+    else
+        reals.emplace_back();
 }
 
 StateVector StateVector::of(const markov::StateSet& set) {

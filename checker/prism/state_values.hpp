@@ -1,22 +1,45 @@
-// A value for every state: truth values of which some may be unknown, or numbers.
+// A value for every state: truth values of which some may be unknown, or numbers. A state may have none.
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "checker/markov/model/model.hpp"
+#include "checker/prism/explore/evaluation.hpp"
 #include "checker/prism/explore/real.hpp"
 #include "checker/prism/syntax/syntax.hpp"
 
 namespace robochart::prism {
 
-/// Known true, known false, or neither.
-enum class Truth : std::uint8_t { no, yes, unknown };
+/// Known true, known false, neither, or without a value.
+enum class Truth : std::uint8_t { no, yes, unknown, undefined };
 
 [[nodiscard]] Truth negated(Truth truth);
 [[nodiscard]] Truth both(Truth a, Truth b);
+
+/// Why an expression has no value in a state, or (`open`) why it is not known whether it has one.
+struct Undefined {
+    EvaluationError error;
+    std::string open;  ///< "": it has none
+};
+using UndefinedPtr = std::shared_ptr<const Undefined>;
+
+/// The value of a state is used, and it has none.
+class NoValue : public std::exception {
+public:
+    NoValue(std::size_t state, UndefinedPtr why) : state_(state), why_(std::move(why)) {}
+    [[nodiscard]] std::size_t state() const { return state_; }
+    [[nodiscard]] const Undefined& why() const { return *why_; }
+
+private:
+    std::size_t state_;
+    UndefinedPtr why_;
+};
 
 class StateVector {
 public:
@@ -25,9 +48,27 @@ public:
     std::vector<Enclosure> numbers;  ///< unless they are exact
     std::vector<Real> reals;         ///< exact numbers, and infinity
     std::string reason;              ///< why something is unknown, or wider than asked for
+    /// States without a value. Their truth is Truth::undefined.
+    std::map<std::size_t, UndefinedPtr> undefined;
 
     [[nodiscard]] std::size_t size() const { return truths.size() + numbers.size() + reals.size(); }
-    [[nodiscard]] Real number(std::size_t state) const { return reals.empty() ? Real(numbers[state]) : reals[state]; }
+    /// Throws NoValue.
+    [[nodiscard]] Real number(std::size_t state) const {
+        require(state);
+        return reals.empty() ? Real(numbers[state]) : reals[state];
+    }
+    /// Throws NoValue where the state has none.
+    void require(std::size_t state) const {
+        if (const UndefinedPtr why = undefined_in(state)) throw NoValue(state, why);
+    }
+    /// Null where the state has a value.
+    [[nodiscard]] UndefinedPtr undefined_in(std::size_t state) const {
+        if (undefined.empty()) return nullptr;
+        const auto found = undefined.find(state);
+        return found == undefined.end() ? nullptr : found->second;
+    }
+    /// The next state has no value.
+    void add_undefined(UndefinedPtr why);
     static StateVector of(const markov::StateSet& set);
 };
 

@@ -33,7 +33,8 @@ struct CheckedModel {
     std::vector<Module> modules;      ///< their variables are among `variables`
     std::vector<Synchronisation> synchronisations;
     std::vector<RewardStructure> rewards;
-    ExprPtr initial;  ///< null: one initial state
+    ExprPtr initial;   ///< null: one initial state
+    ExprPtr left_out;  ///< where a step of the model that was meant is left out; null: nowhere
 };
 
 struct CheckedProperties {

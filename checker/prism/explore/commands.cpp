@@ -10,6 +10,14 @@
 
 namespace robochart::prism {
 
+LeftOut::LeftOut(const CheckedModel& model, Code& code) : code_(code) {
+    if (model.left_out) root_ = code.compile(model.left_out);
+}
+
+void LeftOut::refuse(StateValues state) const {
+    if (root_ && code_.holds(*root_, state)) throw EvaluationError(rules::left_out, code_.span(*root_), {});
+}
+
 CommandTable::CommandTable(const CheckedModel& model, const Layout& layout, Code& code, NumberTable& numbers,
                            diagnostics::Diagnostics& diagnostics)
     : model_(model), layout_(layout), code_(code), numbers_(numbers), diagnostics_(diagnostics) {
@@ -83,8 +91,13 @@ void CommandTable::evaluate_guards(StateValues state) {
 
 void CommandTable::evaluate(StateValues state) {
     evaluate_guards(state);
-    for (const auto& group : enabled_)
-        for (const std::uint32_t command : group) evaluate_effects(commands_[command], state);
+    acting_.assign(groups_.size(), false);
+    for (const Act& act : acts_)
+        if (std::ranges::none_of(act.groups, [&](std::uint32_t group) { return enabled_[group].empty(); }))
+            for (const std::uint32_t group : act.groups) acting_[group] = true;
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+        if (acting_[i])
+            for (const std::uint32_t command : enabled_[i]) evaluate_effects(commands_[command], state);
 }
 
 NumberTable::Id CommandTable::evaluated(Probability& probability, StateValues state) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -23,6 +24,18 @@ struct Write {
     std::int64_t value = 0;
 };
 
+/// Refuses states in which the model leaves out a step (CheckedModel::left_out).
+class LeftOut {
+public:
+    LeftOut(const CheckedModel& model, Code& code);
+    /// Throws EvaluationError.
+    void refuse(StateValues state) const;
+
+private:
+    const Code& code_;
+    std::optional<Code::Root> root_;
+};
+
 /// The commands by groups: one for each action of each module.
 class CommandTable {
 public:
@@ -38,7 +51,7 @@ public:
     [[nodiscard]] const std::vector<Act>& acts() const { return acts_; }
     [[nodiscard]] const std::vector<std::string>& actions() const { return actions_; }  ///< the first is ""
 
-    /// Finds the enabled commands of all groups, and evaluates what they do. Throws EvaluationError.
+    /// Finds the enabled commands of all groups, and evaluates what those do that can act. Throws EvaluationError.
     void evaluate(StateValues state);
     /// The same without what they do.
     void evaluate_guards(StateValues state);
@@ -98,6 +111,7 @@ private:
     std::vector<std::vector<std::uint32_t>> groups_;  ///< commands
     std::vector<ActionOfModule> group_names_;
     std::vector<std::vector<std::uint32_t>> enabled_;
+    std::vector<bool> acting_;  ///< groups that an act has whose groups all have an enabled command
     std::vector<Act> acts_;
     std::vector<std::string> actions_{""};
     std::vector<bool> proper_;  ///< numbers that are known to be probabilities

@@ -157,6 +157,7 @@ std::int64_t Code::rounded(const Node& node, Root root, StateValues state) const
     Real operand = real(node.a, state);
     if (node.op == Operation::round) operand = operand + Real(Rational(1, 2));
     if (node.op == Operation::ceil) operand = Real(std::int64_t{0}) - operand;
+    if (operand.infinite()) fail(root, operand.text() + " is no integer");
     const std::optional<Rational> whole = floor_of(operand);
     if (!whole) too_close(root, operand, operand);
     const Rational result = node.op == Operation::ceil ? Rational(-*whole) : *whole;
@@ -170,6 +171,8 @@ Real Code::real(Root root, StateValues state) const {
     if (node.type != Type::real) return Real(integer(root, state));
     try {
         return computed(node, root, state);
+    } catch (const Unclear& error) {
+        throw EvaluationError(rules::too_close, spans_[root], {error.what()});
     } catch (const std::domain_error& error) {
         fail(root, error.what());
     }

@@ -13,7 +13,8 @@ Explorer::Explorer(StateSpace& space, Code& code)
     : space_(space),
       code_(code),
       commands_(space.model(), space.layout(), code, numbers_, space.diagnostics_),
-      values_(space.layout().fields().size()) {
+      values_(space.layout().fields().size()),
+      left_out_(space.model(), code) {
     std::size_t parts = 0;
     for (const CommandTable::Act& act : commands_.acts()) parts = std::max(parts, act.groups.size());
     partial_.assign(parts + 1, std::vector<lts::Word>(space.layout().words()));
@@ -60,6 +61,7 @@ markov::State Explorer::insert(const lts::Word* words) {
 void Explorer::expand(markov::State state) {
     const lts::StateView packed = space_.store_[state];
     space_.layout().unpack(packed, values_.data());
+    left_out_.refuse(values_.data());
     commands_.evaluate(values_.data());
     partial_[0].assign(packed.begin(), packed.end());
     all_.clear();
@@ -90,7 +92,8 @@ void Explorer::combine(const CommandTable::Act& act, std::size_t part, Distribut
     if (chain) return branch(act, 0, NumberTable::one, all_);
     distribution.clear();
     branch(act, 0, NumberTable::one, distribution);
-    finish_choice(act.action, distribution);
+    merge(distribution);
+    push_choice(act.action, distribution);
 }
 
 /// Probabilities multiply, updates join.
@@ -122,26 +125,6 @@ void Explorer::merge(Distribution& distribution) {
             distribution[++kept] = distribution[i];
     }
     distribution.resize(distribution.empty() ? 0 : kept + 1);
-}
-
-/// Choices of equal action and distribution count once.
-void Explorer::finish_choice(std::uint32_t action, Distribution& distribution) {
-    merge(distribution);
-    if (!known_choice(action, distribution)) push_choice(action, distribution);
-}
-
-bool Explorer::known_choice(std::uint32_t action, const Distribution& distribution) const {
-    const markov::Model& chain = space_.chain_;
-    for (std::size_t choice = chain.first_choice.back(); choice < chain.choices(); ++choice) {
-        const std::uint64_t first = chain.first_branch[choice];
-        if (chain.action[choice] != action || chain.first_branch[choice + 1] - first != distribution.size()) continue;
-        bool same = true;
-        for (std::size_t i = 0; i < distribution.size() && same; ++i)
-            same =
-                chain.target[first + i] == distribution[i].first && chain.number[first + i] == distribution[i].second;
-        if (same) return true;
-    }
-    return false;
 }
 
 void Explorer::push_choice(std::uint32_t action, const Distribution& distribution) {

@@ -24,8 +24,6 @@ private:
     void branch(const CommandTable::Act& act, std::size_t part, NumberTable::Id probability,
                 Distribution& distribution);
     void merge(Distribution& distribution);
-    void finish_choice(std::uint32_t action, Distribution& distribution);
-    [[nodiscard]] bool known_choice(std::uint32_t action, const Distribution& distribution) const;
     void push_choice(std::uint32_t action, const Distribution& distribution);
     NumberTable::Id number_of(std::uint64_t count);
     void finish_state(markov::State state);
@@ -42,6 +40,7 @@ private:
     Distribution all_;                             ///< of the one choice of a dtmc
     std::vector<NumberTable::Id> counts_;          ///< the numbers from 0 on
     std::uint64_t combinations_ = 0;               ///< in this state
+    LeftOut left_out_;
 };
 
 }  // namespace robochart::prism

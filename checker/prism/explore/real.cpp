@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
@@ -119,49 +120,124 @@ std::string fraction_text(const Rational& value) {
 std::string Real::text() const {
     if (exact_) return fraction_text(value_);
     if (bounds_.exact()) return bounds_.low > 0 ? "Infinity" : "-Infinity";  // finite ones are fractions
-    return fmt::format("between {} and {}", bounds_.low, bounds_.high);
+    const auto side = [](double bound) {
+        return std::isinf(bound) ? std::string(bound > 0 ? "Infinity" : "-Infinity") : fmt::format("{}", bound);
+    };
+    return fmt::format("between {} and {}", side(bounds_.low), side(bounds_.high));
 }
+
+bool Real::infinite() const {
+    return !exact_ && std::isinf(bounds_.low) && bounds_.low == bounds_.high;
+}
+
+bool Real::finite() const {
+    return exact_ || (std::isfinite(bounds_.low) && std::isfinite(bounds_.high));
+}
+
+namespace {
+
+bool is_zero(const Real& a) {
+    return a.exact() && a.value() == 0;
+}
+
+bool may_be_zero(const Real& a) {
+    if (a.exact()) return a.value() == 0;
+    return a.bounds().low <= 0 && a.bounds().high >= 0;
+}
+
+Real infinite(bool positive) {
+    return positive ? Enclosure{infinity, infinity} : Enclosure{-infinity, -infinity};
+}
+
+/// What has no value in some case: certainly, or perhaps.
+[[noreturn]] void no_value(bool certain, const std::string& what) {
+    if (certain) throw std::domain_error(what + " has no value");
+    throw Unclear("whether it is " + what + " is not known");
+}
+
+Real negated(const Real& a) {
+    if (a.exact()) return Rational(-a.value());
+    return Enclosure{-a.bounds().high, -a.bounds().low};
+}
+
+}  // namespace
 
 Real operator+(const Real& a, const Real& b) {
     if (a.exact_ && b.exact_) return Rational(a.value_ + b.value_);
-    return a.bounds() + b.bounds();
+    const Enclosure left = a.bounds();
+    const Enclosure right = b.bounds();
+    const auto opposed = [](double most, double least) { return most == infinity && least == -infinity; };
+    if (opposed(left.high, right.low) || opposed(right.high, left.low))
+        no_value(a.infinite() && b.infinite(), "Infinity - Infinity");
+    return left + right;
 }
 
 Real operator-(const Real& a, const Real& b) {
     if (a.exact_ && b.exact_) return Rational(a.value_ - b.value_);
-    return a.bounds() - b.bounds();
+    return a + negated(b);
 }
 
 Real operator*(const Real& a, const Real& b) {
     if (a.exact_ && b.exact_) return Rational(a.value_ * b.value_);
+    if ((may_be_zero(a) && !b.finite()) || (may_be_zero(b) && !a.finite()))
+        no_value((is_zero(a) && b.infinite()) || (is_zero(b) && a.infinite()), "0 * Infinity");
     return a.bounds() * b.bounds();
 }
 
 Real operator/(const Real& a, const Real& b) {
+    const Enclosure dividend = a.bounds();
     const Enclosure divisor = b.bounds();
-    if (b.exact_ ? b.value_ == 0 : divisor.low <= 0 && divisor.high >= 0) throw std::domain_error("division by zero");
+    if (may_be_zero(b)) {
+        if (may_be_zero(a)) no_value(is_zero(a) && is_zero(b), "0/0");
+        if (is_zero(b)) return infinite(a.exact_ ? a.value_ > 0 : dividend.low > 0);
+        if (dividend.low < 0 || divisor.low < 0) return Enclosure{-infinity, infinity};
+        return Enclosure{(Enclosure{dividend.low, dividend.low} / Enclosure{divisor.high, divisor.high}).low, infinity};
+    }
     if (a.exact_ && b.exact_) return Rational(a.value_ / b.value_);
-    return a.bounds() / divisor;
+    if (!a.finite() && !b.finite()) no_value(a.infinite() && b.infinite(), "Infinity/Infinity");
+    return dividend / divisor;
 }
 
+namespace {
+
+/// One of them is known to be infinite.
+Real infinite_power(const Real& base, const Real& exponent) {
+    const auto compared = [](const Real& a, std::int64_t b) { return a.compare(Real(b)); };
+    if (base.infinite()) {
+        const std::optional<int> sign = compared(exponent, 0);
+        if (!sign || base.bounds().low < 0) throw Unclear("a power of infinity is not known");
+        return *sign > 0 ? base : Real(std::int64_t{*sign == 0 ? 1 : 0});
+    }
+    const std::optional<int> order = compared(base, 1);
+    if (!order || compared(base, 0) == -1) throw Unclear("a power to infinity is not known");
+    if (*order == 0) no_value(true, "1 to the power of Infinity");
+    const bool grows = (*order > 0) == (exponent.bounds().low > 0);
+    return grows ? infinite(true) : Real(std::int64_t{0});
+}
+
+}  // namespace
+
 Real power(const Real& base, const Real& exponent) {
-    if (exponent.exact() && denominator(exponent.value()) == 1) {
-        const Rational& whole = exponent.value();
-        const bool negative = whole < 0;
-        if (base.exact()) {
-            if (negative && base.value() == 0) throw std::domain_error("zero to a negative power");
-            const unsigned size = std::max(bits(numerator(base.value())), bits(denominator(base.value())));
-            if (abs(whole) * size <= most_bits) {
-                const Rational result = integral_power(base.value(), abs(whole).convert_to<std::uint64_t>());
-                return negative ? Rational(1 / result) : result;
-            }
+    const bool whole = exponent.exact() && denominator(exponent.value()) == 1;
+    if (is_zero(exponent)) return Real(std::int64_t{1});
+    if (base.infinite() || exponent.infinite()) return infinite_power(base, exponent);
+    if (whole && base.exact()) {
+        const bool negative = exponent.value() < 0;
+        if (base.value() == 0) return negative ? infinite(true) : base;
+        const unsigned size = std::max(bits(numerator(base.value())), bits(denominator(base.value())));
+        if (abs(exponent.value()) * size <= most_bits) {
+            const Rational result = integral_power(base.value(), abs(exponent.value()).convert_to<std::uint64_t>());
+            return negative ? Rational(1 / result) : result;
         }
     }
     const Enclosure b = base.bounds();
     const Enclosure e = exponent.bounds();
-    if (b.low < 0)
-        throw std::domain_error("power of a negative number with an exponent that is not whole or too large");
-    if (b.low == 0 && e.low <= 0) throw std::domain_error("power of zero with an exponent that is not positive");
+    if (!base.finite() || !exponent.finite()) throw Unclear("a power of numbers that may be infinite is not known");
+    if (b.low < 0) {
+        if (exponent.exact() && !whole && b.high < 0)
+            no_value(true, "a power of a negative number with an exponent that is not whole");
+        throw Unclear("a power of a number that may be negative is not known");
+    }
     Enclosure result{infinity, -infinity};
     for (const double x : {b.low, b.high})
         for (const double y : {e.low, e.high}) {
@@ -172,18 +248,35 @@ Real power(const Real& base, const Real& exponent) {
     return result;
 }
 
-Real logarithm(const Real& value, const Real& base) {
+namespace {
+
+Real natural_logarithm(const Real& value) {
     const Enclosure v = value.bounds();
-    const Enclosure b = base.bounds();
-    if (v.low <= 0 || b.low <= 0) throw std::domain_error("logarithm of a number that is not positive");
+    if (value.exact() && value.value() == 1) return Real(std::int64_t{0});
+    if (v.low < 0) no_value(v.high < 0, "the logarithm of a negative number");
+    const double low = v.low == 0 ? -infinity : std::isinf(v.low) ? infinity : around(std::log(v.low)).low;
+    const double high = v.high == 0 ? -infinity : std::isinf(v.high) ? infinity : around(std::log(v.high)).high;
+    return Enclosure{low, high};
+}
+
+}  // namespace
+
+Real logarithm(const Real& value, const Real& base) {
     // Whole powers of the base, as log(8,2), are exact.
-    if (value.exact() && base.exact() && base.value() > 1) {
-        const double near = std::round(std::log(v.low) / std::log(b.low));
+    if (value.exact() && value.value() > 0 && base.exact() && base.value() > 1) {
+        const double near = std::round(std::log(value.bounds().low) / std::log(base.bounds().low));
         if (std::abs(near) <= 4096 && power(base, Real(static_cast<std::int64_t>(near))).compare(value) == 0)
             return Real(static_cast<std::int64_t>(near));
     }
-    const auto log = [](Enclosure x) { return Enclosure{around(std::log(x.low)).low, around(std::log(x.high)).high}; };
-    return Real(log(v)) / Real(log(b));
+    return natural_logarithm(value) / natural_logarithm(base);
+}
+
+Real extreme(const Real& a, const Real& b, bool least) {
+    if (const std::optional<int> order = b.compare(a)) return (least ? *order < 0 : *order > 0) ? b : a;
+    const Enclosure left = a.bounds();
+    const Enclosure right = b.bounds();
+    if (least) return Enclosure{std::min(left.low, right.low), std::min(left.high, right.high)};
+    return Enclosure{std::max(left.low, right.low), std::max(left.high, right.high)};
 }
 
 std::optional<Rational> floor_of(const Real& value) {
@@ -191,6 +284,7 @@ std::optional<Rational> floor_of(const Real& value) {
         const Integer whole = floor_of(value.value());
         return Rational(whole);
     }
+    if (value.infinite()) throw std::domain_error("Infinity is no integer");
     const Enclosure bounds = value.bounds();
     const double low = std::floor(bounds.low);
     if (!std::isfinite(low) || low != std::floor(bounds.high)) return std::nullopt;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,14 @@ using markov::Rational;
 /// A decimal literal as it is written: "1.5e-3".
 [[nodiscard]] Rational decimal(std::string_view text);
 
-/// An exact fraction, or an enclosure of a number that is none, or infinite.
+/// An operation of which it is not known whether it has a value, or on numbers too large to compute it.
+class Unclear : public std::domain_error {
+public:
+    using std::domain_error::domain_error;
+};
+
+/// An exact fraction, an enclosure of a number that is none, or infinite. x/0 is infinite with the sign of x: zeros
+/// have no sign.
 class Real {
 public:
     Real() = default;
@@ -30,15 +38,17 @@ public:
     [[nodiscard]] bool exact() const { return exact_; }
     [[nodiscard]] const Rational& value() const { return value_; }  ///< where exact
     [[nodiscard]] Enclosure bounds() const { return exact_ ? enclose(value_) : bounds_; }
+    [[nodiscard]] bool infinite() const;  ///< known to be
+    [[nodiscard]] bool finite() const;    ///< known to be
     /// Less than, equal to, greater than 0 as -1, 0, 1; nothing where the enclosures overlap.
     [[nodiscard]] std::optional<int> compare(const Real& other) const;
     /// "1/3", "0.25", "between 0.1 and 0.2".
     [[nodiscard]] std::string text() const;
 
+    // Throw std::domain_error where there is no value, as 0/0 and Infinity - Infinity, and Unclear.
     friend Real operator+(const Real& a, const Real& b);
     friend Real operator-(const Real& a, const Real& b);
     friend Real operator*(const Real& a, const Real& b);
-    /// Throws std::domain_error for a divisor that is, or may be, 0.
     friend Real operator/(const Real& a, const Real& b);
 
 private:
@@ -47,10 +57,13 @@ private:
     Enclosure bounds_;
 };
 
-/// Throws std::domain_error where there is none.
+// Throw std::domain_error where there is no value, and Unclear.
 [[nodiscard]] Real power(const Real& base, const Real& exponent);
 [[nodiscard]] Real logarithm(const Real& value, const Real& base);
-/// The greatest whole number that is not greater; nothing where the enclosure does not say.
+/// The less or the greater of two; an enclosure of it where they cannot be compared.
+[[nodiscard]] Real extreme(const Real& a, const Real& b, bool least);
+/// The greatest whole number that is not greater; nothing where the enclosure does not say. Throws std::domain_error of
+/// infinity.
 [[nodiscard]] std::optional<Rational> floor_of(const Real& value);
 /// A fraction for people: as a decimal where it is short, else as a fraction.
 [[nodiscard]] std::string fraction_text(const Rational& value);

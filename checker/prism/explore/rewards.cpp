@@ -63,6 +63,9 @@ private:
             const Real value = code_.real(item.value, values_.data());
             if (value.compare(Real(std::int64_t{0})) == -1)
                 throw EvaluationError(rules::negative_reward, item.source->value->span, {value.text()});
+            if (!value.finite())
+                throw EvaluationError(rules::arithmetic, item.source->value->span,
+                                      {fmt::format("the reward is {}", value.text())});
             result = numbers_.sum(result, numbers_.id(value));
         }
         return result;

@@ -13,7 +13,8 @@ const Rule constant_open{"PRISM-E01", Severity::error, "the constant '{}' has no
 const Rule arithmetic{
     "PRISM-E02", Severity::error, "{}",
     "Integers have 32 bits, and a result beyond them is an error, as are a remainder by zero or less, "
-    "a negative exponent of integers, a division by zero and the logarithm of zero or less."};
+    "a negative exponent of integers, 0/0, Infinity - Infinity and the logarithm of a negative number. "
+    "1/0 is Infinity. Only what is used has to have a value."};
 const Rule out_of_range{"PRISM-E03", Severity::error, "'{}' would be {}, outside its range {}",
                         "An update, or an initial value, leaves the declared range of the variable. Guard the command, "
                         "or widen the range."};
@@ -48,11 +49,16 @@ const Rule not_exact{
     "of many thousand digits are not kept."};
 const Rule bad_bound{"PRISM-E14", Severity::error, "the bound {} is no probability",
                      "The bound of P and S lies between 0 and 1, that of R is 0 or more."};
+const Rule left_out{"PRISM-E15", Severity::error, "a step that would leave the range of a variable is left out",
+                    "`emit prism` guards the steps that could leave a range in states that nothing reaches, since "
+                    "PRISM's default engine looks at these too. Here such a state is reachable, so the file has other "
+                    "steps than the model. Write it with wider ranges."};
 
 std::span<const Rule* const> explore() {
-    static constexpr std::array<const Rule*, 14> table{
-        &constant_open, &arithmetic,      &out_of_range, &bad_probability, &wrong_sum,  &empty_range, &no_initial_state,
-        &deadlocks,     &negative_reward, &bad_steps,    &too_close,       &normalised, &not_exact,   &bad_bound};
+    static constexpr std::array<const Rule*, 15> table{
+        &constant_open, &arithmetic,       &out_of_range, &bad_probability, &wrong_sum,
+        &empty_range,   &no_initial_state, &deadlocks,    &negative_reward, &bad_steps,
+        &too_close,     &normalised,       &not_exact,    &bad_bound,       &left_out};
     return table;
 }
 

@@ -21,6 +21,7 @@ extern const diagnostics::Rule too_close;
 extern const diagnostics::Rule normalised;
 extern const diagnostics::Rule not_exact;
 extern const diagnostics::Rule bad_bound;
+extern const diagnostics::Rule left_out;
 
 /// All of them, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> explore();

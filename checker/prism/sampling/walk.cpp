@@ -28,6 +28,7 @@ Walk::Walk(const Instance& instance, Code& code, std::vector<std::int32_t> initi
            diagnostics::Diagnostics& diagnostics)
     : instance_(instance),
       commands_(instance.model(), instance.layout(), code, numbers_, diagnostics),
+      left_out_(instance.model(), code),
       initial_(std::move(initial)),
       variables_(initial_.size()),
       values_(variables_ + 2) {}
@@ -46,6 +47,7 @@ void Walk::begin(const Draws& draws) {
 /// Finds out what can happen next, also for the label "deadlock".
 void Walk::arrive() {
     try {
+        left_out_.refuse(values_.data());
         commands_.evaluate_guards(values_.data());
     } catch (EvaluationError& error) {
         error.state = instance_.layout().text(values_.data());

@@ -53,6 +53,7 @@ private:
     NumberTable numbers_;
     std::vector<double> doubles_;  ///< of `numbers_`
     CommandTable commands_;
+    LeftOut left_out_;
     const std::vector<std::int32_t> initial_;
     std::size_t variables_;
     Draws draws_{0, 0};

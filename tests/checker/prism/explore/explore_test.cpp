@@ -29,11 +29,11 @@ TEST(PrismExplore, ADtmcTakesAllCombinationsWithEqualChance) {
         EXPECT_EQ(model.space->chain().exact[model.space->chain().number[i]], Rational(1, 3));
 }
 
-TEST(PrismExplore, AnMdpKeepsThemApartAndCountsEqualChoicesOnce) {
+TEST(PrismExplore, AnMdpKeepsThemApart) {
     const Explored model(
         "mdp module L x:[0..1]; [a] x=0 -> 0.5:(x'=1) + 0.5:true; [b] x=0 -> (x'=1);\n"
         "[b] x=0 -> 0.5:(x'=1) + 0.5:(x'=1); [] x=1 -> true; [] true -> true; endmodule");
-    EXPECT_EQ(transitions(model), "2 4 5\n0 0 0 1\n0 1 0 0.5 a\n0 1 1 0.5 a\n0 2 1 1 b\n1 0 1 1\n");
+    EXPECT_EQ(transitions(model), "2 6 7\n0 0 0 1\n0 1 0 0.5 a\n0 1 1 0.5 a\n0 2 1 1 b\n0 3 1 1 b\n1 0 1 1\n1 1 1 1\n");
 }
 
 TEST(PrismExplore, BranchesOfProbabilityZeroVanish) {
@@ -59,6 +59,31 @@ TEST(PrismExplore, IntsWithoutARangeHave32Bits) {
     EXPECT_EQ(model.space->text(1), "x=2147483647");
     EXPECT_THAT(failure([] { Explored("dtmc module M x:int; [] true -> (x'=x+2147483647); endmodule"); }),
                 HasSubstr("PRISM-E02"));
+}
+
+TEST(PrismExplore, InfinityCompares) {
+    const Explored model("dtmc module M x:[0..2] init 2; [] 1/x > 5 -> true; [] x>0 -> (x'=x-1); endmodule");
+    EXPECT_EQ(transitions(model), "3 3\n0 1 1\n1 2 1\n2 2 1\n");
+    EXPECT_THAT(failure([] { Explored("dtmc module M x:[0..2]; [] x/x > 5 -> true; endmodule"); }),
+                HasSubstr("0/0 has no value"));
+    EXPECT_THAT(failure([] { Explored("dtmc module M x:[0..2]; [] true -> 1/x:(x'=1) + 1-1/x:true; endmodule"); }),
+                HasSubstr("Infinity is no probability"));
+}
+
+/// Nobody acts with M on `a`, so what it would write is not looked at.
+TEST(PrismExplore, CommandsThatCannotActAreNotEvaluated) {
+    const Explored model(
+        "dtmc module M x:[0..1]; [a] true -> (x'=x+5); [] true -> true; endmodule\n"
+        "module N y:[0..1]; [a] y=1 -> true; endmodule");
+    EXPECT_EQ(transitions(model), "1 1\n0 0 1\n");
+}
+
+TEST(PrismExplore, EqualChoicesOfAnMdpAreCountedEachTime) {
+    const Explored model(
+        "mdp module M x:[0..1]; [a] x=0 -> (x'=1); [a] x<1 -> (x'=1); [] x=1 -> true; endmodule\n"
+        "module N [] true -> true; endmodule");
+    EXPECT_EQ(model.space->chain().choices(), 5U);
+    EXPECT_EQ(model.space->transitions(), 5U);
 }
 
 TEST(PrismExplore, ManyVariablesLieInSeveralWords) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "diagnostics/splitmix64.hpp"
@@ -60,11 +62,67 @@ TEST(PrismReal, WholePowersAndLogarithmsAreExact) {
     EXPECT_EQ(root.compare(Real(Rational(141421357, 100000000))), -1);
 }
 
+const Real zero(std::int64_t{0});
+const Real one(std::int64_t{1});
+const Real two(std::int64_t{2});
+const Real half(Rational(1, 2));
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const Real infinite(Enclosure{infinity, infinity});
+
+TEST(PrismReal, InfinityIsAValue) {
+    EXPECT_EQ((one / zero).text(), "Infinity");
+    EXPECT_EQ((zero - one / zero).text(), "-Infinity");
+    EXPECT_EQ(((zero - two) / zero).text(), "-Infinity");
+    EXPECT_EQ((one / infinite).text(), "0");
+    EXPECT_EQ((infinite * two + one).text(), "Infinity");
+    EXPECT_EQ(logarithm(zero, two).text(), "-Infinity");
+    EXPECT_EQ(logarithm(two, one).text(), "Infinity");
+    EXPECT_EQ(power(zero, Real(std::int64_t{-1})).text(), "Infinity");
+    EXPECT_EQ(power(infinite, zero).text(), "1");
+    EXPECT_EQ(power(two, infinite).text(), "Infinity");
+    EXPECT_EQ(power(half, infinite).text(), "0");
+    EXPECT_EQ((one / zero).compare(infinite), 0);
+    EXPECT_EQ(infinite.compare(Real(std::int64_t{1'000'000})), 1);
+    EXPECT_EQ((zero - infinite).compare(infinite), -1);
+}
+
+/// "0/0 has no value", "?" where it is not known whether there is one, "" where there is one.
+std::string problem(const std::function<Real()>& operation) {
+    try {
+        (void)operation();
+        return "";
+    } catch (const Unclear&) {
+        return "?";
+    } catch (const std::domain_error& error) {
+        return error.what();
+    }
+}
+
 TEST(PrismReal, WhatHasNoValueThrows) {
-    EXPECT_THROW((void)(Real(std::int64_t{1}) / Real(std::int64_t{0})), std::domain_error);
-    EXPECT_THROW((void)logarithm(Real(std::int64_t{0}), Real(std::int64_t{2})), std::domain_error);
-    EXPECT_THROW((void)power(Real(std::int64_t{0}), Real(std::int64_t{-1})), std::domain_error);
-    EXPECT_THROW((void)power(Real(std::int64_t{-2}), Real(Rational(1, 2))), std::domain_error);
+    EXPECT_EQ(problem([] { return zero / zero; }), "0/0 has no value");
+    EXPECT_EQ(problem([] { return infinite / infinite; }), "Infinity/Infinity has no value");
+    EXPECT_EQ(problem([] { return infinite - infinite; }), "Infinity - Infinity has no value");
+    EXPECT_EQ(problem([] { return zero * infinite; }), "0 * Infinity has no value");
+    EXPECT_NE(problem([] { return logarithm(zero - two, two); }), "");
+    EXPECT_NE(problem([] { return logarithm(one, one); }), "");
+    EXPECT_NE(problem([] { return power(zero - two, half); }), "");
+    EXPECT_NE(problem([] { return power(one, infinite); }), "");
+    EXPECT_EQ(problem([] { return Real(*floor_of(infinite)); }), "Infinity is no integer");
+}
+
+/// An enclosure with 0 in it: the quotient may be infinite, or have no value.
+TEST(PrismReal, EnclosuresHoldEveryCase) {
+    const Real small(Enclosure{0, 0.25});
+    const Enclosure quotient = (one / small).bounds();
+    EXPECT_LE(quotient.low, 4);
+    EXPECT_EQ(quotient.high, infinity);
+    EXPECT_EQ((one / Real(Enclosure{-1, 1})).bounds(), (Enclosure{-infinity, infinity}));
+    EXPECT_EQ(problem([&] { return small / small; }), "?");
+    EXPECT_EQ(problem([&] { return zero / small; }), "?");
+    EXPECT_EQ(problem([&] { return small * infinite; }), "?");
+    EXPECT_EQ(logarithm(small, two).bounds().low, -infinity);
+    EXPECT_GE(logarithm(small, two).bounds().high, -2);
+    EXPECT_EQ(problem([&] { return logarithm(Real(Enclosure{-1, 1}), two); }), "?");
 }
 
 TEST(PrismReal, Text) {
