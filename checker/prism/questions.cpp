@@ -28,8 +28,6 @@ markov::StateSet meet(markov::StateSet a, const markov::StateSet& b) {
     return a;
 }
 
-constexpr const char* beyond = "formulas of LTL beyond X, F, G, U, W and R of states, GF and FG are not decided";
-
 }  // namespace
 
 markov::Direction direction_of(const Query& query) {
@@ -149,9 +147,11 @@ StateVector Evaluator::path(const ExprPtr& expr, Direction direction) {
     const bool all_steps = !expr->steps && !operand->steps;
     if (all_steps && (expr->op == Op::eventually || expr->op == Op::globally)) {
         if (operand->op == expr->op) return path(operand, direction);
-        if (operand->op == Op::eventually || operand->op == Op::globally)
+        if ((operand->op == Op::eventually || operand->op == Op::globally) && !is_path(*operand->parts[0]))
             return again_and_again(operand->parts[0], expr->op == Op::eventually, direction);
     }
+    if (!is_temporal(expr->op) || std::ranges::any_of(expr->parts, [](const ExprPtr& p) { return is_path(*p); }))
+        return nested_path(expr, direction);
     const Reachability reach = reachability(*expr);
     if (!reach.negated) return until(reach.left, reach.right, expr->steps.get(), direction);
     return complement(until(reach.left, reach.right, expr->steps.get(), opposite(direction)));
@@ -159,7 +159,8 @@ StateVector Evaluator::path(const ExprPtr& expr, Direction direction) {
 
 Reachability Evaluator::reachability(const Expr& expr) {
     const bool inner = std::any_of(expr.parts.begin(), expr.parts.end(), [](const ExprPtr& p) { return is_path(*p); });
-    if (inner || !is_temporal(expr.op) || expr.op == Op::next) throw Undecided(beyond);
+    if (inner || !is_temporal(expr.op) || expr.op == Op::next)
+        throw Undecided("F, G, U, W and R of states are asked for here");
     StateSet b = set(expr.parts.back());
     if (expr.op == Op::eventually) return {StateSet(b.size(), true), std::move(b), false};
     if (expr.op == Op::globally) return {StateSet(b.size(), true), inverse(std::move(b)), true};
@@ -195,19 +196,7 @@ StateVector Evaluator::one_step_before(const StateVector& after, Direction direc
                     options_.exact ? Real(chain_.exact[chain_.number[i]]) : Real(Enclosure{number.low, number.high});
                 sum = sum + factor * after.number(chain_.target[i]);
             }
-            if (!best) {
-                best = sum;
-                continue;
-            }
-            const Enclosure a = best->bounds();
-            const Enclosure b = sum.bounds();
-            const bool least = direction == Direction::minimum;
-            const std::optional<int> order = sum.compare(*best);
-            if (order)
-                best = (*order < 0) == least ? sum : *best;
-            else
-                best = least ? Real(Enclosure{std::min(a.low, b.low), std::min(a.high, b.high)})
-                             : Real(Enclosure{std::max(a.low, b.low), std::max(a.high, b.high)});
+            best = best ? extreme(*best, sum, direction == Direction::minimum) : sum;
         }
         result.reals.push_back(*best);
     }
@@ -228,7 +217,6 @@ StateVector Evaluator::until(const StateSet& left, const StateSet& right, const 
 /// G F a (`always` false) and F G a: the greatest probability is that of reaching end components in which it is so; the
 /// least is that of the opposite.
 StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Direction direction) {
-    if (is_path(*operand)) throw Undecided(beyond);
     const StateSet states = set(operand);
     const StateSet everywhere(states.size(), true);
     if (direction == Direction::maximum) {

@@ -129,8 +129,8 @@ TEST(PrismSession, AnswersWorkedOutByHand) {
 }
 
 TEST(PrismSession, WhatIsNotDecidedSaysSo) {
-    EXPECT_THAT(exact(fork, "P=? [ F (s=1 & (X s=2)) ]"), HasSubstr("not decided"));
-    EXPECT_THAT(exact(fork, "P=? [ (F s=1) & (F s=2) ]"), HasSubstr("not decided"));
+    EXPECT_THAT(exact(fork, "P=? [ G (s=1 => F (s=0 & G s=2)) ]"), HasSubstr("not decided"));
+    EXPECT_THAT(exact(fork, "A [ (F s=1) & (F s=2) ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "A [ F G s=1 ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "A [ F<=3 s=1 ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "R{\"r\"}=? [ s=0 U s=1 ]"), HasSubstr("not decided"));
@@ -188,6 +188,39 @@ TEST(PrismStateValues, RelationsOfEnclosures) {
     EXPECT_EQ(related(wide, Op::greater_equal, half), Truth::unknown);
     EXPECT_EQ(related(wide, Op::less, Real(Rational(3, 5))), Truth::yes);
     EXPECT_EQ(related(wide, Op::equal, Real(Rational(3, 5))), Truth::no);
+}
+
+TEST(PrismSession, ValuesThatNobodyUsesNeedNotExist) {
+    EXPECT_EQ(exact(fork, "P=? [ F s=1 ] / P=? [ F s=2 ]"), "0.5");
+    EXPECT_EQ(exact(fork, "P=? [ F s=1 ] / (1 - P=? [ F s=2 ])"), "1");  // 0/0 in the state s=2
+    EXPECT_EQ(exact(fork, "filter(min, 1/s)"), "0.5");
+    EXPECT_EQ(exact(fork, "filter(max, 1/s)"), "Infinity");
+    EXPECT_EQ(exact(fork, "log(s, 2)"), "-Infinity");
+    EXPECT_EQ(exact(fork, "filter(sum, mod(5,s), s>0)"), "1");
+    EXPECT_EQ(exact(fork, "P>=1 [ F s>0 ] | mod(1,s)=0"), "true");
+    EXPECT_EQ(exact(fork, "P>=1 [ F s>0 ] & mod(1,s+1)=0"), "true");
+    EXPECT_EQ(exact(fork, "P>=1 [ F s>0 ] ? P=? [ F s=1 ] : mod(1,s)"), "1/3");
+    for (const char* used : {"mod(1,s)", "mod(1,s)=0", "P<1 [ F s>0 ] | mod(1,s)=0", "P=? [ F mod(1,s)=0 ]",
+                             "filter(count, mod(1,s)=0)", "filter(sum, mod(5,s))", "filter(argmin, mod(5,s))"})
+        EXPECT_THAT(failure([&] { (void)exact(fork, used); }), HasSubstr("in the state s=0")) << used;
+    EXPECT_EQ(Explored(fork).ask("filter(printall, mod(5,1-s) + P=? [ F s=1 ])").printed.size(), 3U);
+}
+
+TEST(PrismSession, TheStatesOfAnExtremeValueAreAnswered) {
+    const auto states = [](const std::string& property, bool fractions) {
+        const Result found = Explored(fork).ask(property, {1e-6, fractions, nullptr});
+        EXPECT_EQ(found.kind, Kind::states) << found.reason;
+        std::string text;
+        for (const auto& [state, value] : found.printed) text += state + ":" + value + " ";
+        return text;
+    };
+    for (const bool fractions : {false, true}) {
+        EXPECT_EQ(states("filter(argmax, P=? [ F s=1 ])", fractions), "s=1:1 ");
+        EXPECT_EQ(states("filter(argmin, P=? [ F s=1 ])", fractions), "s=2:0 ");
+        EXPECT_EQ(states("filter(argmin, mod(s,2))", fractions), "s=0:0 s=2:0 ");
+        EXPECT_EQ(states("filter(argmax, P=? [ F s=1 ], s!=1)", fractions).substr(0, 4), "s=0:");
+    }
+    EXPECT_EQ(exact(fork, "filter(count, filter(argmin, mod(s,2)))"), "2");
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// Formulas of linear-time temporal logic, each once: equal ones have the same number. Negation stands at atoms only.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace robochart::prism::automata {
+
+using FormulaId = std::uint32_t;
+
+enum class Form : std::uint8_t { no, yes, atom, not_atom, both, either, next, until, release };
+
+/// The steps after which the right side of `until` may come.
+struct Steps {
+    std::uint64_t from = 0;
+    std::optional<std::uint64_t> to;  ///< nothing: any later
+    [[nodiscard]] bool any() const { return from == 0 && !to; }
+    [[nodiscard]] Steps after_one() const { return {from > 0 ? from - 1 : 0, to ? std::optional(*to - 1) : to}; }
+    friend auto operator<=>(const Steps&, const Steps&) = default;
+};
+
+struct Formula {
+    Form form = Form::no;
+    std::uint32_t atom = 0;
+    FormulaId a = 0, b = 0;
+    Steps steps = {};
+    bool co_safe = true;  ///< a path on which it holds has a beginning after which it holds whatever follows
+    bool safe = true;     ///< a path on which it does not hold has one after which it cannot hold
+    bool tail = false;    ///< adding a beginning to a path, or removing one, changes nothing
+};
+
+class Formulas {
+public:
+    static constexpr FormulaId no = 0;
+    static constexpr FormulaId yes = 1;
+
+    Formulas();
+    [[nodiscard]] const Formula& operator[](FormulaId id) const { return formulas_[id]; }
+
+    FormulaId atom(std::uint32_t number, bool positive = true);
+    FormulaId both(FormulaId a, FormulaId b);
+    FormulaId either(FormulaId a, FormulaId b);
+    FormulaId next(FormulaId a);
+    FormulaId until(FormulaId a, FormulaId b, Steps steps = {});
+    /// The opposite of `until` of opposites.
+    FormulaId release(FormulaId a, FormulaId b, Steps steps = {});
+    FormulaId finally(FormulaId a) { return until(yes, a); }
+    FormulaId always(FormulaId a) { return release(no, a); }
+    FormulaId negated(FormulaId id);
+
+private:
+    FormulaId add(Formula formula);
+
+    std::vector<Formula> formulas_;
+    std::map<std::tuple<Form, std::uint32_t, FormulaId, FormulaId, Steps>, FormulaId> known_;
+    std::map<FormulaId, FormulaId> negated_;
+};
+
+}  // namespace robochart::prism::automata
