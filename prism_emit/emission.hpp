@@ -22,12 +22,16 @@ struct NameOf {
 /// Bounds of a type of numbers.
 struct Range {
     std::int64_t low = 0, high = 0;
+    bool asked = false;  ///< for by the user: nothing widens it
+    friend bool operator==(const Range&, const Range&) = default;
 };
 
 /// What RoboTool calls preferences of the translation.
 struct Preferences {
     Range nat, integer, real;
     prism::ModelKind kind = prism::ModelKind::dtmc;
+    std::vector<std::string> ignored = {};  ///< settings of the file that are not followed
+    friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
 /// Functions that assertions define, by name: their values for arguments (R16, `pfunction`).

@@ -9,6 +9,7 @@
 #include "prism_emit/context.hpp"
 #include "prism_emit/expressions.hpp"
 #include "prism_emit/machine.hpp"
+#include "prism_emit/ranges.hpp"
 #include "prism_emit/tree.hpp"
 
 namespace robochart::prism_emit {
@@ -81,7 +82,14 @@ bool is_of_robochart(std::string_view text) {
 
 /// R1: "A comment block `renames of the ... [a::b] to [a_b]` at the end is read by the property generator."
 std::string text(const Emission& emission) {
-    std::string result = prism::print(emission.model);
+    const prism::ModelFile model = in_ranges(emission.model);
+    std::string result;
+    if (model.labels.size() > emission.model.labels.size())
+        result = fmt::format(
+            "// Steps that would leave the range of a variable are left out in states with the label \"{0}\".\n"
+            "// Numbers are those of the model if no such state is reachable: if P=? [ F \"{0}\" ] is 0.\n\n",
+            left_out_label);
+    result += prism::print(model);
     result += fmt::format("\n{}\n", names_heading);
     for (const NameOf& each : emission.names)
         result += "// renames of the " + each.kind + " [" + each.element + "] to [" + each.name + "]\n";

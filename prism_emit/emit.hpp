@@ -22,7 +22,8 @@ namespace robochart::prism_emit {
 [[nodiscard]] std::optional<Emission> emit(const ir::System&, const ir::Module&, const Preferences&,
                                            diagnostics::Diagnostics&, const Functions& functions = {});
 
-/// The text of the file: the model, then the names as comments (R1).
+/// The text of the file: the model with updates that stay in their ranges (ranges.hpp), then the names as comments
+/// (R1).
 [[nodiscard]] std::string text(const Emission&);
 /// Whether it is the text of such a file, or of one of RoboTool's.
 [[nodiscard]] bool is_of_robochart(std::string_view text);

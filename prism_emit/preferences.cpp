@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -34,25 +35,41 @@ bool read_kind(std::string_view text, prism::ModelKind& kind) {
     return true;
 }
 
+/// Settings of RoboTool that say nothing about the model: those of logs and of the order of modules, and empty ones.
+bool means_nothing(std::string_view key, std::string_view value) {
+    static constexpr std::string_view others[] = {"DBG_OPTION", "ERROR_LOG_FILE", "OUTPUT_LOG_FILE", "STM_GEN_ORDER"};
+    return value.empty() || value == "false" || std::ranges::find(others, key) != std::end(others);
+}
+
 std::string read_line(std::string_view line, Preferences& preferences) {
     if (line.empty() || line.front() == '#') return "";
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return "KEY=VALUE is expected";
     const std::string key(trimmed(line.substr(0, equals)));
     const std::string_view value = trimmed(line.substr(equals + 1));
-    const std::map<std::string, std::int64_t*> bounds{
-        {"NAT_MIN", &preferences.nat.low},     {"NAT_MAX", &preferences.nat.high},
-        {"INT_MIN", &preferences.integer.low}, {"INT_MAX", &preferences.integer.high},
-        {"REAL_MIN", &preferences.real.low},   {"REAL_MAX", &preferences.real.high},
+    struct Bound {
+        Range* range;
+        std::int64_t Range::*side;
+    };
+    const std::map<std::string, Bound> bounds{
+        {"NAT_MIN", {&preferences.nat, &Range::low}},     {"NAT_MAX", {&preferences.nat, &Range::high}},
+        {"INT_MIN", {&preferences.integer, &Range::low}}, {"INT_MAX", {&preferences.integer, &Range::high}},
+        {"REAL_MIN", {&preferences.real, &Range::low}},   {"REAL_MAX", {&preferences.real, &Range::high}},
     };
     const auto bound = bounds.find(key);
-    if (bound != bounds.end()) return read_number(value, *bound->second) ? "" : key + ": a whole number is expected";
+    if (bound != bounds.end()) {
+        Range& range = *bound->second.range;
+        range.asked = true;
+        return read_number(value, range.*(bound->second.side)) ? "" : key + ": a whole number is expected";
+    }
     if (key == kind_key) return read_kind(value, preferences.kind) ? "" : key + ": dtmc or mdp is expected";
-    // RoboTool writes more keys, which mean nothing here; a misspelt one would leave a range what it was.
+    // A misspelt key would leave a range what it was.
     std::vector<std::string> keys{kind_key};
-    for (const auto& [name, number] : bounds) keys.push_back(name);
+    for (const auto& [name, each] : bounds) keys.push_back(name);
     const std::string meant = diagnostics::nearest(key, keys);
-    return diagnostics::is_certain(key, meant, keys) ? fmt::format("{}: did you mean {}?", key, meant) : "";
+    if (diagnostics::is_certain(key, meant, keys)) return fmt::format("{}: did you mean {}?", key, meant);
+    if (!means_nothing(key, value)) preferences.ignored.push_back(key);
+    return "";
 }
 
 }  // namespace

@@ -35,11 +35,15 @@ const Rule bad_preferences{
     "RC-E07", Severity::error, "preferences {}: {}",
     "A file of RoboTool's preferences has lines KEY=VALUE: whole numbers of 32 bits for NAT_MIN, "
     "NAT_MAX, INT_MIN, INT_MAX, REAL_MIN and REAL_MAX, dtmc or mdp for PRISM_MODELTYPE."};
+const Rule ignored_preferences{
+    "RC-E08", Severity::warning, "preferences {}: {} {} not followed",
+    "Followed are the ranges of nat, int and real, and PRISM_MODELTYPE. RoboTool's translator has more settings; with "
+    "them its file may be of another model."};
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
         &no_module,         &unsupported_construct, &unsupported_type, &unsupported_expression,
-        &unsupported_event, &unsupported_operation, &bad_preferences,
+        &unsupported_event, &unsupported_operation, &bad_preferences,  &ignored_preferences,
     };
     return table;
 }

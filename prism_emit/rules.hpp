@@ -14,6 +14,7 @@ extern const diagnostics::Rule unsupported_expression;  ///< RC-E04
 extern const diagnostics::Rule unsupported_event;       ///< RC-E05
 extern const diagnostics::Rule unsupported_operation;   ///< RC-E06
 extern const diagnostics::Rule bad_preferences;         ///< RC-E07
+extern const diagnostics::Rule ignored_preferences;     ///< RC-E08
 
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
 

@@ -11,6 +11,8 @@
 #include "checker/prism/syntax/reader.hpp"
 #include "checker/prism/syntax/rules.hpp"
 #include "diagnostics/escape.hpp"
+#include "prism_emit/emit.hpp"
+#include "prism_emit/ranges.hpp"
 
 namespace robochart::app {
 namespace {
@@ -26,6 +28,13 @@ void add(prism::PropertyFile& all, prism::PropertyFile more) {
     all.constants.insert(all.constants.end(), more.constants.begin(), more.constants.end());
     all.labels.insert(all.labels.end(), more.labels.begin(), more.labels.end());
     all.properties.insert(all.properties.end(), more.properties.begin(), more.properties.end());
+}
+
+/// In a model of `emit prism` no state may be reachable that its label of left out steps holds in.
+void note_left_out(std::string_view text, prism::CheckedModel& model) {
+    if (!prism_emit::is_of_robochart(text)) return;
+    for (const prism::Definition& label : model.labels)
+        if (label.name.text == prism_emit::left_out_label) model.left_out = label.body;
 }
 
 /// The uniform scheduler takes every combination of commands with the same probability: that is a dtmc.
@@ -45,6 +54,7 @@ void load(const Options& options, LoadedModel& loaded) {
     const auto source = load_text(options.inputs.front(), loaded);
     if (!source) return;
     const prism::ModelFile model = prism::read_model(loaded.sources, *source, loaded.diagnostics);
+    if (loaded.diagnostics.ok() || model.kind_given) loaded.kind = model.kind;
     prism::PropertyFile properties;
     for (std::size_t i = 1; i < options.inputs.size(); ++i)
         if (const auto file = load_text(options.inputs[i], loaded))
@@ -55,6 +65,7 @@ void load(const Options& options, LoadedModel& loaded) {
     }
     if (!loaded.diagnostics.ok()) return;
     loaded.model = prism::check_model(model, loaded.diagnostics);
+    if (loaded.model) note_left_out(loaded.sources.text(*source), *loaded.model);
     if (loaded.model) resolve_choices(options, loaded);
     if (loaded.model) loaded.properties = prism::check_properties(*loaded.model, properties, loaded.diagnostics);
 }

@@ -16,6 +16,7 @@ namespace robochart::app {
 struct LoadedModel {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
+    std::optional<prism::ModelKind> kind;      ///< as written; nothing where that could not be read
     std::optional<prism::CheckedModel> model;  ///< a dtmc where it is an mdp under a scheduler
     bool scheduled = false;                    ///< it is
     prism::CheckedProperties properties;

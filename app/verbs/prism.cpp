@@ -111,13 +111,16 @@ private:
         options_.run->finish();
         show_findings(loaded_, options_);
         note_errors();
+        note_kind();
         if (options_.format == Format::json) print_exact(prism_json(*report_));
         return Exit::bad_input;
     }
 
+    void note_kind() { report_->kind = loaded_.kind; }
+
     void begin_report() {
         const auto edit = options_.run->edit();
-        report_->mdp = loaded_.scheduled || loaded_.model->kind == prism::ModelKind::mdp;
+        note_kind();
         report_->scheduler = loaded_.scheduled ? options_.scheduler : "";
         report_->sources = &loaded_.sources;
         for (const prism::Property& each : loaded_.properties.properties)
@@ -250,7 +253,8 @@ private:
     /// A value outside its range, in a model of `emit prism`: with what sets the range.
     void report(const prism::EvaluationError& error, diagnostics::Diagnostics& findings) const {
         diagnostics::Diagnostic& finding = error.report(findings);
-        const bool of_robochart = error.is(prism::rules::out_of_range) && finding.span.known() &&
+        const bool of_robochart = (error.is(prism::rules::out_of_range) || error.is(prism::rules::left_out)) &&
+                                  finding.span.known() &&
                                   prism_emit::is_of_robochart(loaded_.sources.text(finding.span.source));
         if (of_robochart)
             finding.notes.push_back({{},

@@ -1,5 +1,6 @@
 // The verbs over models: read, then check, write and conform as asked, one report.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -287,13 +288,35 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     return true;
 }
 
+namespace {
+
+/// Once, however many claims the file is read for.
+void warn_of_ignored(Project& project, const Options& options, const std::vector<std::string>& ignored) {
+    const auto reported = [](const diagnostics::Diagnostic& each) {
+        return each.rule == &prism_emit::rules::ignored_preferences;
+    };
+    if (ignored.empty() || std::ranges::any_of(project.diagnostics.sorted(), reported)) return;
+    project.diagnostics.report(
+        prism_emit::rules::ignored_preferences, {},
+        {options.preferences, fmt::format("{}", fmt::join(ignored, ", ")), ignored.size() == 1 ? "is" : "are"});
+}
+
+}  // namespace
+
 std::optional<prism_emit::Preferences> read_preferences(Project& project, const Options& options) {
     prism_emit::Preferences result = prism_emit::preferences(project.instantiation);
+    const auto asked = [&](const char* type) { return project.asked.ranges.contains(type); };
+    result.nat.asked = asked("nat");
+    result.integer.asked = asked("int");
+    result.real.asked = asked("real");
     if (options.preferences.empty()) return result;
     std::string error;
     const auto source = project.sources.load(options.preferences, error);
     if (source) error = prism_emit::read_preferences(project.sources.text(*source), result);
-    if (error.empty()) return result;
+    if (error.empty()) {
+        warn_of_ignored(project, options, result.ignored);
+        return result;
+    }
     project.diagnostics.report(prism_emit::rules::bad_preferences, {}, {options.preferences, error});
     return std::nullopt;
 }

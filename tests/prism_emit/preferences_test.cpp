@@ -26,6 +26,17 @@ TEST(Preferences, WhatIsNotThereStays) {
     EXPECT_EQ(found.nat.high, 4);
 }
 
+TEST(Preferences, SettingsThatAreNotFollowedAreNamed) {
+    Preferences found;
+    EXPECT_EQ(read_preferences("MAX_SEQ_INS=3\nINT_MAX=3\nDBG_OPTION=true\nTYPE_OVERRIDE=\nOP_BOUND=3\n"
+                               "USE_CONF_FROM_INSTANTIATION_CSP=false\n",
+                               found),
+              "");
+    EXPECT_EQ(found.ignored, (std::vector<std::string>{"MAX_SEQ_INS", "OP_BOUND"}));
+    EXPECT_TRUE(found.integer.asked);
+    EXPECT_FALSE(found.nat.asked);
+}
+
 TEST(Preferences, MistakesAreNamedWithTheirLine) {
     const auto error = [](const std::string& text) {
         Preferences found;
