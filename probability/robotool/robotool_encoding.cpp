@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "checker/prism/checks/check.hpp"
@@ -112,11 +113,12 @@ struct RoboToolEncoding::Prepared {
 
 namespace {
 
-prism_emit::Emission emitted(const ir::System& system, const ir::Module& module, const RoboToolOptions& options,
+prism_emit::Emission emitted(const ir::System& system, const ir::Module& module,
+                             const prism_emit::Preferences& preferences, diagnostics::Budget* budget,
                              const std::map<std::string, Function>& functions) {
     diagnostics::Diagnostics findings;
-    if (options.budget != nullptr) findings.within(options.budget);
-    auto result = prism_emit::emit(system, module, options.preferences, findings, functions);
+    if (budget != nullptr) findings.within(budget);
+    auto result = prism_emit::emit(system, module, preferences, findings, functions);
     if (!result) throw NotExpressed("RoboTool's encoding: " + first_error(findings));
     return std::move(*result);
 }
@@ -125,8 +127,12 @@ prism_emit::Emission emitted(const ir::System& system, const ir::Module& module,
 
 RoboToolEncoding::RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
                                    const std::map<std::string, Function>& functions)
-    : options_(std::move(options)),
-      emission_(emitted(system, module, options_, functions)),
+    : system_(system),
+      module_(module),
+      options_(std::move(options)),
+      functions_(functions),
+      emission_(emitted(system, module, options_.preferences, options_.budget, functions)),
+      emitted_for_(options_.preferences),
       names_(std::make_unique<Names>(emission_, module)),
       wording_(wording_of(emission_)) {}
 
@@ -145,8 +151,56 @@ prism::Constant RoboToolEncoding::constant(const std::string& path) {
     return found;
 }
 
+namespace {
+
+/// The values of a setting, rounded down. What cannot be read is reported where it is used.
+std::vector<std::int64_t> whole_values(prism::Constant constant, const std::vector<std::string>& texts) {
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() - 1;
+    constant.name.text = "c";
+    std::vector<std::int64_t> result;
+    for (const std::string& text : texts) {
+        std::vector<prism::Series> series;
+        try {
+            series = prism::read_series("c=" + text, {constant});
+        } catch (const prism::BadValue&) {
+            continue;
+        }
+        for (const prism::Series& part : series)
+            for (const prism::Value& value : part.values)
+                if (const auto whole = prism::floor_of(value.number()); whole && abs(*whole) <= most)
+                    result.push_back(whole->convert_to<std::int64_t>());
+    }
+    return result;
+}
+
+void hold(prism_emit::Range& range, std::int64_t value) {
+    if (range.asked) return;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value + 1);
+}
+
+}  // namespace
+
+prism_emit::Preferences RoboToolEncoding::ranges_for(const Question& question) {
+    prism_emit::Preferences result = options_.preferences;
+    for (const Setting& each : question.settings) {
+        if (each.path.empty()) continue;
+        const prism::Constant set = constant(each.path);
+        if (set.type == prism::Type::boolean) continue;
+        for (const std::int64_t value : whole_values(set, each.values)) {
+            hold(set.type == prism::Type::real ? result.real : result.integer, value);
+            if (set.type == prism::Type::integer && value >= 0) hold(result.nat, value);
+        }
+    }
+    return result;
+}
+
 /// A constant that is given values loses the one of the model.
-prism::ModelFile RoboToolEncoding::model(const Question& question) const {
+prism::ModelFile RoboToolEncoding::model(const Question& question) {
+    if (const prism_emit::Preferences wanted = ranges_for(question); wanted != emitted_for_) {
+        emission_ = emitted(system_, module_, wanted, options_.budget, functions_);
+        emitted_for_ = wanted;
+    }
     prism::ModelFile result = emission_.model;
     for (const Setting& each : question.settings) {
         if (each.path.empty()) continue;

@@ -26,8 +26,8 @@ struct RoboToolOptions {
 
 class RoboToolEncoding final : public Encoding {
 public:
-    /// The system outlives it. `functions`: those of assertions, for calls in the model. Throws NotExpressed where the
-    /// encoding has nothing for the module.
+    /// The system and the module outlive it. `functions`: those of assertions, for calls in the model. Throws
+    /// NotExpressed where the encoding has nothing for the module.
     RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
                      const std::map<std::string, Function>& functions);
     ~RoboToolEncoding() override;
@@ -38,17 +38,24 @@ public:
     [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return false; }
     /// The model with what the question adds to it.
-    [[nodiscard]] prism::ModelFile model(const Question&) const;
+    [[nodiscard]] prism::ModelFile model(const Question&);
 
 private:
     class Names;
     struct Prepared;
 
     Prepared& prepared(const Question&, const prism::Values&);
+    /// Ranges that hold the values of the constants that a question sets, and one more: counters reach a limit, and go
+    /// beyond it where that is what is asked.
+    [[nodiscard]] prism_emit::Preferences ranges_for(const Question&);
     [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
 
+    const ir::System& system_;
+    const ir::Module& module_;
     RoboToolOptions options_;
+    std::map<std::string, Function> functions_;
     prism_emit::Emission emission_;
+    prism_emit::Preferences emitted_for_;  ///< the ranges of `emission_`
     std::unique_ptr<Names> names_;
     Wording wording_;
     std::unique_ptr<Prepared> prepared_;  ///< the latest: questions of one model come one after the other
