@@ -237,6 +237,38 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
               "0.5");
 }
 
+/// Counts to a limit that the model leaves open, and one beyond it.
+const char* const counter = R"(package counter
+	robotic platform Nothing { }
+	stm Count {
+		const limit : int
+		var n : int = 0
+		initial i
+		state Run { }
+		state Done { }
+		transition t0 { from i to Run }
+		transition t1 { from Run to Run condition n <= limit action n = n + 1 }
+		transition t2 { from Run to Done condition n > limit }
+	}
+	controller Hand { sref s = Count }
+	module All { rref r = Nothing cref c = Hand }
+)";
+
+TEST(RoboToolChain, RangesHoldTheConstantsThatAClaimSets) {
+    const auto loaded = load({{"counter.rct", counter},
+                              {"counter.assertions",
+                               "import counter::*\n"
+                               "prob property P: Prob=? of [Finally All::c::s is in Count::Done] with constants "
+                               "All::c::s::limit from set {7, 20}\n"}});
+    const auto rows = robotool(*loaded, "P", testing::small_ranges(), {1e-6, true});
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(text(rows), "All::c::s::limit=7: 1\nAll::c::s::limit=20: 1");
+    RoboToolOptions asked = testing::small_ranges();
+    asked.preferences.integer.asked = true;
+    EXPECT_NE(robotool(*loaded, "P", asked, {1e-6, true}).front().error.find("outside its range"), std::string::npos)
+        << "the user's own range stays";
+}
+
 /// Two machines throw a coin when they are asked to; who is asked first, and who moves first, is open.
 const char* const race = R"(package race
 	robotic platform Table { event go }

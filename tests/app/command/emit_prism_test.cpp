@@ -49,12 +49,25 @@ TEST_F(EmitPrism, AValueOutOfItsRangeSaysWhatSetsTheRange) {
     EXPECT_EQ(emit({"--range", "int=0..2", "--range", "nat=0..2"}).exit, 0);
     const Ran ran = run({"prism", folder_ / "out/prism/M.prism"});
     EXPECT_EQ(ran.exit, 2);
-    EXPECT_THAT(ran.err, HasSubstr("PRISM-E03"));
+    EXPECT_THAT(ran.err, HasSubstr("PRISM-E15"));
+    EXPECT_THAT(ran.err, HasSubstr("M_c_s_n=2"));
+    const Ran sampled = run(
+        {"prism", folder_ / "out/prism/M.prism", "--sim", "ci,samples=10", "--property", "P=? [ F<=50 M_c_s_n=3 ]"});
+    EXPECT_EQ(sampled.exit, 2) << "random paths come to a state in which a step is left out";
     EXPECT_THAT(ran.err, HasSubstr("`emit prism` with --range nat=0..9"));
     EXPECT_THAT(ran.err, HasSubstr("--prefs FILE"));
     const Ran other = run({"prism", "-"}, "dtmc\nmodule M\nx : [0..2];\n[] true -> (x'=x+1);\nendmodule\n");
     EXPECT_THAT(other.err, HasSubstr("PRISM-E03"));
     EXPECT_THAT(other.err, Not(HasSubstr("emit prism")));
+}
+
+TEST_F(EmitPrism, SettingsThatAreNotFollowedAreNamed) {
+    const Folder more({{"all.prefs", "INT_MAX=7\nMAX_SEQ_INS=3\nTYPE_OVERRIDE=a\nDBG_OPTION=true\n"}});
+    const Ran ran = emit({"--prefs", more / "all.prefs"});
+    EXPECT_EQ(ran.exit, 0);
+    EXPECT_THAT(ran.err, HasSubstr("warning[RC-E08]"));
+    EXPECT_THAT(ran.err, HasSubstr("MAX_SEQ_INS, TYPE_OVERRIDE are not followed"));
+    EXPECT_THAT(emit({"--prefs", folder_ / "good.prefs"}).err, Not(HasSubstr("RC-E08")));
 }
 
 TEST_F(EmitPrism, BadPreferencesAreErrorsAndWriteNothing) {

@@ -33,7 +33,7 @@ TEST_F(Prism, ExitCodesFollowTheAnswers) {
     EXPECT_EQ(ask({"--const", "p=1/3", "--property", "P=? [ F \"one\" ]"}).exit, 0);
     EXPECT_EQ(ask({"--const", "p=1/3", "--property", "P>0.3 [ F s=1 ]"}).exit, 0);
     EXPECT_EQ(ask({"--const", "p=1/3", "--property", "P>0.4 [ F s=1 ]"}).exit, 1);
-    EXPECT_EQ(ask({"--const", "p=1/3", "--property", "P=? [ F (s=1 & (X s=2)) ]"}).exit, 3);
+    EXPECT_EQ(ask({"--const", "p=1/3", "--property", "P=? [ G (s=1 => F (s=0 & G s=2)) ]"}).exit, 3);
     EXPECT_EQ(ask({"--const", "p=1/3", "--property", "P=? [ F t=1 ]"}).exit, 2);
     EXPECT_EQ(ask({"--const", "p=1.5"}).exit, 2);
     EXPECT_EQ(ask({}).exit, 2);
@@ -68,6 +68,27 @@ TEST_F(Prism, JsonHoldsTheValueBetweenItsBounds) {
     EXPECT_EQ(run["answers"][1]["answer"], "false");
     EXPECT_EQ(run["answers"][1]["state"], "s=0");
     EXPECT_EQ(found["properties"][0]["name"], "a");
+}
+
+TEST_F(Prism, JsonSaysOfWhichKindTheModelIsAlsoWhereAPropertyIsWrong) {
+    const TemporaryFile mdp("open.prism", "mdp\nmodule M s:[0..1]; [] true -> (s'=1); endmodule\n");
+    EXPECT_EQ(json::parse(run({"prism", mdp.path(), "--property", "P=? [", "--format", "json"}).out)["kind"], "mdp");
+    EXPECT_EQ(json::parse(ask({"--property", "P=? [", "--format", "json"}).out)["kind"], "dtmc");
+    const TemporaryFile none("none.prism", "module");
+    EXPECT_FALSE(json::parse(run({"prism", none.path(), "--format", "json"}).out).contains("kind"));
+}
+
+TEST_F(Prism, StatesOfAnExtremeValueAreListed) {
+    const std::vector<std::string> asked{"--const", "p=1/3", "--property", "filter(argmax, P=? [ F s=1 ])"};
+    const Ran text = ask(asked);
+    EXPECT_EQ(text.exit, 0);
+    EXPECT_THAT(text.out, HasSubstr("  1 state\n  "));
+    EXPECT_THAT(text.out, HasSubstr("  s=1: 1\n"));
+    std::vector<std::string> as_json = asked;
+    as_json.insert(as_json.end(), {"--format", "json"});
+    const json answer = json::parse(ask(as_json).out)["runs"][0]["answers"][0];
+    EXPECT_EQ(answer["answer"], "states");
+    EXPECT_EQ(answer["printed"][0]["state"], "s=1");
 }
 
 TEST_F(Prism, ExperimentsHaveARowForEachCombination) {
