@@ -28,9 +28,9 @@ const Rule te5{"TE5", error, "`sinceEntry({})` refers to a state that is not bes
 const Rule ts1{"TS1", error, "clock `{}` does not belong to {} `{}`",
                "`#C` resets a clock of the machine in which it stands."};
 const Rule untimed{
-    "RC-U01", warning, "conditions of `{}` read clocks; untimed checks take each of them for true as a whole",
-    "Without time a condition on time cannot be decided, so the untimed semantics keeps both outcomes: it ignores "
-    "such conditions. Timed checks decide them."};
+    "RC-U01", warning, "conditions of `{}` read clocks; untimed checks take their comparisons with clocks for true",
+    "Without time a comparison with a clock cannot be decided, so the untimed semantics takes it for true. What else "
+    "a condition says stays. Timed checks decide the whole."};
 
 const std::vector<const Rule*>& of_time() {
     static const std::vector<const Rule*> rules = {&tt1, &te1,      &te1_elsewhere, &te2, &te3,

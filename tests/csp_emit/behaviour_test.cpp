@@ -541,9 +541,54 @@ TEST(Time, UntimedTreatmentDropsIt) {
         state A { entry wait(2) ; #T ; a <{1} }
         state B { }
         transition t0 { from i to A }
-        transition t1 { from A to B trigger b condition since(T) < 2 /\ x == 1 }
+        transition t1 { from A to B trigger b condition since(T) < 2 /\ x == 0 }
     )"),
                       "Spec = S::a.out -> S::b.in -> STOP"),
+              "holds");
+}
+
+// x is 0, so what is left of t1 is false in both; of t2 nothing is left, since the clock alone may make it true.
+TEST(Time, UntimedGuardsKeepWhatReadsNoClock) {
+    EXPECT_EQ(untimed(machine(R"(
+        clock T
+        var x:nat
+        initial i
+        state A { }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger b condition since(T) < 2 /\ x == 1 }
+        transition t2 { from A to B trigger a condition since(T) < 2 \/ x == 1 }
+    )"),
+                      "Spec = S::a.in -> STOP"),
+              "holds");
+    EXPECT_EQ(untimed(machine(R"(
+        clock T
+        var x:nat
+        initial i
+        state A { }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger b condition not (since(T) < 2 \/ x == 0) }
+        transition t2 { from A to B trigger a condition not (since(T) < 2 /\ x == 0) }
+    )"),
+                      "Spec = S::a.in -> STOP"),
+              "holds");
+}
+
+// The value that comes in counts too.
+TEST(Time, UntimedGuardsKeepConditionsOnTheIncomingValue) {
+    EXPECT_EQ(untimed(R"(
+        stm S {
+            event v : nat
+            clock T
+            var x:nat
+            initial i
+            state A { }
+            state B { }
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger v ? x condition since(T) > 1 /\ x == 1 }
+        })",
+                      "Spec = S::v.in.1 -> STOP"),
               "holds");
 }
 

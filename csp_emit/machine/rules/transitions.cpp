@@ -8,6 +8,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/machine/rules/shared_variables.hpp"
+#include "semantics/ir/untimed_guards.hpp"
 
 namespace robochart::csp_emit {
 
@@ -154,6 +155,11 @@ Activation leave(MachineTables& tables, const Activation& activation, ir::Transi
     return result;
 }
 
+/// The condition as this semantics has it; null: none.
+ir::ExprPtr condition_in_time(const MachineTables& tables, const ir::Transition& transition) {
+    return tables.timed() || !transition.guard_timed ? transition.guard : ir::untimed_guard(transition.guard).kept;
+}
+
 /// With a trigger: `g & e.in?x`; the value received is stored first.
 Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t index = running.activation->frame;
@@ -166,8 +172,8 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
     result.event = b::dot({b::name(tables.frames[index].events.at(trigger.event.index)), b::name("in")});
     Values values = reset_clocks(tables, index, transition);
     Program first;
-    const bool on_value =
-        (transition.guard && has_kind(*transition.guard, ir::ExprKind::trigger_value)) || (trigger.predicate && input);
+    const ir::ExprPtr stated = condition_in_time(tables, transition);
+    const bool on_value = (stated && has_kind(*stated, ir::ExprKind::trigger_value)) || (trigger.predicate && input);
     if (input) {
         Item store = item_of(transition, ItemKind::store);
         store.variable = trigger.variable;
@@ -178,8 +184,7 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
         project.refuse("an output as trigger of " + transition.name, transition.origin.span);
     }
     result.next = go(running.replace(leave(tables, *running.activation, id, first)), values);
-    if (!on_value || (!tables.timed() && transition.guard_timed))
-        result.guard = unless_true(guard_of(tables, index, transition, {}, nullptr));
+    if (!on_value) result.guard = unless_true(guard_of(tables, index, transition, {}, nullptr));
     if (!input && !trigger.value) return result;
     const ir::TypeId type = active.events.at(trigger.event.index).type.value();
     if (!input) {
@@ -227,8 +232,7 @@ ExprPtr guard_of(const MachineTables& tables, std::uint32_t frame, const ir::Tra
         for (auto& condition : preconditions(tables.project(), names, expr)) conditions.push_back(condition);
         conditions.push_back(expression(tables.project(), names, expr));
     };
-    const bool counts = transition.guard && (tables.timed() || !transition.guard_timed);
-    if (counts) add(*transition.guard);
+    if (const ir::ExprPtr condition = condition_in_time(tables, transition)) add(*condition);
     if (transition.trigger && transition.trigger->predicate && trigger_value) add(*transition.trigger->predicate);
     return b::all_of(conditions);
 }

@@ -12,7 +12,7 @@ namespace robochart::csp_emit {
 [[nodiscard]] std::vector<ir::TransitionId> candidates(const MachineTables&, const Activation&);
 /// Whether a transition without trigger and without condition is enabled: it fires before time passes.
 [[nodiscard]] bool has_urgent_transition(const MachineTables&, const Activation&);
-/// The guard with the preconditions of its functions; `true` if there is none, and untimed if it speaks of time.
+/// The guard with the preconditions of its functions; `true` if there is none. Untimed: without what reads clocks.
 [[nodiscard]] cspm::ExprPtr guard_of(const MachineTables&, std::uint32_t frame, const ir::Transition&, const Values&,
                                      const cspm::ExprPtr& trigger_value);
 /// The transition fires: `g & e.in?x:{x | x <- T, guard(x)}`, values that fail the guard are refused, not consumed;

@@ -1,0 +1,123 @@
+#include "semantics/ir/untimed_guards.hpp"
+
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+/// What a part may be without time: `upper` holds wherever the part holds for some values of the clocks, `lower` only
+/// where it holds for all. Null: true of `upper`, false of `lower`.
+struct Bounds {
+    ExprPtr upper, lower;
+};
+
+bool mentions_time(const Expr& expr) {
+    bool found = false;
+    visit_operands(expr, [&](const Expr& part) {
+        found = found || part.kind == ExprKind::since || part.kind == ExprKind::since_entry;
+    });
+    return found;
+}
+
+/// A boolean that stands for the whole or a part of it.
+ExprPtr made(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
+    Expr result;
+    result.kind = kind;
+    result.type = whole.type;
+    result.span = whole.span;
+    result.number = number;
+    result.args = std::move(parts);
+    return std::make_shared<const Expr>(std::move(result));
+}
+
+ExprPtr negated(const ExprPtr& part) {
+    return part ? made(*part, ExprKind::logical_not, {part}) : nullptr;
+}
+
+/// Null stands for true.
+ExprPtr upper_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
+    if (!left || !right) return left ? left : right;
+    return made(whole, ExprKind::conjunction, {left, right});
+}
+
+/// Null stands for true.
+ExprPtr upper_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
+    return left && right ? made(whole, ExprKind::disjunction, {left, right}) : nullptr;
+}
+
+/// Null stands for false.
+ExprPtr lower_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
+    if (!left || !right) return left ? left : right;
+    return made(whole, ExprKind::disjunction, {left, right});
+}
+
+/// Null stands for false.
+ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
+    return left && right ? made(whole, ExprKind::conjunction, {left, right}) : nullptr;
+}
+
+/// Whichever branch is taken; the condition of `if` may read clocks.
+Bounds bounds_of_choice(const Expr& choice, const Bounds& yes, const Bounds& no) {
+    const ExprPtr& condition = choice.args[0];
+    if (mentions_time(*condition))
+        return {upper_disjunction(choice, yes.upper, no.upper), lower_conjunction(choice, yes.lower, no.lower)};
+    const auto chosen = [&](const ExprPtr& one, const ExprPtr& other, std::int64_t otherwise) -> ExprPtr {
+        if (!one && !other) return nullptr;
+        const auto known = [&](const ExprPtr& part) {
+            return part ? part : made(choice, ExprKind::boolean, {}, otherwise);
+        };
+        return made(choice, ExprKind::if_then_else, {condition, known(one), known(other)});
+    };
+    return {chosen(yes.upper, no.upper, 1), chosen(yes.lower, no.lower, 0)};
+}
+
+class Reader {
+public:
+    explicit Reader(std::vector<ExprPtr>& left_open) : left_open_(left_open) {}
+
+    Bounds bounds(const ExprPtr& part) {
+        if (!mentions_time(*part)) return {part, part};
+        switch (part->kind) {
+            case ExprKind::conjunction: {
+                const Bounds left = bounds(part->args[0]), right = bounds(part->args[1]);
+                return {upper_conjunction(*part, left.upper, right.upper),
+                        lower_conjunction(*part, left.lower, right.lower)};
+            }
+            case ExprKind::disjunction: {
+                const Bounds left = bounds(part->args[0]), right = bounds(part->args[1]);
+                return {upper_disjunction(*part, left.upper, right.upper),
+                        lower_disjunction(*part, left.lower, right.lower)};
+            }
+            case ExprKind::implies: {
+                const Bounds left = bounds(part->args[0]), right = bounds(part->args[1]);
+                return {upper_disjunction(*part, negated(left.lower), right.upper),
+                        lower_disjunction(*part, negated(left.upper), right.lower)};
+            }
+            case ExprKind::logical_not: {
+                const Bounds inner = bounds(part->args[0]);
+                return {negated(inner.lower), negated(inner.upper)};
+            }
+            case ExprKind::if_then_else: {
+                if (mentions_time(*part->args[0])) left_open_.push_back(part->args[0]);
+                const Bounds yes = bounds(part->args[1]), no = bounds(part->args[2]);
+                return bounds_of_choice(*part, yes, no);
+            }
+            default:
+                left_open_.push_back(part);
+                return {};
+        }
+    }
+
+private:
+    std::vector<ExprPtr>& left_open_;
+};
+
+}  // namespace
+
+UntimedGuard untimed_guard(const ExprPtr& condition) {
+    UntimedGuard result;
+    if (condition) result.kept = Reader(result.left_open).bounds(condition).upper;
+    return result;
+}
+
+}  // namespace robochart::ir
