@@ -13,7 +13,9 @@
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "app/report/bounds.hpp"
+#include "app/report/second_look.hpp"
 #include "app/report/sizes.hpp"
+#include "app/report/taken_guards.hpp"
 #include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
@@ -35,6 +37,7 @@ struct Context {
     const Options& options;
     const csp_emit::Emission& emission;
     cspm::Session& session;
+    const TakenGuards& guards;
 };
 
 /// What counterexamples and steps are read with.
@@ -69,17 +72,35 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     }
 }
 
+/// What the answer to an assertion rests on: that of a run on its steps, also where the run shows that the assertion
+/// holds.
+Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+               const refine::Verdict& verdict, const AssertionReport& report) {
+    Basis basis;
+    const bool holds = verdict.outcome == refine::Outcome::holds;
+    if (verdict.outcome == refine::Outcome::inconclusive || obligation.information) return basis;
+    if (!verdict.counterexample)
+        context.guards.add_of_assertion(assertion, holds, basis);
+    else if (report.run && !holds)
+        context.guards.add_of_run(*report.run, basis);
+    else if (context.guards.any())
+        context.guards.add_of_run(runs::interpret(reading(context), obligation, *verdict.counterexample), basis);
+    return basis;
+}
+
+/// What cannot be evaluated, with its place and the element of the model that it is in.
 std::string said(const Project& project, const cspm::EvaluationError& error) {
     return runs::placed_failure(error, project.system, project.sources);
 }
 
-/// One assertion of an obligation: its answer, with its counterexample where it fails.
+/// One assertion of an obligation: its answer, with its counterexample where it fails, and what it rests on.
 void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                 AssertionReport& report) {
     report.answer = Answer::holds;
     try {
-        take(context, obligation, context.session.check(assertion, limits(context.options, obligation.title)).verdict,
-             report);
+        const auto verdict = context.session.check(assertion, limits(context.options, obligation.title)).verdict;
+        take(context, obligation, verdict, report);
+        report.basis = basis_of(context, obligation, assertion, verdict, report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
         report.reason = said(context.project, error);
@@ -186,10 +207,14 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
 /// each of them fails the claim does; where one of them is not known and none holds, nothing is known of the claim.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     std::optional<std::string> unknown;  // why the first that is not known is not
+    Basis before;                        // of those that do not decide the claim alone
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        for (Ground& ground : std::exchange(report.basis, {})) add(before, std::move(ground));
         decide_one(context, obligation, *assertion, report);
         if (report.answer == Answer::inconclusive && !unknown) unknown = report.reason;
         if (report.answer == Answer::error || (report.answer == Answer::holds) == obligation.one_suffices) break;
+        if (&assertion != &obligation.assertions.back()) continue;
+        for (Ground& ground : before) add(report.basis, std::move(ground));
     }
     if (report.answer == Answer::holds) {
         report.reason.clear();
@@ -198,6 +223,7 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
         report.answer = Answer::inconclusive;
         report.reason = *unknown;
         report.run.reset();
+        report.basis.clear();
     }
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
 }
@@ -315,9 +341,11 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     std::vector<BoundReport> bounds_met = report.bounds;
     BoundWatch bounds(project, emission, time, bounds_met);
     session->observe(bounds.observer());
-    const Context context{project, options, emission, *session};
+    const TakenGuards guards(project, emission, time);
+    const Context context{project, options, emission, *session, guards};
     RuleClaims rules(project, emission, options);
     Premises premises(context);
+    SecondLook second_look(project, emission, *session, options);
     std::size_t at = report.assertions.size();
     announce(context, report);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
@@ -340,6 +368,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
             decide_recurrence(context, obligation, one);
         }
         premises.apply(obligation, one);
+        second_look.add_to(obligation, one);
         const auto edit = options.run->edit();
         report.assertions[at++] = std::move(one);
         report.bounds = bounds_met;

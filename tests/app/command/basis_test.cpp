@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/report/report.hpp"
+#include "tests/app/command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app {
 namespace {
@@ -91,6 +94,203 @@ TEST(Basis, TextOfOthersIsEscaped) {
     const Report report = report_of(Answer::holds, {ground});
     EXPECT_THAT(render_junit(report), Not(HasSubstr("<script>")));
     EXPECT_THAT(text_of(report, false), Not(HasSubstr("\x1b")));
+}
+
+// ---------------------------------------------------------------- what the command finds
+
+using Kinds = std::vector<std::pair<std::string, std::string>>;  // kind and element of each ground
+
+/// Of each claim, by its name and time: "Free [untimed]".
+std::map<std::string, Kinds> checked(const std::vector<std::pair<std::string, std::string>>& files) {
+    const testing::Folder folder(files);
+    const auto ran = testing::run({"check", folder.path(), "--format", "json", "--allow", "RC-U01"});
+    const auto report = nlohmann::json::parse(ran.out, nullptr, false);
+    std::map<std::string, Kinds> result;
+    EXPECT_FALSE(report.is_discarded()) << ran.out << ran.err;
+    if (report.is_discarded()) return result;
+    for (const auto& claim : report["assertions"]) {
+        const std::string title = claim["title"];
+        const std::string name = title.substr(0, title.find(']') + 1) + ": " + claim["answer"].get<std::string>();
+        result[name];
+        for (const auto& ground : claim.value("basis", nlohmann::json::array()))
+            result[name].emplace_back(ground["kind"], ground.value("element", ""));
+    }
+    return result;
+}
+
+const char* const pump = R"(
+package pump
+stm Pump {
+	const most : nat = 1
+	var fills : nat = 0
+	event go
+	event full
+	event late
+	clock T
+	initial i
+	state Idle { }
+	state Filling { }
+	state Failed { }
+	transition t0 { from i to Idle }
+	transition t1 { from Idle to Filling trigger go #T }
+	transition t2 { from Filling to Failed condition since(T) >= 3 }
+	transition t3 { from Filling to Idle trigger full condition since(T) < 9 /\ fills < most action fills = fills + 1 }
+	transition t4 { from Failed to Idle trigger late }
+}
+)";
+
+const char* const about_pump = R"(
+package claims
+import pump::*
+untimed csp Once csp-begin
+	Once = pump::Pump::full.in -> Rest [] pump::Pump::go.in -> Once [] pump::Pump::late.in -> Once
+	Rest = pump::Pump::go.in -> Rest [] pump::Pump::late.in -> Rest
+csp-end
+untimed assertion Never : pump::Pump::Failed is not reachable in pump::Pump
+untimed assertion Does : pump::Pump::Failed is reachable in pump::Pump
+untimed assertion Free : pump::Pump is deadlock-free
+untimed assertion FullOnce : pump::Pump refines Once in the traces model
+timed assertion InTime : pump::Pump is deadlock-free
+)";
+
+// `FullOnce` holds since `fills < most` stays without time; of traces fewer are possible in time, not more.
+TEST(GuardBasis, NamesTheGuardsOfTheRun) {
+    const auto found = checked({{"pump.rct", pump}, {"pump.assertions", about_pump}});
+    const Kinds late{{"guard", "pump::Pump::t2"}};
+    const std::map<std::string, Kinds> expected{
+        {"Never [untimed]: fails", late},
+        {"Does [untimed]: holds", late},
+        {"Free [untimed]: holds", {{"guard", "pump::Pump::t2"}, {"guard", "pump::Pump::t3"}}},
+        {"FullOnce [untimed]: holds", {}},
+        {"InTime [timed]: holds", {}}};
+    EXPECT_EQ(found, expected);
+}
+
+TEST(GuardBasis, IsInEveryFormatWhateverIsAllowed) {
+    const testing::Folder folder({{"pump.rct", pump}, {"pump.assertions", about_pump}});
+    const std::string part = "`since(T) < 9`";
+    for (const char* const format : {"text", "json", "sarif", "junit"}) {
+        const auto ran = testing::run({"check", folder.path(), "-q", "--format", format, "--allow", "RC-U01"});
+        EXPECT_THAT(ran.out, HasSubstr(std::string_view(format) == "junit" ? "`since(T) &lt; 9`" : part)) << format;
+    }
+    const std::string page = folder.path() + "/page.html";
+    (void)testing::run({"check", folder.path(), "-q", "--html", page, "--allow", "RC-U01"});
+    EXPECT_THAT(tests::contents(page), HasSubstr("`since(T) &lt; 9`"));
+}
+
+TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
+    const std::string relay =
+        "package relay\nstm Relay {\n event a\n initial i\n state S { }\n"
+        "transition t0 { from i to S }\n transition t1 { from S to S trigger a }\n}\n";
+    const auto claims = [](const std::string& spec) {
+        return "package claims\nimport relay::*\ncsp Spec csp-begin\nSpec = " + spec +
+               "\ncsp-end\nassertion A : relay::Relay refines Spec in the traces model\n";
+    };
+    const auto without = checked({{"r.rct", relay}, {"r.assertions", claims("relay::Relay::a.in -> Spec")}});
+    EXPECT_EQ(without,
+              (std::map<std::string, Kinds>{{"A [untimed]: holds", {}}, {"A [timed]: fails", {{"noTime", ""}}}}));
+    // What the verdict says to write.
+    const std::string open = "Once ||| RUN({tock})\nOnce = relay::Relay::a.in -> Once";
+    const auto with = checked(
+        {{"r.rct", relay},
+         {"r.assertions", "package claims\nimport relay::*\ntimed csp Spec csp-begin\nSpec = " + open +
+                              "\ncsp-end\ntimed assertion A : relay::Relay refines Spec in the traces model\n"}});
+    EXPECT_EQ(with, (std::map<std::string, Kinds>{{"A [timed]: holds", {}}}));
+    // Here time is forbidden after the first event alone: the specification does let time pass.
+    const auto once = checked({{"r.rct", relay},
+                               {"r.assertions",
+                                "package claims\nimport relay::*\ntimed csp Spec csp-begin\n"
+                                "Spec = relay::Relay::a.in -> STOP [] tock -> Spec\ncsp-end\n"
+                                "timed assertion A : relay::Relay refines Spec in the traces model\n"}});
+    EXPECT_EQ(once, (std::map<std::string, Kinds>{{"A [timed]: fails", {}}}));
+}
+
+// The deadline of B cannot be met: that `b` comes in time is true since no time passes.
+TEST(TimeBasis, TimeThatStopsAndAnEndAreNamed) {
+    const char* const model = R"(
+package late
+stm Late {
+	event a
+	event b
+	initial i
+	state A { }
+	state B { entry (wait(3); b) <{ 1 } }
+	transition t0 { from i to A }
+	transition t1 { from A to B trigger a }
+}
+stm Ends {
+	event a
+	initial i
+	state A { }
+	final f
+	transition t0 { from i to A }
+	transition t1 { from A to f trigger a }
+}
+)";
+    const char* const claims = R"(
+package claims
+import late::*
+timed csp Soon csp-begin
+	Soon = late::Late::a.in -> Due(1) [] tock -> Soon
+	Due(n) = late::Late::b.out -> Soon [] (if n == 0 then STOP else tock -> Due(n - 1))
+csp-end
+timed assertion InTime : late::Late refines Soon in the traces model
+timed assertion Free : late::Ends is deadlock-free
+timed assertion Taken : event a is not missed in late::Late::A
+)";
+    const auto found = checked({{"late.rct", model}, {"late.assertions", claims}});
+    EXPECT_EQ(found, (std::map<std::string, Kinds>{{"InTime [timed]: holds", {{"timeStops", ""}, {"neverAsked", ""}}},
+                                                   {"Free [timed]: holds", {{"ended", ""}}},
+                                                   {"Taken [timed]: holds", {{"timeStops", ""}}}}));
+}
+
+TEST(RestBasis, WhatNeverComesToRestIsNamedInTheFailuresModel) {
+    const char* const model = R"(
+package busy
+stm Busy {
+	event a
+	event stop
+	initial i
+	state S { }
+	transition t0 { from i to S }
+	transition t1 { from S to S trigger a }
+}
+)";
+    const std::string text = R"(
+package claims
+import busy::*
+untimed csp Alone csp-begin
+	Alone = busy::Busy::O__(0) \ {| busy::Busy::a |}
+csp-end
+untimed csp Quiet csp-begin
+	Quiet = busy::Busy::stop.in -> Quiet
+csp-end
+untimed assertion Hidden : Alone refines Quiet in the failures model
+untimed assertion Traces : Alone refines Quiet in the traces model
+)";
+    const auto found = checked({{"busy.rct", model}, {"busy.assertions", text}});
+    EXPECT_EQ(found,
+              (std::map<std::string, Kinds>{{"Hidden [untimed]: holds", {{"neverAtRest", ""}, {"neverAsked", ""}}},
+                                            {"Traces [untimed]: holds", {{"neverAsked", ""}}}}));
+}
+
+TEST(AskedBasis, AStateThatIsNeverEnteredMissesNothing) {
+    const char* const model = R"(
+package shut
+stm Shut {
+	event a
+	initial i
+	state A { }
+	state B { }
+	transition t0 { from i to A }
+	transition t1 { from A to B trigger a condition false }
+	transition t2 { from B to A trigger a }
+}
+)";
+    const char* const claims =
+        "package claims\nimport shut::*\ntimed assertion M : event a is not missed in shut::Shut::B\n";
+    const auto found = checked({{"shut.rct", model}, {"shut.assertions", claims}});
+    EXPECT_EQ(found, (std::map<std::string, Kinds>{{"M [timed]: holds", {{"neverAsked", ""}}}}));
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+// A second look at the processes of a claim that is decided: what its verdict rests on and no search for a violation
+// tells. Only processes of few states are looked at, all of whose states are explored at once; of larger ones nothing
+// is said.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "app/command/pipeline.hpp"
+#include "app/report/report.hpp"
+#include "checker/cspm/session.hpp"
+
+namespace robochart::app {
+
+/// More states than this are not looked at.
+inline constexpr std::size_t most_states_for_second_look = 50'000;
+
+/// Looks at the processes of one script.
+class SecondLook {
+public:
+    SecondLook(const Project&, const csp_emit::Emission&, cspm::Session&, const Options&);
+
+    /// Adds to a claim that holds or fails.
+    void add_to(const csp_emit::Obligation&, AssertionReport&);
+
+private:
+    /// What all states of a process tell.
+    struct Seen {
+        bool whole = false;        ///< all states have been explored; else nothing else is known
+        bool ends = false;         ///< it can terminate
+        bool diverges = false;     ///< it can go on internally for ever
+        bool time_passes = false;  ///< in some run
+        bool time_stops = false;   ///< in a state in which nothing internal can happen
+        std::set<std::string> events;
+    };
+
+    const Seen& look(const cspm::ExprPtr&);
+    Seen looked(const cspm::ExprPtr&);
+    [[nodiscard]] cspm::ExprPtr with_outputs_taken(const cspm::ExprPtr&) const;
+    [[nodiscard]] cspm::ExprPtr subject_of(const csp_emit::Obligation&, const std::string& variant) const;
+    void add_of_refinement(const cspm::Decl&, bool timed, AssertionReport&);
+    void add_no_time(const cspm::Assertion&, AssertionReport&);
+    void add_never_asked(const cspm::Assertion&, AssertionReport&);
+    void add_of_deadlock(const csp_emit::Obligation&, AssertionReport&);
+    void add_of_missed_event(const csp_emit::Obligation&, AssertionReport&);
+    void add_time_stops(const cspm::ExprPtr&, AssertionReport&);
+
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    cspm::Session& session_;
+    const Options& options_;
+    std::map<std::string, Seen> seen_;  ///< by the text of the process
+};
+
+}  // namespace robochart::app
