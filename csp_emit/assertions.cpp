@@ -292,7 +292,7 @@ void Asserter::missed_event(const ir::Property& property, Obligation& out) {
         property.time_units == 1 ? "1 time unit" : fmt::format("{} time units", property.time_units);
     const std::string missed = fmt::format("{} is missed for {}", property.event, times);
     for (const char* const mark : {"inside__", "outside__", "refused__"})
-        emitted_.provenance.events[watch.event(mark)] = {MeaningKind::step, "the watch of " + property.event, {}, {}};
+        emitted_.provenance.events[watch.event(mark)] = {MeaningKind::memory, "the watch of " + property.event, {}, {}};
     emitted_.provenance.events[watch.event("missed__")] = {MeaningKind::transition, missed, {}, {}};
     const std::string name = names_.unique("Misses_" + flatten(property.name));
     out.assertions = {never(missing(watch, emitted_, property.event, property.time_units,

@@ -11,6 +11,7 @@
 #include "runs/copies.hpp"
 #include "runs/text.hpp"
 #include "runs/timeline.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::runs {
 namespace {
@@ -46,6 +47,7 @@ private:
     void fold_tocks();
     void add_offers();
     void read_end();
+    void name_watched();
 
     [[nodiscard]] const refine::Step& raw_step(std::size_t raw) const {
         return raw < counterexample_.steps.size() ? counterexample_.steps[raw]
@@ -223,11 +225,13 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     run_.steps.push_back(std::move(step));
 }
 
-/// What a machine reads from memories and stores there says nothing that the step in front of it does not say.
+/// What a machine reads from memories and stores there says nothing that the step in front of it does not say; nor does
+/// what a watch notes, which is nobody's.
 bool Interpreter::belongs_to_last(std::size_t raw, const std::string& name, const Event& event) const {
     if (!reader_.meanings().is_memory(name)) return false;
     const bool loop_begins = raw >= counterexample_.steps.size() && !run_.loop_start;
-    return !loop_begins && (run_.steps.empty() || run_.steps.back().event.component == event.component);
+    if (loop_begins) return false;
+    return event.component.empty() || run_.steps.empty() || run_.steps.back().event.component == event.component;
 }
 
 void Interpreter::complete_last(bool shown, std::vector<Machine> machines) {
@@ -369,6 +373,7 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
     if (added)
         for (const process::Transition& each : transitions_at(term)) {
             if (++looked_at_ > most_looked_at) break;
+            if (reader_.meanings().is_memory(reader_.name_of(each.event, each.revealed))) continue;
             found->second.emplace_back(each, offer(term, each));
         }
     const refine::Step& taken = raw_step(raw);
@@ -627,7 +632,34 @@ Run Interpreter::run() {
     add_times();
     fold_tocks();
     read_end();
+    name_watched();
     return std::move(run_);
+}
+
+/// A claim that watches a machine is decided on a copy of it: the run is that of the machine.
+void Interpreter::name_watched() {
+    const bool watches =
+        obligation_.kind == ir::PropertyKind::event_missed || obligation_.kind == ir::PropertyKind::clock_initialised;
+    if (!watches || run_.initial.empty()) return;
+    const std::string copy = run_.initial.front().component;
+    const std::string& title = obligation_.component;  // "state machine P::S"
+    const std::string watched = obligation_.property == ir::no_id
+                                    ? title.substr(title.rfind(' ') + 1)
+                                    : ir::qualified(context_.system.properties[obligation_.property].subject);
+    const auto rename = [&](std::string& component) {
+        if (component == copy || component.starts_with(copy + "::")) component.replace(0, copy.size(), watched);
+    };
+    for (Machine& machine : run_.initial) rename(machine.component);
+    for (Step& step : run_.steps) {
+        rename(step.event.component);
+        for (Event& each : step.with) rename(each.component);
+        for (Event& each : step.offered) rename(each.component);
+        for (Change& each : step.changes) rename(each.component);
+        for (Machine& each : step.machines) rename(each.component);
+    }
+    for (Event& each : run_.end.offered) rename(each.component);
+    for (Cause& each : run_.end.causes) rename(each.component);
+    if (run_.end.event) rename(run_.end.event->component);
 }
 
 }  // namespace
