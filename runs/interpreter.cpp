@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "runs/copies.hpp"
 #include "runs/text.hpp"
@@ -86,7 +87,8 @@ private:
     const refine::Counterexample& counterexample_;
     StepReader reader_;
     Copies copies_;
-    std::size_t described_ = 0;  ///< definitions in the text of a state, at most
+    std::size_t described_ = 0;     ///< definitions in the text of a state, at most
+    std::size_t before_first_ = 0;  ///< raw events in front of the first step, which belong to it
     Run run_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;
@@ -215,6 +217,10 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     Step step;
     step.raw = raw;
     step.count = shown ? 1 : 0;
+    if (shown) {
+        step.raw -= before_first_;
+        step.count += std::exchange(before_first_, 0);
+    }
     step.hidden = !shown || raw_step(raw).event == process::tau;
     step.units = event.kind == Kind::tock ? 1 : 0;
     step.event = std::move(event);
@@ -236,6 +242,7 @@ bool Interpreter::belongs_to_last(std::size_t raw, const std::string& name, cons
 
 void Interpreter::complete_last(bool shown, std::vector<Machine> machines) {
     if (run_.steps.empty()) {
+        if (shown) ++before_first_;
         run_.initial = std::move(machines);
         return;
     }

@@ -77,35 +77,28 @@ public:
 
     Bounds bounds(const ExprPtr& part) {
         if (!mentions_time(*part)) return {part, part};
-        switch (part->kind) {
-            case ExprKind::conjunction: {
-                const Bounds left = bounds(part->args[0]), right = bounds(part->args[1]);
-                return {upper_conjunction(*part, left.upper, right.upper),
-                        lower_conjunction(*part, left.lower, right.lower)};
-            }
-            case ExprKind::disjunction: {
-                const Bounds left = bounds(part->args[0]), right = bounds(part->args[1]);
-                return {upper_disjunction(*part, left.upper, right.upper),
-                        lower_disjunction(*part, left.lower, right.lower)};
-            }
-            case ExprKind::implies: {
-                const Bounds left = bounds(part->args[0]), right = bounds(part->args[1]);
-                return {upper_disjunction(*part, negated(left.lower), right.upper),
-                        lower_disjunction(*part, negated(left.upper), right.lower)};
-            }
-            case ExprKind::logical_not: {
-                const Bounds inner = bounds(part->args[0]);
-                return {negated(inner.lower), negated(inner.upper)};
-            }
-            case ExprKind::if_then_else: {
-                if (mentions_time(*part->args[0])) left_open_.push_back(part->args[0]);
-                const Bounds yes = bounds(part->args[1]), no = bounds(part->args[2]);
-                return bounds_of_choice(*part, yes, no);
-            }
-            default:
-                left_open_.push_back(part);
-                return {};
+        const auto operand = [&](std::size_t number) { return bounds(part->args[number]); };
+        if (part->kind == ExprKind::logical_not) {
+            const Bounds inner = operand(0);
+            return {negated(inner.lower), negated(inner.upper)};
         }
+        if (part->kind == ExprKind::if_then_else) {
+            if (mentions_time(*part->args[0])) left_open_.push_back(part->args[0]);
+            const Bounds yes = operand(1), no = operand(2);
+            return bounds_of_choice(*part, yes, no);
+        }
+        const bool implies = part->kind == ExprKind::implies;
+        if (part->kind != ExprKind::conjunction && part->kind != ExprKind::disjunction && !implies) {
+            left_open_.push_back(part);
+            return {};
+        }
+        Bounds left = operand(0);
+        const Bounds right = operand(1);
+        if (part->kind == ExprKind::conjunction)
+            return {upper_conjunction(*part, left.upper, right.upper),
+                    lower_conjunction(*part, left.lower, right.lower)};
+        if (implies) left = {negated(left.lower), negated(left.upper)};
+        return {upper_disjunction(*part, left.upper, right.upper), lower_disjunction(*part, left.lower, right.lower)};
     }
 
 private:

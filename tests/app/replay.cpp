@@ -11,6 +11,7 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::app::testing {
 namespace {
@@ -61,9 +62,9 @@ bool plain(const json& value) {
 
 class Replay {
 public:
-    Replay(const csp_emit::Emission& emission, cspm::Session& session, const csp_emit::Obligation& obligation,
-           const json& run, Replayed& sum)
-        : emission_(emission), session_(session), obligation_(obligation), run_(run), sum_(sum) {}
+    Replay(const ir::System& system, const csp_emit::Emission& emission, cspm::Session& session,
+           const csp_emit::Obligation& obligation, const json& run, Replayed& sum)
+        : system_(system), emission_(emission), session_(session), obligation_(obligation), run_(run), sum_(sum) {}
 
     /// The faults of a replay against the process of this assertion.
     std::vector<std::string> against(const cspm::ExprPtr& process);
@@ -89,7 +90,9 @@ private:
     [[nodiscard]] std::vector<std::string> calls_of(TermId term);
     void end(const States& states, const States& loop_start);
     [[nodiscard]] const std::string& name(process::Event event) { return session_.event_table().name(event); }
+    [[nodiscard]] std::string claimed(const std::string& component) const;
 
+    const ir::System& system_;
     const csp_emit::Emission& emission_;
     cspm::Session& session_;
     const csp_emit::Obligation& obligation_;
@@ -101,6 +104,14 @@ private:
     std::size_t next_ = 0;  ///< the raw event that the next step begins with
     std::vector<std::string> faults_;
 };
+
+/// Copies of a machine that watch it are called like it in runs.
+std::string Replay::claimed(const std::string& component) const {
+    if (!component.starts_with("OFW_") && !component.starts_with("CLW_")) return component;
+    const std::string& title = obligation_.component;
+    return obligation_.property == ir::no_id ? title.substr(title.rfind(' ') + 1)
+                                             : ir::qualified(system_.properties[obligation_.property].subject);
+}
 
 Replay::States Replay::perform(const States& from, const Raw& event) {
     States result;
@@ -126,7 +137,7 @@ bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>&
     return std::any_of(calls.begin(), calls.end(), [&](const std::string& call) {
         const std::string name = call.substr(0, call.find('('));
         const auto at = name.rfind("::");
-        const bool around = at != std::string::npos && component.rfind(name.substr(0, at + 2), 0) == 0;
+        const bool around = at != std::string::npos && component.rfind(claimed(name.substr(0, at)) + "::", 0) == 0;
         return around && initial;
     });
 }
@@ -149,8 +160,9 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
     const std::string component = machine["component"];
     const auto owner = [&](const std::string& call) {
         const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
-        return found != emission_.provenance.definitions.end() && found->second.component == component ? &found->second
-                                                                                                       : nullptr;
+        return found != emission_.provenance.definitions.end() && claimed(found->second.component) == component
+                   ? &found->second
+                   : nullptr;
     };
     bool found = false;
     std::set<std::pair<std::string, std::string>> values;  // several temporary ones may have one name
@@ -188,8 +200,9 @@ bool Replay::complete(const json& machines, const std::vector<std::string>& call
         if (found == emission_.provenance.definitions.end()) return true;
         // A machine is where its process is: memories may outlive it.
         if (found->second.memory) return true;
-        return std::any_of(machines.begin(), machines.end(),
-                           [&](const json& machine) { return machine["component"] == found->second.component; });
+        return std::any_of(machines.begin(), machines.end(), [&](const json& machine) {
+            return machine["component"] == claimed(found->second.component);
+        });
     });
 }
 
@@ -235,7 +248,8 @@ void Replay::values_of(const json& step, const std::string& name) {
 bool Replay::offered(const json& offer, const States& states) {
     std::set<std::string> keys;
     for (const auto& [key, meaning] : emission_.provenance.events)
-        if (meaning.text == offer["text"] && meaning.component == offer.value("component", "")) keys.insert(key);
+        if (meaning.text == offer["text"] && claimed(meaning.component) == offer.value("component", ""))
+            keys.insert(key);
     std::string end;
     if (offer.contains("values"))
         for (const json& value : offer["values"]) {
@@ -273,7 +287,10 @@ void Replay::step(const json& step, States& states) {
         if (states.empty())
             return fault(fmt::format("the process cannot do {} (step {})", raw_.at(next_ - 1), step["n"].dump()));
         if (event.name == "tock" || event.name == "tock'") ++units;
-        values_of(step, event.name);
+        const auto meaning = emission_.provenance.events.find(event.name);
+        const bool noted = meaning != emission_.provenance.events.end() && meaning->second.component.empty() &&
+                           meaning->second.kind == csp_emit::MeaningKind::memory;
+        if (!noted) values_of(step, event.name);
     }
     time_ += units;
     const bool passes = step["kind"] == "tock";
@@ -328,15 +345,16 @@ std::vector<std::string> Replay::against(const cspm::ExprPtr& process) {
 }
 
 /// One of the obligation's assertions has failed: the run is one of its process.
-std::vector<std::string> replay_one(const csp_emit::Emission& emission, cspm::Session& session,
-                                    const csp_emit::Obligation& obligation, const json& run, Replayed& sum) {
+std::vector<std::string> replay_one(const ir::System& system, const csp_emit::Emission& emission,
+                                    cspm::Session& session, const csp_emit::Obligation& obligation, const json& run,
+                                    Replayed& sum) {
     std::vector<std::string> faults{obligation.title + ": no assertion of it can fail with a run"};
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         const cspm::Assertion& asked = assertion->assertion;
         if (asked.negated) continue;
         const bool refinement = asked.kind == cspm::AssertionKind::refinement;
         Replayed tally = sum;
-        faults = Replay(emission, session, obligation, run, tally)
+        faults = Replay(system, emission, session, obligation, run, tally)
                      .against(refinement ? asked.implementation : asked.specification);
         if (!faults.empty()) continue;
         sum = tally;
@@ -359,7 +377,7 @@ void replay_time(Project& project, const Options& options, csp_emit::Time time, 
         const json& run = (*found->second)["counterexample"];
         ++sum.counterexamples;
         ++sum.endings[run["end"]["kind"]];
-        for (std::string& each : replay_one(emission, session, obligation, run, sum)) {
+        for (std::string& each : replay_one(project.system, emission, session, obligation, run, sum)) {
             std::string where = options.inputs.front();
             sum.faults.push_back(where + ": " + each);
         }

@@ -179,29 +179,29 @@ TEST(GuardBasis, IsInEveryFormatWhateverIsAllowed) {
 }
 
 TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
-    const std::string relay =
-        "package relay\nstm Relay {\n event a\n initial i\n state S { }\n"
+    const std::string echo =
+        "package echo\nstm Echo {\n event a\n initial i\n state S { }\n"
         "transition t0 { from i to S }\n transition t1 { from S to S trigger a }\n}\n";
     const auto claims = [](const std::string& spec) {
-        return "package claims\nimport relay::*\ncsp Spec csp-begin\nSpec = " + spec +
-               "\ncsp-end\nassertion A : relay::Relay refines Spec in the traces model\n";
+        return "package claims\nimport echo::*\ncsp Spec csp-begin\nSpec = " + spec +
+               "\ncsp-end\nassertion A : echo::Echo refines Spec in the traces model\n";
     };
-    const auto without = checked({{"r.rct", relay}, {"r.assertions", claims("relay::Relay::a.in -> Spec")}});
+    const auto without = checked({{"r.rct", echo}, {"r.assertions", claims("echo::Echo::a.in -> Spec")}});
     EXPECT_EQ(without,
               (std::map<std::string, Kinds>{{"A [untimed]: holds", {}}, {"A [timed]: fails", {{"noTime", ""}}}}));
     // What the verdict says to write.
-    const std::string open = "Once ||| RUN({tock})\nOnce = relay::Relay::a.in -> Once";
-    const auto with = checked(
-        {{"r.rct", relay},
-         {"r.assertions", "package claims\nimport relay::*\ntimed csp Spec csp-begin\nSpec = " + open +
-                              "\ncsp-end\ntimed assertion A : relay::Relay refines Spec in the traces model\n"}});
+    const std::string open = "Once ||| RUN({tock})\nOnce = echo::Echo::a.in -> Once";
+    const auto with =
+        checked({{"r.rct", echo},
+                 {"r.assertions", "package claims\nimport echo::*\ntimed csp Spec csp-begin\nSpec = " + open +
+                                      "\ncsp-end\ntimed assertion A : echo::Echo refines Spec in the traces model\n"}});
     EXPECT_EQ(with, (std::map<std::string, Kinds>{{"A [timed]: holds", {}}}));
     // Here time is forbidden after the first event alone: the specification does let time pass.
-    const auto once = checked({{"r.rct", relay},
+    const auto once = checked({{"r.rct", echo},
                                {"r.assertions",
-                                "package claims\nimport relay::*\ntimed csp Spec csp-begin\n"
-                                "Spec = relay::Relay::a.in -> STOP [] tock -> Spec\ncsp-end\n"
-                                "timed assertion A : relay::Relay refines Spec in the traces model\n"}});
+                                "package claims\nimport echo::*\ntimed csp Spec csp-begin\n"
+                                "Spec = echo::Echo::a.in -> STOP [] tock -> Spec\ncsp-end\n"
+                                "timed assertion A : echo::Echo refines Spec in the traces model\n"}});
     EXPECT_EQ(once, (std::map<std::string, Kinds>{{"A [timed]: fails", {}}}));
 }
 

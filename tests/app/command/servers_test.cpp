@@ -28,7 +28,7 @@ struct Element {
 
 /// The elements of a document of XML 1.0 without comments and the like; fails where it is not well-formed.
 std::vector<Element> elements(const std::string& document) {
-    static const std::regex tag("<(/?)([a-z]+)((?: [a-z]+=\"[^\"<]*\")*)(/?)>"), attribute("([a-z]+)=\"([^\"<]*)\"");
+    static const std::regex tag("<(/?)([a-z-]+)((?: [a-z]+=\"[^\"<]*\")*)(/?)>"), attribute("([a-z]+)=\"([^\"<]*)\"");
     static const std::regex entity("&(?:amp|lt|gt|quot|#39|#45);");
     const std::string head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     EXPECT_TRUE(document.starts_with(head));
@@ -73,6 +73,7 @@ TEST(Junit, IsWellFormedWhateverItHolds) {
     EXPECT_EQ(count(all, "failure"), 1U);
     EXPECT_EQ(count(all, "error"), 1U);
     EXPECT_EQ(count(all, "skipped"), 1U);
+    EXPECT_EQ(count(all, "system-out"), 1U);
     for (const std::size_t at : {0U, 1U}) {
         const auto& attributes = all.at(at).attributes;
         EXPECT_EQ(attributes.at("tests"), "4");
@@ -85,12 +86,14 @@ TEST(Junit, IsWellFormedWhateverItHolds) {
 
 /// Attributes that every schema of JUnit's XML has, and elements where all of them have them.
 TEST(Junit, HasWhatAllSchemasHave) {
-    const auto all = elements(junit_document("s", {{"g", "n", JunitCase::Kind::failed, "m", "t", 0}}));
+    const auto all = elements(junit_document(
+        "s", {{"g", "n", JunitCase::Kind::failed, "m", "t", 0}, {"g", "n", JunitCase::Kind::passed, "", "t", 0}}));
     const std::map<std::string, std::pair<std::string, std::set<std::string>>> expected{
         {"testsuites", {"", {"name", "tests", "failures", "errors", "skipped", "time"}}},
         {"testsuite", {"testsuites/", {"name", "tests", "failures", "errors", "skipped", "time"}}},
         {"testcase", {"testsuites/testsuite/", {"classname", "name", "time"}}},
-        {"failure", {"testsuites/testsuite/testcase/", {"message", "type"}}}};
+        {"failure", {"testsuites/testsuite/testcase/", {"message", "type"}}},
+        {"system-out", {"testsuites/testsuite/", {}}}};
     for (const Element& each : all) {
         std::set<std::string> names;
         for (const auto& [name, value] : each.attributes) names.insert(name);
