@@ -12,6 +12,7 @@
 #include "semantics/ir/query.hpp"
 #include "semantics/rules.hpp"
 #include "tests/semantics/expressions.hpp"
+#include "tests/semantics/lower/lowering_fixture.hpp"
 
 namespace robochart::ir {
 namespace {
