@@ -68,6 +68,7 @@ void Confluence::list_tau_rules() {
 }
 
 bool Confluence::follow(std::span<Local> state) {
+    ++states_asked_;
     for (std::uint32_t slot = 0; slot < state.size(); ++slot) {
         if (state[slot] >= known_[slot].size()) continue;  // off
         for (const RuleNumber number : candidates(slot, state[slot])) {
@@ -206,6 +207,16 @@ void Confluence::add_to(ProofRecord& record) const {
         sum.used += tracked.used;
         for (const auto& [next, often] : tracked.next) sum.next[tracked_[next].slots] += often;
     }
+}
+
+double Confluence::work() const {
+    constexpr double of_an_answer = 0.7;  // that is known
+    ProofRecord::Sum all;
+    for (const Tracked& tracked : tracked_) {
+        all.looked += tracked.looked;
+        all.rules += tracked.rules;
+    }
+    return static_cast<double>(states_asked_) + of_an_answer * static_cast<double>(answers_asked_) + machine::work(all);
 }
 
 Slots Confluence::parts_of(RuleNumber rule) const {
@@ -355,6 +366,7 @@ bool Confluence::confluent(RuleNumber rule, Locals state) {
 }
 
 std::uint32_t Confluence::answer(std::uint32_t number, Locals state) {
+    ++answers_asked_;
     const std::uint64_t here = key(tracked_[number], state);
     const std::optional<std::uint32_t> known = answers_.find(number, here);
     return known ? *known : decide(number, here, state);

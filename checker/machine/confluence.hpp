@@ -66,6 +66,8 @@ public:
     bool follow(std::span<Local> state);
     /// Adds what the proofs so far have taken and given.
     void add_to(ProofRecord&) const;
+    /// All of the work so far, in the unit of `work_of_a_state`.
+    [[nodiscard]] double work() const;
 
 private:
     using RuleNumber = std::uint32_t;
@@ -141,6 +143,7 @@ private:
     std::map<Slots, Asking> asking_;                                 // by slots
     std::vector<std::uint32_t> first_;                               // by rule, what its proofs begin with
     std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // of what tracks these
+    std::uint64_t states_asked_ = 0, answers_asked_ = 0;
     AnswerTable answers_;  // by number of what is tracked, and key: `no`, `yes`, or the number of what to ask
     std::unique_ptr<Closure> closure_;  // its memory is used again
 };

@@ -14,8 +14,10 @@ constexpr std::size_t most_steps = 1000;
 /// States by which it is found out what proofs are worth, in rounds: the first ones take out what is worth least.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // that it expands
 constexpr std::size_t pilot_found = 200'000;              // that it finds
-/// Where fewer taus are followed for each transition, asking for them costs more than they leave out.
-constexpr double least_followed = 0.01;
+/// A reduced search may take so much more work than one of all states, for less memory. It is judged by a round that
+/// has expanded so many states.
+constexpr double most_work = 1.5;
+constexpr std::size_t enough_to_judge = 1000;
 
 /// Searches some of a system's states, the last found first, so that they are from all over it; of one state's
 /// successors some turn comes first, in an order that depends on the system alone.
@@ -43,21 +45,18 @@ public:
         }
     }
     [[nodiscard]] std::size_t expanded() const { return expanded_; }
-    [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
 
 private:
     void add(Event /*event*/, lts::StateView target, Event /*revealed*/) override {
-        ++transitions_;
         if (const auto [index, fresh] = found_.insert(target); fresh) open_.push_back(index);
     }
 
     lts::StateStore found_;
     std::vector<lts::StateIndex> open_;
     std::size_t expanded_ = 0;
-    std::uint64_t transitions_ = 0;
 };
 
-/// What a pilot search shows; none where it follows hardly any tau.
+/// What a pilot search shows; none where following taus costs more than it leaves out.
 std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
                                         const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
                                         const std::function<void()>& poll) {
@@ -66,24 +65,27 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
     ProofRecord record;
     ProofPlan plan;
     double work = 0;
-    double followed = 0;
+    bool worth_it = true;
     for (const std::size_t states : pilot_states) {
         auto whole = std::make_unique<SupercombinatorSystem>(combined, terms);
         const SupercombinatorSystem& searched = *whole;
         ReducedSystem reduced(std::move(whole), combined, rules, plan);
         reduced.watch(poll);
         const std::size_t expanded_before = pilot.expanded();
-        const std::uint64_t transitions_before = pilot.transitions();
         pilot.run(reduced, states, poll);
-        if (pilot.expanded() == expanded_before) break;
-        const auto transitions = static_cast<double>(pilot.transitions() - transitions_before);
-        followed = static_cast<double>(reduced.chased()) / std::max(1.0, transitions);
+        const std::size_t expanded = pilot.expanded() - expanded_before;
+        if (expanded == 0) break;
         work += static_cast<double>(searched.work());
         reduced.add_to(record);
-        plan = record.plan(of_a_state + work / static_cast<double>(pilot.expanded()));
+        const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded());
+        // Each followed tau leaves out another state at best.
+        const auto kept = static_cast<double>(expanded);
+        const double without = (kept + static_cast<double>(reduced.chased())) * work_of_a_state;
+        worth_it =
+            expanded < enough_to_judge || kept * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
+        plan = record.plan(work_of_a_state);
     }
-    if (followed < least_followed) return std::nullopt;
-    return plan;
+    return worth_it ? std::optional(plan) : std::nullopt;
 }
 
 }  // namespace

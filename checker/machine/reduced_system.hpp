@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
     /// Adds what the proofs in the states found so far have taken and given (Confluence).
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
+    /// What the proofs have taken so far (Confluence).
+    [[nodiscard]] double work_of_proofs() const { return confluence_.work(); }
     /// The compiled process that it is the reduced form of.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
