@@ -230,6 +230,7 @@ void check_required(const Caller& caller, const OperationSignature& wanted, cons
 }
 
 void check_calls(const Caller& caller, Diagnostics& out) {
+    if (has_unknown_interface(caller.machine)) return;
     std::set<std::string_view> seen;
     for_actions(caller.machine, [&](const Stmt& action) {
         walk(action, [&](const Stmt& statement) {
@@ -274,6 +275,7 @@ void check_operation(const Caller& caller, bool first, Diagnostics& out) {
 }
 
 void check_controller_provision(const Component& controller, Diagnostics& out) {
+    if (has_unknown_interface(controller)) return;  // what it offers is not known
     const Surroundings surroundings(controller);
     std::set<const Machine*> seen;  // calls are the machine's, however many references lead to it
     for (const Declaration* part : controller.order) {
@@ -294,7 +296,7 @@ void check_module_provision(const Component& module, Diagnostics& out) {
             platform = found;
             ++platforms;
         }
-    if (platforms != 1) return;  // M1 says so
+    if (platforms != 1 || has_unknown_interface(*platform)) return;  // M1 or the unknown interface say so
     const Offer offer{{}, Named(provided_operations(*platform))};
     const Variables visible(offered_variables(*platform));
     for (const Declaration* part : module.order) {

@@ -20,8 +20,11 @@ void check_component(const Context& context, Diagnostics& out);
 void check_type(const TypeDeclaration& type, Diagnostics& out);
 /// What parts require against what their surroundings provide: C3, C4, C8, M2, STM8 to STM10.
 void check_provision(const Component& component, Diagnostics& out);
-/// Connections of a controller or module: Cn2 to Cn11, C6, M3.
+/// Connections of a controller or module: Cn2 to Cn11 without Cn10, C6, M3.
 void check_connections(const Component& component, Diagnostics& out);
+/// Ends of connections whose component has no such event: Cn10. A component that lacks a whole interface is reported
+/// once, and not at all if its own uses of the events have been.
+void check_ends(const Model& model, const Names& names, Diagnostics& out);
 /// Directions of connections against what machines send and receive, and controllers pass on: Cn5 to Cn9.
 void check_directions(const Component& component, Diagnostics& out);
 /// Clocks and deadlines: TT1, TE1, TE4, TE5, CE2 and the untimed reading.

@@ -53,17 +53,35 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
         finding.notes.push_back({other->name_span, "it is declared here"});
         return nullptr;
     }
+    const Declaration* const hidden = names_.anywhere(name.parts.back(), kinds);
+    const std::string full = hidden != nullptr ? names_.full_name(hidden) : std::string();
+    const std::size_t cut = full.rfind("::");
+    const bool importable = cut != std::string::npos && name.parts.size() == 1;
+    // One import that is missing, or that brings nothing, is one mistake.
+    const std::string package = importable ? full.substr(0, cut) : hidden == nullptr ? lost_import(place) : "";
+    if (!package.empty() && !reported_.emplace(name.span.source, "import\n" + package).second) return nullptr;
     diagnostics::Diagnostic& finding = unknown(name, what, "in the project as seen from here", candidates(kinds));
-    if (const Declaration* hidden = names_.anywhere(name.parts.back(), kinds)) {
-        const std::string full = names_.full_name(hidden);
-        const std::size_t cut = full.rfind("::");
-        const std::string advice =
-            cut == std::string::npos || name.parts.size() > 1
-                ? fmt::format("there is `{}`", full)
-                : fmt::format("there is `{}`; `import {}::*` makes it visible", full, full.substr(0, cut));
-        finding.notes.push_back({hidden->name_span, advice});
-    }
+    if (hidden != nullptr)
+        finding.notes.push_back(
+            {hidden->name_span, importable
+                                    ? fmt::format("there is `{}`; `import {}::*` makes it visible", full, package)
+                                    : fmt::format("there is `{}`", full)});
+    else if (!package.empty())
+        finding.notes.push_back({{},
+                                 fmt::format("there is no package `{}`, which the file imports: names that it may "
+                                             "have declared are not reported again",
+                                             package)});
     return nullptr;
+}
+
+/// A package that the file imports and that is not there; "" if all are.
+std::string Finder::lost_import(const Place& place) const {
+    if (place.file == nullptr) return {};
+    for (const Import& import : place.file->imports) {
+        const std::string package = import.name.text();
+        if (import.wildcard && !names_.leads_to_package(package) && names_.all(package).empty()) return package;
+    }
+    return {};
 }
 
 std::vector<std::string> Finder::candidates(const Kinds& kinds) const {

@@ -24,6 +24,11 @@ public:
     /// `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                      const std::vector<std::string>& candidates);
+    /// A component without a clause for an interface misses all that the interface declares: is this the first time
+    /// that it is asked about the two? What is missing is reported then and only then.
+    bool first_missing(const Declaration* component, const Context* interface) {
+        return missing_.emplace(component, interface).second;
+    }
     /// Simple names of these kinds for a suggestion; none once nobody will see it.
     [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
     /// The keys of a scope's table, likewise.
@@ -40,9 +45,12 @@ public:
     diagnostics::Diagnostics& redirect(diagnostics::Diagnostics& out) { return *std::exchange(out_, &out); }
 
 private:
+    [[nodiscard]] std::string lost_import(const Place& place) const;
+
     const Names& names_;
     diagnostics::Diagnostics* out_;
     std::set<std::pair<diagnostics::SourceId, std::string>> reported_;  ///< unknown names reported: kind, name, place
+    std::set<std::pair<const Declaration*, const Context*>> missing_;   ///< asked for, never walked through
     diagnostics::Diagnostic untold_;                                    ///< takes the notes of what is not reported
 };
 

@@ -195,6 +195,40 @@ const Declaration* Names::anywhere(std::string_view simple_name, const Kinds& ki
     return nullptr;
 }
 
+const Context* Names::interface_with(std::string_view name, DeclKind kind) const {
+    const auto among = [&](const auto& members) {
+        return std::ranges::any_of(members, [&](const auto& member) { return member->name == name; });
+    };
+    const auto declares = [&](const Context& interface) {
+        switch (kind) {
+            case DeclKind::event:
+                return among(interface.events);
+            case DeclKind::clock:
+                return among(interface.clocks);
+            case DeclKind::operation_signature:
+                return among(interface.signatures);
+            default:
+                return among(interface.variables);
+        }
+    };
+    for (const auto& [full, declarations] : by_name_)
+        for (const Declaration* declaration : declarations) {
+            const auto* interface = dynamic_cast<const Context*>(declaration);
+            if (interface != nullptr && interface->kind == DeclKind::interface && declares(*interface))
+                return interface;
+        }
+    return nullptr;
+}
+
+std::string Names::type_name(const TypeDeclaration& type) const {
+    const auto same = by_simple_name_.find(type.name);
+    const bool shared =
+        same != by_simple_name_.end() && std::ranges::any_of(same->second, [&](const Declaration* other) {
+            return other != &type && dynamic_cast<const TypeDeclaration*>(other) != nullptr;
+        });
+    return shared ? full_name(&type) : type.name;
+}
+
 std::string Names::full_name(const Declaration* declaration) const {
     const auto found = full_names_.find(declaration);
     return found != full_names_.end() ? found->second : declaration->name;

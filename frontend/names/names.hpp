@@ -51,6 +51,11 @@ public:
     [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
     /// Any declaration with this simple name and kind, wherever it is; the first by full name.
     [[nodiscard]] const Declaration* anywhere(std::string_view simple_name, const Kinds& kinds) const;
+    /// The first interface, by its full name, that declares an event, clock, variable (or constant) or operation
+    /// signature of this name; null if there is none.
+    [[nodiscard]] const Context* interface_with(std::string_view name, DeclKind kind) const;
+    /// The name of a type in messages: with its package where another type has its name.
+    [[nodiscard]] std::string type_name(const TypeDeclaration& type) const;
     /// `P::C::S` of an entered declaration.
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
     /// Do the parts before the last name what the declaration is in: `I::v` or `P::I::v` for `v` of `P::I`?

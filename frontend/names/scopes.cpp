@@ -1,10 +1,17 @@
 // Collects what components offer, require and use through their interfaces.
 #include "frontend/names/scopes.hpp"
 
+#include <algorithm>
+
 namespace robochart::frontend {
 
 const Context* interface_of(const InterfaceClause& clause) {
     return dynamic_cast<const Context*>(clause.target);
+}
+
+bool has_unknown_interface(const Context& context) {
+    return std::ranges::any_of(context.interfaces,
+                               [](const InterfaceClause& clause) { return clause.target == nullptr; });
 }
 
 namespace {

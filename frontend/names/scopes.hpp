@@ -23,6 +23,8 @@ struct Scope {
 
 /// The interface of a clause; null if it was not found.
 [[nodiscard]] const Context* interface_of(const InterfaceClause& clause);
+/// Does a clause of it name an interface that was not found? Then it may have members that nobody knows.
+[[nodiscard]] bool has_unknown_interface(const Context& context);
 /// The definition behind a reference; other declarations as they are. Null if it was not found.
 [[nodiscard]] const Declaration* follow(const Declaration* declaration);
 /// The same as the kind asked for, or null.

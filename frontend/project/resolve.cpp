@@ -55,6 +55,7 @@ void check_probabilistic(const File& file, Diagnostics& out) {
 void check(const Model& model, const Names& names, Diagnostics& out) {
     check_unique(model, names, out);
     check_imports(model, names, out);
+    check_ends(model, names, out);
     const bool whole =
         std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {

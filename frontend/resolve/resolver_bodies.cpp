@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "diagnostics/spelling.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
@@ -151,25 +150,14 @@ void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
                     finder_.keys(ends.parts));
 }
 
-/// Cn10: an end's event is one of the component at that end.
+/// An end's event is one of the component at that end; that there is none, `check_ends` says.
 void Resolver::connection_event(Connection::End& end, Ends& ends) {
     const auto* behind = followed<Context>(end.node_target);
     if (behind == nullptr) return;
     auto known = ends.scopes.find(behind);
     if (known == ends.scopes.end()) known = ends.scopes.emplace(behind, scope_of(*behind)).first;
-    const Scope& scope = known->second;
-    const auto found = scope.events.find(end.event.text());
-    if (found != scope.events.end()) {
-        end.event_target = found->second;
-        return;
-    }
-    if (behind->broken || finder_.names().is_lost(end.event)) return;
-    auto& finding = finder_.out().report(rules::cn10, end.event.span, {end.node.text(), end.event.text()});
-    const std::vector<std::string> events = finder_.keys(scope.events);
-    const std::string meant = diagnostics::nearest(end.event.text(), events);
-    if (!meant.empty())
-        finding.fixes.push_back(
-            {end.event.span, meant, diagnostics::suggested(diagnostics::is_certain(end.event.text(), meant, events))});
+    const auto found = known->second.events.find(end.event.text());
+    if (found != known->second.events.end()) end.event_target = found->second;
 }
 
 }  // namespace robochart::frontend

@@ -30,12 +30,12 @@ long number(const std::string& digits) {
 
 }  // namespace
 
-TypePtr Typer::declared(const TypeDeclaration& declaration) {
+TypePtr Typer::declared(const TypeDeclaration& declaration) const {
     auto type = std::make_shared<Type>();
     type->form = declaration.kind == DeclKind::enumeration   ? TypeForm::enumeration
                  : declaration.kind == DeclKind::record_type ? TypeForm::record
                                                              : TypeForm::given;
-    type->name = declaration.name;
+    type->name = finder_.names().type_name(declaration);
     type->declaration = &declaration;
     return type;
 }

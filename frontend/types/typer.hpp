@@ -28,7 +28,7 @@ public:
     // Types (type_reader.cpp)
     TypePtr type(TypeExpr& written, Surroundings& around);
     /// The type of a type declaration.
-    [[nodiscard]] static TypePtr declared(const TypeDeclaration& declaration);
+    [[nodiscard]] TypePtr declared(const TypeDeclaration& declaration) const;
 
     // Expressions (typer.cpp, typer_names.cpp, typer_operators.cpp, typer_binders.cpp, typer_calls.cpp)
     TypePtr type(Expr& expr, Surroundings& around);
@@ -93,6 +93,15 @@ private:
     void communicated(Communication& communication, const Event& event, Surroundings& around);
     void received(const Communication& communication, const Event& event);
     const Variable* stored_into(const QualifiedName& name, Surroundings& around);
+
+    /// What is missing where a member of a component is not found, if it is not the member alone.
+    struct Missing {
+        bool told = false;                   ///< it has been reported, or cannot be known
+        const Context* interface = nullptr;  ///< declares the member, and the component has no clause for it
+    };
+    Missing missing(std::string_view name, DeclKind kind, const Surroundings& around);
+    void note_missing(const Missing& missing, std::string_view clause, std::string_view name,
+                      diagnostics::Diagnostic& finding) const;
 
     Finder& finder_;
 };

@@ -63,6 +63,10 @@ const Declaration* Typer::value_named(const QualifiedName& name, Surroundings& a
 }
 
 void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
+    const bool is_clock =
+        around.scope != nullptr && name.parts.size() == 1 && around.scope->clocks.contains(name.parts.front());
+    const Missing missing = is_clock ? Missing() : this->missing(name.parts.back(), DeclKind::variable, around);
+    if (missing.told) return;
     std::vector<std::string> candidates = finder_.candidates({DeclKind::enum_literal, DeclKind::function});
     if (around.scope != nullptr)
         for (std::string& key : finder_.keys(around.scope->variables)) candidates.push_back(std::move(key));
@@ -70,13 +74,14 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     auto& finding =
         finder_.unknown(name, "variable, constant, literal or function", "in " + described(component), candidates);
-    if (around.scope != nullptr && name.parts.size() == 1 && around.scope->clocks.contains(name.parts.front())) {
+    if (is_clock) {
         const std::string own = fmt::format("since({})", name.parts.front());
         finding.notes.push_back({around.scope->clocks.at(name.parts.front())->name_span,
                                  fmt::format("it is a clock: `{}` is the time since its last reset", own)});
         finding.fixes = {{name.span, own, "write"}};
         return;
     }
+    if (missing.interface != nullptr) return note_missing(missing, "requires", name.parts.back(), finding);
     const Declaration* outer = component != nullptr ? component->parent : nullptr;
     if (const auto* around_it = dynamic_cast<const Context*>(outer)) {
         const Scope scope = scope_of(*around_it);
@@ -119,6 +124,8 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
         if (found != around.scope->clocks.end()) return found->second;
     }
     if (finder_.names().is_lost(name)) return nullptr;
+    const Missing missing = this->missing(name.parts.back(), DeclKind::clock, around);
+    if (missing.told) return nullptr;
     const Declaration* component = component_around(around.place.inside);
     const std::string kind(component != nullptr ? to_text(component->kind) : "package");
     auto& finding =
@@ -130,6 +137,7 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
             finding.fixes.push_back(
                 {name.span, meant, diagnostics::suggested(diagnostics::is_certain(name.parts.front(), meant, clocks))});
     }
+    if (missing.interface != nullptr) note_missing(missing, "uses", name.parts.back(), finding);
     if (&rule == &rules::te2 && around.machine != nullptr)
         if (const Declaration* state = breadth_first(*around.machine, name, DeclKind::state))
             finding.notes.push_back(

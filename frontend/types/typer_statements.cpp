@@ -123,6 +123,8 @@ void Typer::call(Stmt& statement, Surroundings& around) {
 void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
+    const Missing missing = this->missing(statement.name.parts.back(), DeclKind::operation_signature, around);
+    if (missing.told) return;
     auto& finding = finder_.unknown(statement.name, "operation", where, finder_.keys(around.scope->operations));
     if (finder_.out().errors() > diagnostics::Diagnostics::max_kept) return;
     const std::string& name = statement.name.parts.back();
@@ -132,18 +134,7 @@ void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
             {event->second->name_span, fmt::format("`{0}` is an event: it is sent by `{0}{1}`", name, value)});
         return;
     }
-    for (const auto& [full, declarations] : finder_.names().entries())
-        for (const Declaration* declaration : declarations) {
-            const auto* interface = dynamic_cast<const Context*>(declaration);
-            if (interface == nullptr || interface->kind != DeclKind::interface) continue;
-            for (const auto& signature : interface->signatures)
-                if (signature->name == name) {
-                    finding.notes.push_back({signature->name_span,
-                                             fmt::format("interface `{}` declares it; `requires {}` makes it callable",
-                                                         interface->name, full)});
-                    return;
-                }
-        }
+    if (missing.interface != nullptr) return note_missing(missing, "requires", name, finding);
     if (const Declaration* defined = finder_.names().anywhere(name, {DeclKind::operation}))
         finding.notes.push_back(
             {defined->name_span, "it is defined here, but only operations of a required interface can be called"});
@@ -162,12 +153,15 @@ const Event* Typer::event(Communication& communication, Surroundings& around) {
 void Typer::unknown_event(const Communication& communication, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("of `{}`", component->name) : "here";
+    const Missing missing = this->missing(communication.event.parts.back(), DeclKind::event, around);
+    if (missing.told) return;
     auto& finding = finder_.unknown(communication.event, "event", where, finder_.keys(around.scope->events));
     const std::string& name = communication.event.parts.back();
     if (around.scope->operations.contains(name)) {
         finding.notes.push_back({{}, fmt::format("`{0}` is an operation: it is called by `{0}()`", name)});
         return;
     }
+    if (missing.interface != nullptr) return note_missing(missing, "uses", name, finding);
     const auto* outer = component != nullptr ? dynamic_cast<const Context*>(component->parent) : nullptr;
     if (outer == nullptr) return;
     for (const Event* event : visible_events(*outer))
@@ -177,6 +171,24 @@ void Typer::unknown_event(const Communication& communication, Surroundings& arou
                  fmt::format("`{}` has one; its parts declare their own and are connected to it", outer->name)});
             return;
         }
+}
+
+Typer::Missing Typer::missing(std::string_view name, DeclKind kind, const Surroundings& around) {
+    const auto* component = dynamic_cast<const Context*>(component_around(around.place.inside));
+    if (component == nullptr || finder_.out().errors() > diagnostics::Diagnostics::max_kept) return {};
+    if (has_unknown_interface(*component)) return {true, nullptr};
+    const Context* const interface = finder_.names().interface_with(name, kind);
+    if (interface == nullptr || interface == component) return {};
+    return {!finder_.first_missing(component, interface), interface};
+}
+
+void Typer::note_missing(const Missing& missing, std::string_view clause, std::string_view name,
+                         diagnostics::Diagnostic& finding) const {
+    const Context& interface = *missing.interface;
+    const std::string full = finder_.names().full_name(&interface);
+    finding.notes.push_back(
+        {interface.name_span, fmt::format("interface `{}` declares `{}`; `{} {}` makes all that it declares known",
+                                          interface.name, name, clause, full)});
 }
 
 const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& around) {
@@ -192,8 +204,11 @@ const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& arou
         return &variable;
     }
     const Declaration* component = component_around(around.place.inside);
-    finder_.unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
-                    finder_.keys(around.scope->variables));
+    const Missing missing = this->missing(name.parts.back(), DeclKind::variable, around);
+    if (missing.told) return nullptr;
+    auto& finding = finder_.unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
+                                    finder_.keys(around.scope->variables));
+    if (missing.interface != nullptr) note_missing(missing, "requires", name.parts.back(), finding);
     return nullptr;
 }
 

@@ -34,7 +34,7 @@ enum class TypeForm {
 /// A type of the language, as the type checker computes with it.
 struct Type {
     TypeForm form = TypeForm::any;
-    std::string name;                              ///< variable ?X; declared types: name
+    std::string name;                              ///< variable ?X; declared types: Names::type_name
     const TypeDeclaration* declaration = nullptr;  ///< given, enumeration, record
     std::vector<TypePtr> args;                     ///< operands; function: {argument, result}
     std::vector<long> sizes;                       ///< vector: {n}, matrix: {rows, columns}; -1 unknown

@@ -1,0 +1,102 @@
+// Cn10 (language reference 2): what is connected is an event of the component at that end. One forgotten interface
+// clause takes away all events of the interface: it is one mistake, however many connections need it.
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "diagnostics/spelling.hpp"
+#include "frontend/checks/checks.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+class EndCheck {
+public:
+    EndCheck(const Names& names, Diagnostics& out) : names_(names), out_(out) {}
+
+    void component(const Component& component) {
+        out_.poll();
+        for (const auto& connection : component.connections) {
+            end(connection->from);
+            end(connection->to);
+        }
+        for (const auto& controller : component.controllers) this->component(*controller);
+    }
+
+private:
+    void end(const Connection::End& end) {
+        if (end.node_target == nullptr || end.event_target != nullptr) return;
+        const auto* behind = followed<Context>(end.node_target);
+        if (behind == nullptr || behind->broken || names_.is_lost(end.event) || has_unknown_interface(*behind)) return;
+        const std::string event = end.event.text();
+        const Context* const interface = names_.interface_with(event, DeclKind::event);
+        if (is_told(*behind, event, interface)) return;
+        auto& finding = out_.report(rules::cn10, end.event.span, {end.node.text(), event});
+        if (out_.errors() > Diagnostics::max_kept) return;
+        std::vector<std::string> events;
+        for (const auto& [name, each] : scope_of(*behind).events) events.emplace_back(name);
+        const std::string meant = diagnostics::nearest(event, events);
+        if (!meant.empty())
+            finding.fixes.push_back(
+                {end.event.span, meant, diagnostics::suggested(diagnostics::is_certain(event, meant, events))});
+        if (interface != nullptr)
+            finding.notes.push_back(
+                {interface->name_span, fmt::format("interface `{}` declares `{}`; `uses {}` in `{}` makes all that it "
+                                                   "declares known",
+                                                   interface->name, event, names_.full_name(interface), behind->name)});
+    }
+
+    /// Whether what is missing here has been reported: by a use in the machine itself, or for another event of the
+    /// interface.
+    bool is_told(const Context& behind, const std::string& event, const Context* interface) {
+        const std::set<std::string>& used = unknown_events(behind);
+        if (used.contains(event)) return true;
+        if (interface == nullptr) return false;
+        for (const std::string& other : used)
+            if (names_.interface_with(other, DeclKind::event) == interface) return true;
+        return !told_.emplace(&behind, interface).second;
+    }
+
+    /// Events that the machine uses and nobody declares.
+    const std::set<std::string>& unknown_events(const Context& component) {
+        const auto [found, fresh] = unknown_.try_emplace(&component);
+        const auto* machine = dynamic_cast<const Machine*>(&component);
+        if (!fresh || machine == nullptr) return found->second;
+        const auto add = [&](const Communication& communication) {
+            if (communication.event_target == nullptr) found->second.insert(communication.event.parts.back());
+        };
+        walk(*machine, [&](const NodeContainer& container) {
+            for (const auto& transition : container.transitions)
+                if (transition->trigger) add(*transition->trigger);
+        });
+        for_actions(*machine, [&](const Stmt& action) {
+            walk(action, [&](const Stmt& statement) {
+                if (statement.kind == StmtKind::communication) add(*statement.communication);
+            });
+        });
+        return found->second;
+    }
+
+    const Names& names_;
+    Diagnostics& out_;
+    std::map<const Context*, std::set<std::string>> unknown_;   ///< looked up, never walked through
+    std::set<std::pair<const Context*, const Context*>> told_;  ///< likewise
+};
+
+}  // namespace
+
+void check_ends(const Model& model, const Names& names, Diagnostics& out) {
+    EndCheck check(names, out);
+    for (const auto& file : model.files)
+        for (const auto& declaration : file->declarations)
+            if (const auto* component = dynamic_cast<const Component*>(declaration.get())) check.component(*component);
+}
+
+}  // namespace robochart::frontend
