@@ -120,7 +120,8 @@ private:
     [[nodiscard]] bool pseudo_state(DeclKind kind);
     [[nodiscard]] bool foreign_operator();
     void bracketed_guard(Transition& transition);
-    [[nodiscard]] bool called_reset(Transition& transition);
+    [[nodiscard]] int forgotten_trigger(Transition& transition);
+    bool called_reset(Transition& transition);
     void ends_by_arrow(Transition& transition);
     [[nodiscard]] bool at_foreign_statement() const;
     StmtPtr updating_statement();
@@ -189,7 +190,8 @@ private:
     void state_body(State& state);
     void action(State& state);
     void transition(NodeContainer& container);
-    void transition_body(Transition& transition);
+    void transition_body(Transition& transition, bool braced = true);
+    void unbraced_transition(Transition& transition);
     int transition_clause(Transition& transition);
     [[nodiscard]] diagnostics::FixIt moved_before(std::size_t clause, const std::array<std::size_t, 6>& begins,
                                                   int kind) const;
@@ -317,6 +319,8 @@ private:
     Update update();
     std::vector<Update> updates();
     ExprPtr action_label();
+    void prism_query();
+    [[nodiscard]] std::string prism_path(std::size_t begin, std::size_t end) const;
     ExprPtr probabilistic_atom();
     [[nodiscard]] bool at_path_prefix() const;
     ExprPtr path_prefix();

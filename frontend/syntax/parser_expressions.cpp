@@ -110,7 +110,7 @@ ExprPtr Parser::operand(int level) {
 bool Parser::repair_equality(int level) {
     if (!at("=") || level > compare_level) return false;
     const Span span = peek().span;
-    if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span))
+    if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span); finding != nullptr && !peek(1).is("?"))
         finding->fixes.push_back({span, "==", "write"});
     tokens_.correct(at_, TokenKind::symbol, "==");
     quiet_until_ = 0;

@@ -160,6 +160,46 @@ void Parser::bracketed_guard(Transition& transition) {
     expect("]");
 }
 
+/// `e`, `e [c] / a` without `trigger`: what stands on a transition in UML. Says which place in the order the last of
+/// its clauses has; 0 where it is something else.
+int Parser::forgotten_trigger(Transition& transition) {
+    const Token next = peek(1);
+    const bool clause_follows = next.is("[") || next.is("/") || next.is("?") || next.is("!") || next.is(".") ||
+                                next.is("condition") || next.is("action") || next.is("#") || next.is("<{") ||
+                                next.is("}");
+    if (peek().kind != TokenKind::identifier || peek().escaped || transition.trigger || !clause_follows) return 0;
+    const Span begin = peek().span;
+    const std::size_t failures = failures_;
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, begin,
+               {std::string(peek().text), std::string(foreign_word("on", ForeignPlace::clause)->reason)});
+    quiet_until_ = 0;
+    const std::string_view text = sources_.text(source_);
+    const auto written = [&](Span from) {
+        const Span span = since(from);
+        return std::string(text.substr(span.begin, span.end - span.begin));
+    };
+    transition.trigger = communication();
+    std::string own = "trigger " + written(begin);
+    int clause = 1;
+    if (accept("[")) {
+        const Span condition = peek().span;
+        transition.condition = expression();
+        own += " condition " + written(condition);
+        expect("]");
+        clause = 4;
+    }
+    Span whole = since(begin);
+    if (accept("/")) {
+        own += " action";
+        whole = since(begin);
+        transition.action = statement();
+        clause = 5;
+    }
+    if (finding != nullptr && failures_ == failures + 1) finding->fixes.push_back({whole, own, "write"});
+    return clause;
+}
+
 /// `reset(C)` as a clause.
 bool Parser::called_reset(Transition& transition) {
     const bool called = at_word("reset") && peek(1).is("(") && peek(2).kind == TokenKind::identifier && peek(3).is(")");

@@ -106,6 +106,11 @@ void Parser::transition(NodeContainer& container) {
     name(transition);
     container.transitions.push_back(std::move(owned));
     if (at(":") && peek(1).is("{")) pass_superfluous("what a transition does stands in braces behind its name");
+    if (at("from") || at_word("source")) {
+        guarded([&] { unbraced_transition(transition); });
+        transition.span = since(transition.span);
+        return;
+    }
     guarded([&] {
         expect("{");
         if (!guarded([&] { transition_body(transition); })) {
@@ -119,7 +124,25 @@ void Parser::transition(NodeContainer& container) {
     transition.span = since(transition.span);
 }
 
-void Parser::transition_body(Transition& transition) {
+/// `transition t from A to B`: the braces are missing, or the first of them is.
+void Parser::unbraced_transition(Transition& transition) {
+    const std::size_t failures = failures_;
+    const Span begin = peek().span;
+    diagnostics::Diagnostic* const finding = report(syntax::unexpected, missing_place(), {"`{`", found()});
+    quiet_until_ = 0;
+    transition_body(transition, false);
+    const bool closed = surplus_ < 0 && at("}");
+    if (finding != nullptr && failures_ == failures + 1) {
+        const Span span = since(begin);
+        const std::string_view text = sources_.text(source_).substr(span.begin, span.end - span.begin);
+        finding->fixes.push_back({span, fmt::format("{{ {}{}", text, closed ? "" : " }"), "write"});
+    }
+    if (!closed) return;
+    ++surplus_;
+    advance();
+}
+
+void Parser::transition_body(Transition& transition, bool braced) {
     if (peek().kind == TokenKind::identifier && peek(1).is("->")) {
         ends_by_arrow(transition);
     } else {
@@ -134,7 +157,7 @@ void Parser::transition_body(Transition& transition) {
     constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
     int last = 0;
     std::array<std::size_t, 6> begins{};  // of each kind, the token
-    while (!at("}") && !at_end()) {
+    while (!at("}") && !at_end() && (braced || !(at_member_word() || at_top_level_word()))) {
         const Token next = peek(1);
         const bool clause_follows = next.is("trigger") || next.is("probability") || next.is("#") || next.is("<{") ||
                                     next.is("condition") || next.is("action") || next.is("}");
@@ -201,6 +224,7 @@ int Parser::transition_clause(Transition& transition) {
     if (at("[")) return bracketed_guard(transition), 4;
     if (called_reset(transition)) return 2;
     if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
+    if (const int clause = forgotten_trigger(transition); clause > 0) return clause;
     if (correct_word({"trigger", "probability", "condition", "action"})) return transition_clause(transition);
     expected("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
