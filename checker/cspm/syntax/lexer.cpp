@@ -159,6 +159,7 @@ private:
                 blank_before_ = true;
                 ++at_;
             } else if (looking_at("--")) {
+                arrow_comment();
                 at_ = std::min(text_.find('\n', at_), text_.size());
             } else if (looking_at("{-")) {
                 line_end_ = false;  // FDR's lexer takes the line ends before a block comment into it
@@ -167,6 +168,13 @@ private:
                 return;
             }
         }
+    }
+
+    /// `a --> P`: behind something on its line.
+    void arrow_comment() {
+        if (!looking_at("-->") || line_end_ || tokens_.empty() || tokens_.back().kind == Tok::newline) return;
+        const Span place{source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + 3)};
+        diagnostics_.report(rules::arrow_comment, place).fixes.push_back({place, "->", "write"});
     }
 
     void block_comment() {

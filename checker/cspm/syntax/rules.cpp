@@ -54,12 +54,16 @@ const Rule include_failed{
 const Rule include_cycle{"CSPM-P16", Severity::error, "file '{}' includes itself",
                          "A file may not be included by itself, directly or through others."};
 
+const Rule arrow_comment{"CSPM-P18", Severity::warning, "`-->` begins a comment; a prefix is written `a -> P`",
+                         "Two hyphens begin a comment, which reaches to the end of the line, so the process behind the "
+                         "arrow is not read."};
+
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 17> table{
+    static constexpr std::array<const Rule*, 18> table{
         &unexpected_token,    &bad_character,  &open_comment,    &open_literal,          &big_number,
         &bad_property,        &too_deep,       &not_associative, &misplaced_declaration, &annotation_unused,
         &annotation_repeated, &bad_annotation, &option_repeated, &bad_include,           &include_failed,
-        &include_cycle,       &foreign_name};
+        &include_cycle,       &foreign_name,   &arrow_comment};
     return table;
 }
 

@@ -24,6 +24,7 @@ extern const diagnostics::Rule option_repeated;
 extern const diagnostics::Rule bad_include;
 extern const diagnostics::Rule include_failed;
 extern const diagnostics::Rule include_cycle;
+extern const diagnostics::Rule arrow_comment;
 
 /// All of them, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
