@@ -1,0 +1,165 @@
+#include "csp_emit/blocks/check_blocks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/blocks/check_script.hpp"
+#include "csp_emit/emit.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/project/units.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
+
+namespace robochart::csp_emit {
+
+namespace {
+
+using diagnostics::Diagnostics;
+using diagnostics::SourceId;
+using diagnostics::SourceManager;
+using diagnostics::Span;
+using frontend::AssertionTime;
+using frontend::CspBlock;
+
+/// A unit's texts, read and made finite by themselves.
+struct Copy {
+    SourceManager sources;
+    std::unique_ptr<frontend::Model> model;
+    ir::System system;
+    ir::Instantiation instantiation;
+    bool good = false;
+};
+
+/// `blank`: texts of blocks are left out.
+Copy copy_of(const frontend::Model& model, const SourceManager& sources, const std::vector<std::size_t>& files,
+             bool blank, diagnostics::Budget* budget) {
+    Copy copy;
+    Diagnostics found;
+    found.within(budget);
+    std::vector<SourceId> texts;
+    for (const std::size_t index : files) {
+        const frontend::File& file = *model.files[index];
+        std::string text(sources.text(file.source));
+        for (const CspBlock& block : file.csp_blocks)
+            for (std::uint32_t i = block.text_span.begin; blank && i < block.text_span.end; ++i)
+                if (text[i] != '\n') text[i] = ' ';
+        texts.push_back(copy.sources.add(sources.path(file.source), std::move(text)));
+    }
+    copy.model = frontend::load_texts(copy.sources, texts, found);
+    if (!found.ok()) return copy;
+    copy.system = ir::lower(*copy.model, copy.sources, found);
+    if (!found.ok()) return copy;
+    copy.instantiation = ir::instantiate(copy.system, {}, found);
+    copy.good = found.ok();
+    return copy;
+}
+
+class BlockCheck {
+public:
+    BlockCheck(const frontend::Model& model, const SourceManager& sources, Diagnostics& out)
+        : model_(model), sources_(sources), out_(out) {
+        for (const auto& file : model.files) files_[sources.path(file->source)] = file.get();
+    }
+
+    void unit(const std::vector<std::size_t>& files) {
+        const bool has_blocks =
+            std::ranges::any_of(files, [&](std::size_t file) { return !model_.files[file]->csp_blocks.empty(); });
+        if (!has_blocks) return;
+        Copy copy = copy_of(model_, sources_, files, false, out_.budget());
+        if (!copy.good) return read_alone(files);
+        for (const Time time : {Time::untimed, Time::timed}) {
+            const AssertionTime other = time == Time::timed ? AssertionTime::untimed : AssertionTime::timed;
+            const bool asked = std::ranges::any_of(files, [&](std::size_t file) {
+                return std::ranges::any_of(model_.files[file]->csp_blocks,
+                                           [&](const CspBlock& block) { return block.time != other; });
+            });
+            if (asked) emitted(copy, time);
+        }
+    }
+
+private:
+    void emitted(Copy& copy, Time time) {
+        Diagnostics found;
+        found.within(out_.budget());
+        const Emission emission = emit(copy.system, copy.instantiation, time, Options{}, copy.sources, found);
+        if (found.ok()) check_script(emission, copy.system, found);
+        take(copy.sources, found);
+    }
+
+    /// Blocks in a text that has no script.
+    void read_alone(const std::vector<std::size_t>& files) {
+        for (const std::size_t index : files) {
+            const frontend::File& file = *model_.files[index];
+            for (const CspBlock& block : file.csp_blocks) {
+                SourceManager copy;
+                std::string text(sources_.text(file.source));
+                for (std::uint32_t i = 0; i < text.size(); ++i)
+                    if ((i < block.text_span.begin || i >= block.text_span.end) && text[i] != '\n') text[i] = ' ';
+                Diagnostics found;
+                found.within(out_.budget());
+                (void)cspm::read(copy, copy.add(sources_.path(file.source), std::move(text)), found);
+                take(copy, found);
+            }
+        }
+    }
+
+    /// Findings about assertion files, at their places in the texts of the model; each once.
+    void take(const SourceManager& copy, const Diagnostics& found) {
+        for (const diagnostics::Diagnostic& finding : found.sorted()) {
+            if (finding.rule->severity == diagnostics::Severity::note || !finding.span.known()) continue;
+            const Span span = original(copy, finding.span);
+            if (!span.known() || !files_.at(sources_.path(span.source))->is_assertions) continue;
+            if (!said_.emplace(finding.rule, span.source, span.begin, finding.message()).second) continue;
+            diagnostics::Diagnostic& said = out_.report(*finding.rule, span, finding.arguments);
+            for (const diagnostics::Note& note : finding.notes)
+                said.notes.push_back({original(copy, note.span), note.message});
+            for (const diagnostics::FixIt& fix : finding.fixes)
+                if (const Span place = original(copy, fix.span); place.known())
+                    said.fixes.push_back({place, fix.replacement, fix.title});
+        }
+    }
+
+    /// The texts of blocks are sources of their own, with the path and the offsets of their file.
+    [[nodiscard]] Span original(const SourceManager& copy, Span span) const {
+        if (!span.known()) return {};
+        const auto file = files_.find(copy.path(span.source));
+        return file == files_.end() ? Span{} : Span{file->second->source, span.begin, span.end};
+    }
+
+    const frontend::Model& model_;
+    const SourceManager& sources_;
+    Diagnostics& out_;
+    std::map<std::string, const frontend::File*> files_;
+    std::set<std::tuple<const diagnostics::Rule*, SourceId, std::uint32_t, std::string>> said_;  ///< only looked up
+};
+
+}  // namespace
+
+void check_blocks(const frontend::Model& model, const SourceManager& sources, Diagnostics& out) {
+    BlockCheck check(model, sources, out);
+    for (const frontend::Unit& unit : frontend::units(model)) check.unit(unit.files);
+}
+
+std::optional<Emission> emission_without_blocks(const frontend::Model& model, const SourceManager& sources,
+                                                SourceId assertions, Time time, diagnostics::Budget* budget) {
+    for (const frontend::Unit& unit : frontend::units(model)) {
+        const bool its_own =
+            std::ranges::any_of(unit.files, [&](std::size_t file) { return model.files[file]->source == assertions; });
+        if (!its_own) continue;
+        Copy copy = copy_of(model, sources, unit.files, true, budget);
+        if (!copy.good) return std::nullopt;
+        Diagnostics found;
+        found.within(budget);
+        Emission emission = emit(copy.system, copy.instantiation, time, Options{}, copy.sources, found);
+        return found.ok() ? std::optional(std::move(emission)) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,77 @@
+#include "csp_emit/blocks/check_script.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <optional>
+
+#include "checker/cspm/types/rules.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "csp_emit/blocks/script_names.hpp"
+#include "diagnostics/fixes.hpp"
+
+namespace robochart::csp_emit {
+
+namespace {
+
+cspm::ExprPtr placed(const cspm::ExprPtr& expr, diagnostics::Span span) {
+    if (expr == nullptr || expr->span.known()) return expr;
+    cspm::Expr result = *expr;
+    result.span = span;
+    for (cspm::ExprPtr& each : result.args) each = placed(each, span);
+    return std::make_shared<const cspm::Expr>(std::move(result));
+}
+
+/// The script with the places of the claims in the assertions that are made for them.
+cspm::Script with_places(const Emission& emission, const ir::System& system) {
+    std::map<const cspm::Decl*, diagnostics::Span> places;
+    for (const Obligation& obligation : emission.obligations) {
+        const bool claimed = obligation.property != ir::no_id;
+        const diagnostics::Span span =
+            claimed ? system.properties[obligation.property].origin.span : obligation.origin.span;
+        for (const auto* decls : {&obligation.preparation, &obligation.assertions})
+            for (const cspm::DeclPtr& decl : *decls) places.emplace(decl.get(), span);
+    }
+    cspm::Script script = emission.script;
+    for (cspm::DeclPtr& decl : script.decls) {
+        const auto place = places.find(decl.get());
+        if (place == places.end() || decl->span.known()) continue;
+        cspm::Decl result = *decl;
+        result.span = place->second;
+        result.body = placed(result.body, place->second);
+        for (cspm::ExprPtr* part :
+             {&result.assertion.specification, &result.assertion.implementation, &result.assertion.tau_priority})
+            *part = placed(*part, place->second);
+        decl = std::make_shared<const cspm::Decl>(std::move(result));
+    }
+    return script;
+}
+
+}  // namespace
+
+void check_script(const Emission& emission, const ir::System& system, diagnostics::Diagnostics& out) {
+    diagnostics::Diagnostics found;
+    found.within(out.budget());
+    (void)cspm::check_types(with_places(emission, system), found);
+    std::optional<ScriptNames> names;
+    for (const diagnostics::Diagnostic& finding : found.sorted()) {
+        diagnostics::Diagnostic& said = out.report(*finding.rule, finding.span, finding.arguments);
+        said.notes = finding.notes;
+        said.fixes = finding.fixes;
+        if (finding.rule != &cspm::types::rules::not_in_scope || finding.arguments.empty()) continue;
+        if (!names) names.emplace(emission.definitions);
+        const std::vector<std::string> meant = names->meant(finding.arguments.front());
+        if (meant.empty()) continue;
+        said.notes.push_back(
+            {{},
+             fmt::format("the script has `{}`: what belongs to a component is written with its name in front "
+                         "(docs/claims-in-csp.md)",
+                         fmt::join(meant, "`, `"))});
+        const diagnostics::Span span = finding.span;
+        if (span.known() && said.fixes.empty())
+            said.fixes.push_back({span, meant.front(), std::string(diagnostics::suggestion_title)});
+    }
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,39 @@
+// The names that CSP blocks can write: what the emitted script declares, module by module.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "csp_emit/base/emission.hpp"
+
+namespace robochart::csp_emit {
+
+/// A declared name of the script.
+struct ScriptName {
+    std::string qualifier;  ///< "P::M"; "" at the top
+    std::string name;
+    cspm::DeclKind kind = cspm::DeclKind::value;
+    bool directed = false;  ///< a channel of an event: its first field is `in` or `out`
+};
+
+class ScriptNames {
+public:
+    explicit ScriptNames(const cspm::Script& script);
+
+    [[nodiscard]] const std::vector<ScriptName>& all() const { return names_; }
+    /// Those that can be written behind `QUALIFIER::`, in the order of the script.
+    [[nodiscard]] std::vector<const ScriptName*> behind(std::string_view qualifier) const;
+    /// What a name that is not in scope probably means, as it is written in a block: the same name in a component, or
+    /// one that is spelt nearly like it. The best ones first, at most three.
+    [[nodiscard]] std::vector<std::string> meant(std::string_view written) const;
+
+private:
+    void add(const std::vector<cspm::DeclPtr>& decls, const std::string& qualifier);
+
+    std::vector<ScriptName> names_;
+    std::map<std::string, const cspm::Decl*> modules_;
+};
+
+}  // namespace robochart::csp_emit

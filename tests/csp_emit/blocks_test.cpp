@@ -1,0 +1,99 @@
+// CSP blocks checked without deciding anything: findings stand in the block, with what the script calls the name.
+#include <gtest/gtest.h>
+
+#include "csp_emit/blocks/check_blocks.hpp"
+#include "csp_emit/blocks/script_names.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/project/project.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+const std::string model_text =
+    "package lamp\ninterface Signals { event press event shine }\n"
+    "stm Switch { uses Signals initial i state Off { } state On { entry shine }\n"
+    "transition t { from i to Off } transition u { from Off to On trigger press } }\n";
+
+/// What is found in one block of a file of claims about the lamp.
+class Checked {
+public:
+    explicit Checked(const std::string& claims, const std::string& rct = model_text) {
+        const auto model_source = sources_.add("lamp.rct", rct);
+        claims_ = sources_.add("lamp.assertions", claims);
+        model_ = frontend::load_texts(sources_, {model_source, claims_}, reading_);
+        check_blocks(*model_, sources_, findings_);
+    }
+    [[nodiscard]] std::string report() const { return diagnostics::render_text(sources_, findings_); }
+    /// "CODE@line" of each finding.
+    [[nodiscard]] std::string codes() const {
+        std::string result;
+        for (const diagnostics::Diagnostic& each : findings_.sorted()) {
+            EXPECT_EQ(each.span.source, claims_);
+            result += (result.empty() ? "" : " ") + std::string(each.rule->code) + "@" +
+                      std::to_string(sources_.position(each.span.source, each.span.begin).line);
+        }
+        return result;
+    }
+    [[nodiscard]] std::optional<Emission> without_blocks() const {
+        return emission_without_blocks(*model_, sources_, claims_, Time::timed, nullptr);
+    }
+
+private:
+    diagnostics::SourceManager sources_;
+    diagnostics::SourceId claims_;
+    diagnostics::Diagnostics reading_, findings_;
+    std::unique_ptr<frontend::Model> model_;
+};
+
+std::string block(const std::string& body, const std::string& kind = "timed ") {
+    return "package claims\nimport lamp::*\n" + kind + "csp P csp-begin\n" + body + "\ncsp-end\n" + kind +
+           "assertion A : lamp::Switch refines P in the traces model\n";
+}
+
+TEST(Blocks, InOrderGiveNothing) {
+    for (const char* kind : {"timed ", "untimed ", ""}) {
+        const Checked checked(block("P = lamp::Switch::press.in -> P", kind));
+        EXPECT_EQ(checked.codes(), "") << checked.report();
+    }
+}
+
+TEST(Blocks, AnUnknownNameIsReportedOnceWithWhatIsMeant) {
+    const Checked bare(block("P = press -> P", ""));
+    EXPECT_EQ(bare.codes(), "CSPM-T01@4") << bare.report();
+    EXPECT_NE(bare.report().find("`lamp::Switch::press.in`"), std::string::npos) << bare.report();
+    const Checked misspelt(block("P = lamp::Switch::prss.in -> P"));
+    EXPECT_EQ(misspelt.codes(), "CSPM-T01@4") << misspelt.report();
+    EXPECT_NE(misspelt.report().find("`lamp::Switch::press.in`"), std::string::npos) << misspelt.report();
+}
+
+TEST(Blocks, SyntaxIsReadEvenIfTheModelHasErrors) {
+    const std::string wrong = block("P = lamp::Switch::press.in ->");
+    EXPECT_EQ(Checked(wrong).codes().substr(0, 8), "CSPM-P01") << Checked(wrong).report();
+    const Checked both(wrong, model_text + "interface J { var x : Nothing }\n");
+    EXPECT_EQ(both.codes().substr(0, 8), "CSPM-P01") << both.report();
+}
+
+/// The claim alone shows that the process is an event.
+TEST(Blocks, ATypeErrorOfAClaimHasItsPlace) {
+    const Checked checked(block("P = lamp::Switch::press.in --> P"));
+    EXPECT_EQ(checked.codes(), "CSPM-P18@4 CSPM-T08@6") << checked.report();
+}
+
+TEST(Blocks, CanWriteTheNamesOfTheScript) {
+    const auto emission = Checked(block("P = unknown")).without_blocks();
+    ASSERT_TRUE(emission);
+    const ScriptNames names(emission->definitions);
+    const auto has = [&](const std::string& qualifier, const std::string& name) {
+        for (const ScriptName* each : names.behind(qualifier))
+            if (each->name == name) return true;
+        return false;
+    };
+    EXPECT_TRUE(has("", "lamp"));
+    EXPECT_TRUE(has("lamp", "Switch"));
+    EXPECT_TRUE(has("lamp::Switch", "press"));
+    EXPECT_TRUE(has("lamp::Switch", "D__"));
+    EXPECT_FALSE(has("lamp::Switch", "nothing"));
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit
