@@ -12,6 +12,7 @@
 #include "lsp/features/diagram.hpp"
 #include "lsp/features/documents.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/plain/answers.hpp"
 #include "lsp/sleec/answers.hpp"
 
 namespace robochart::lsp {
@@ -82,7 +83,7 @@ diagnostics::Limits limits_of(const Interruption& interruption) {
 }  // namespace
 
 Server::Server(std::function<void(const std::string&)> send)
-    : budget_(limits_of(interruption_)), session_(&budget_), scripts_(&budget_), rules_(&budget_) {
+    : budget_(limits_of(interruption_)), session_(&budget_), scripts_(&budget_), rules_(&budget_), plain_(&budget_) {
     session_.rule_names = [this](const std::string& folder) { return rules_.names_in(folder); };
     session_.send = [send = std::move(send)](const Json& message) { send(json_text(message)); };
 }
@@ -113,6 +114,7 @@ void Server::idle() {
         publish(session_);
         publish_scripts(session_, scripts_);
         publish_rules(session_, rules_);
+        publish_plain(session_, plain_);
     } catch (const diagnostics::LimitReached&) {
         // What is newer comes first; then it is tried again.
     } catch (const std::exception& error) {
@@ -172,6 +174,7 @@ Json Server::answer(const std::string& method, View params) {
     if (row == requests.end()) throw Refusal(ErrorCode::method_not_found, fmt::format("no method `{}`", method));
     if (asks_for_script(scripts_, params)) return answer_for_script(session_, scripts_, method, params);
     if (asks_for_rules(rules_, params)) return answer_for_rules(session_, rules_, method, params);
+    if (asks_for_plain(plain_, params)) return answer_for_plain(session_, plain_, method, params);
     return row->answer(session_, params);
 }
 
@@ -192,7 +195,8 @@ void Server::notification(const std::string& method, View params) {
     const auto row = row_of(notifications, method);
     if (phase_ != Phase::running || row == notifications.end()) return;
     try {
-        if (!notify_script(session_, scripts_, method, params) && !notify_rules(session_, rules_, method, params))
+        if (!notify_script(session_, scripts_, method, params) && !notify_rules(session_, rules_, method, params) &&
+            !notify_plain(session_, plain_, method, params))
             row->handle(session_, params);
     } catch (const std::exception& error) {
         log(method, error.what());

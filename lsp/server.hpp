@@ -10,6 +10,7 @@
 
 #include "diagnostics/budget.hpp"
 #include "lsp/cspm/scripts.hpp"
+#include "lsp/plain/plain_texts.hpp"
 #include "lsp/protocol/interruption.hpp"
 #include "lsp/sleec/rule_texts.hpp"
 #include "lsp/workspace/session.hpp"
@@ -59,6 +60,7 @@ private:
     Session session_;
     Scripts scripts_;
     RuleTexts rules_;
+    PlainTexts plain_;
     std::deque<Message> queue_;
     Phase phase_ = Phase::fresh;
     std::optional<int> exit_code_;

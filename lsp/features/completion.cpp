@@ -7,6 +7,7 @@
 #include "frontend/types/types.hpp"
 #include "lsp/features/completion_context.hpp"
 #include "lsp/features/completion_words.hpp"
+#include "lsp/features/csp_blocks.hpp"
 #include "lsp/features/features.hpp"
 #include "lsp/workspace/describe.hpp"
 #include "lsp/workspace/visible.hpp"
@@ -345,6 +346,7 @@ private:
 
 Json completion(Session& session, View params) {
     const Target target = target_of(session, params);
+    if (std::optional<Json> in_block = completion_in_block(session, target)) return std::move(*in_block);
     return Completer(session, target).run();
 }
 

@@ -23,6 +23,7 @@ std::map<SourceId, Json> by_source(const Session& session, Project& project) {
     };
     for (const auto& [path, document] : project.documents()) add(document->findings);
     add(project.findings());
+    add(project.block_findings());
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "frontend/syntax/lexer.hpp"
+#include "lsp/features/csp_blocks.hpp"
 #include "lsp/features/features.hpp"
 #include "lsp/features/keywords.hpp"
 #include "lsp/protocol/findings.hpp"
@@ -98,6 +99,7 @@ std::optional<Word> reserved_word_at(const Target& target) {
 
 Json hover(Session& session, View params) {
     const Target target = target_of(session, params);
+    if (std::optional<Json> in_block = hover_in_block(session, target)) return std::move(*in_block);
     const bool markdown = session.client.markdown;
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     const std::optional<Word> word = name == nullptr ? reserved_word_at(target) : std::nullopt;

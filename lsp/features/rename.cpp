@@ -8,6 +8,7 @@
 
 #include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/features/rename_blocks.hpp"
 #include "lsp/features/rename_check.hpp"
 #include "lsp/workspace/names.hpp"
 
@@ -187,10 +188,14 @@ Json rename(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence& name = renamable(target);
     const std::string wish = checked(params["newName"].text());
-    const std::vector<Edit> edits = harmless_edits(target.project, name, wish);
+    std::vector<Edit> edits = harmless_edits(target.project, name, wish);
     std::string_view old = text_of(target.project, name.span);
     if (old.starts_with("^")) old.remove_prefix(1);
-    warn_of_csp_text(session, target.project, old);
+    const auto in_blocks = edits_of_blocks(target.project, std::string(old), wish, edits, session.budget);
+    if (in_blocks && !in_blocks->empty())
+        edits.insert(edits.end(), in_blocks->begin(), in_blocks->end());
+    else
+        warn_of_csp_text(session, target.project, old);
     return workspace_edit(session, target.project, edits);
 }
 

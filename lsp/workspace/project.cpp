@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "csp_emit/blocks/check_blocks.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -63,6 +64,7 @@ void Project::change(Document& document, std::string text) {
     if (!document.stale && sources_.text(document.source) == text) return;
     current_ = false;
     occurrences_.reset();
+    block_findings_.reset();
     sources_.replace(document.source, std::move(text));
     document.stale = true;
 }
@@ -95,6 +97,7 @@ void Project::refresh(const std::string& path) {
 void Project::drop(Document& document) {
     current_ = false;
     occurrences_.reset();
+    block_findings_.reset();
     resolution_.forget();
     std::erase_if(model_.files, [&](const auto& file) { return file.get() == document.tree; });
     sources_.replace(document.source, {});
@@ -141,7 +144,7 @@ void Project::update() {
 }
 
 bool Project::take_news() {
-    update();
+    (void)block_findings();
     return std::exchange(news_, false);
 }
 
@@ -153,6 +156,17 @@ const frontend::Model& Project::model() {
 const diagnostics::Diagnostics& Project::findings() {
     update();
     return findings_;
+}
+
+const diagnostics::Diagnostics& Project::block_findings() {
+    update();
+    if (!block_findings_) {
+        diagnostics::Diagnostics found;
+        found.within(budget_);
+        csp_emit::check_blocks(model_, sources_, found);
+        block_findings_ = std::move(found);
+    }
+    return *block_findings_;
 }
 
 const std::vector<frontend::Occurrence>& Project::occurrences() {

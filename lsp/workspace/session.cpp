@@ -20,8 +20,9 @@ Target target_of(Session& session, View params) {
 
 std::vector<diagnostics::Diagnostic> findings_about(const Target& target) {
     std::vector<diagnostics::Diagnostic> result = target.document.findings.sorted();
-    for (diagnostics::Diagnostic& finding : target.project.findings().sorted())
-        if (finding.span.source == target.document.source) result.push_back(std::move(finding));
+    for (const auto* found : {&target.project.findings(), &target.project.block_findings()})
+        for (diagnostics::Diagnostic& finding : found->sorted())
+            if (finding.span.source == target.document.source) result.push_back(std::move(finding));
     return result;
 }
 

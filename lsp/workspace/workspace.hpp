@@ -61,6 +61,8 @@ public:
     [[nodiscard]] const frontend::Model& model();
     /// Of names, types and rules; those of reading are with the documents.
     [[nodiscard]] const diagnostics::Diagnostics& findings();
+    /// Of CSP blocks.
+    [[nodiscard]] const diagnostics::Diagnostics& block_findings();
     /// All names by place.
     [[nodiscard]] const std::vector<frontend::Occurrence>& occurrences();
     /// The name at or directly before an offset; null if there is none.
@@ -86,6 +88,7 @@ private:
     frontend::Resolution resolution_;
     diagnostics::Diagnostics findings_;
     std::optional<std::vector<frontend::Occurrence>> occurrences_;
+    std::optional<diagnostics::Diagnostics> block_findings_;
     bool current_ = false;  ///< model_ and findings_ are about the texts as they are
     bool news_ = false;
 };
