@@ -21,8 +21,8 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "csp_emit/blocks/check_script.hpp"
 #include "csp_emit/swarm/compose.hpp"
 #include "csp_emit/swarm/read_swarm.hpp"
 #include "diagnostics/files.hpp"
@@ -469,13 +469,31 @@ const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp
             fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
     // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is an
     // internal error.
-    (void)cspm::check_types(emission.script, project.diagnostics);
+    csp_emit::check_script(emission, project.system, project.diagnostics);
     if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
         diagnostics::TextStyle style;
         throw std::logic_error(fmt::format("the script does not type check:\n{}",
                                            diagnostics::render_text(project.sources, project.diagnostics, style)));
     }
     return emission;
+}
+
+diagnostics::Span declared_at(const ir::System& system, const ir::ComponentRef& component) {
+    switch (component.kind) {
+        case ir::ComponentKind::module:
+            return system.modules[component.definition].origin.span;
+        case ir::ComponentKind::controller:
+            return system.controllers[component.definition].origin.span;
+        case ir::ComponentKind::machine:
+            return system.machines[component.definition].origin.span;
+        default:
+            return {};
+    }
+}
+
+diagnostics::Span model_place(const Project& project) {
+    if (!project.model || project.model->files.empty()) return {};
+    return {project.model->files.front()->source, 0, 0};
 }
 
 std::string file_name(const Project& project, const ir::ComponentRef& component) {
@@ -572,9 +590,11 @@ Exit refusal(const Project& project) {
                                    &ir::rules::ranges_not_nested,
                                    &ir::rules::range_too_large};
     const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted();
+    // What the model's own text causes has a place there.
     const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
         return each.rule->severity == diagnostics::Severity::error &&
-               std::find(about_options.begin(), about_options.end(), each.rule) == about_options.end();
+               (each.span.known() ||
+                std::find(about_options.begin(), about_options.end(), each.rule) == about_options.end());
     };
     return project.diagnostics.ok() || std::any_of(all.begin(), all.end(), about_the_model) ? Exit::bad_input
                                                                                             : Exit::usage;

@@ -2,34 +2,69 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "diagnostics/fixes.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+#include "csp_emit/blocks/check_blocks.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
+#include "diagnostics/repair.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
 
 namespace robochart::app {
 namespace {
 
-/// Applies the certain fixes of every file, each file as a whole or not at all. Returns their number.
-std::size_t apply_fixes(const std::vector<Part>& parts, std::string& error) {
-    std::size_t made = 0;
+bool is_syntax(const diagnostics::Rule& rule) {
+    return frontend::syntax::is_syntax(rule) ||
+           std::ranges::any_of(cspm::rules::all(), [&](const diagnostics::Rule* each) { return each == &rule; });
+}
+
+/// The parts, with what is wrong in their CSP blocks.
+std::vector<Part> read_with_blocks(const Options& options) {
+    std::vector<Part> parts = read_parts(options);
     for (const Part& part : parts)
-        for (const auto& file : part.project->model->files) {
-            const diagnostics::Diagnostics& findings = part.project->diagnostics;
-            if (file->is_library) continue;
-            const auto fixes = diagnostics::certain_fixes(findings, file->source);
-            if (fixes.empty()) continue;
-            error = diagnostics::replace_text(part.project->sources.path(file->source),
-                                              diagnostics::apply_fixes(part.project->sources.text(file->source), fixes),
-                                              findings.budget());
-            if (!error.empty()) return made;
-            made += fixes.size();
-        }
-    return made;
+        csp_emit::check_blocks(*part.project->model, part.project->sources, part.project->diagnostics);
+    return parts;
+}
+
+/// Repairs the texts of a part (diagnostics/repair.hpp) and writes those that changed, each file as a whole or not at
+/// all. Returns why one could not be written; "" if all could.
+std::string repair(const Part& part, const Options& options, diagnostics::Repaired& sum) {
+    const Project& project = *part.project;
+    diagnostics::Texts texts;
+    for (const auto& file : project.model->files)
+        if (!file->is_library) texts[project.sources.path(file->source)] = project.sources.text(file->source);
+    const auto read = [&](const diagnostics::Texts& with) {
+        auto reading = std::make_unique<diagnostics::TextReading>();
+        for (const std::string& code : options.allowed) reading->findings.allow(code);
+        reading->findings.within(&options.run->budget());
+        std::vector<diagnostics::SourceId> sources;
+        for (const auto& [path, text] : with) sources.push_back(reading->sources.add(path, text));
+        const auto model = frontend::load_texts(reading->sources, sources, reading->findings);
+        csp_emit::check_blocks(*model, reading->sources, reading->findings);
+        return reading;
+    };
+    diagnostics::Repaired repaired = diagnostics::repair(texts, read, is_syntax);
+    for (const auto& [path, text] : repaired.texts)
+        if (std::string error = diagnostics::replace_text(path, text, &options.run->budget()); !error.empty())
+            return error;
+    sum.made += repaired.made;
+    for (diagnostics::RefusedFix& each : repaired.refused) sum.refused.push_back(std::move(each));
+    return {};
+}
+
+/// Says how many fixes were made, and which were not.
+void report_repair(const diagnostics::Repaired& sum) {
+    print_error("{} place{} fixed\n", sum.made, sum.made == 1 ? "" : "s");
+    for (const diagnostics::RefusedFix& each : sum.refused)
+        print_error("{}: not fixed: with `{}` the text would not read better ({})\n", diagnostics::shown(each.place),
+                    diagnostics::shown(each.replacement), each.code);
 }
 
 /// The findings of all parts, which have their texts in common.
@@ -62,17 +97,16 @@ void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnost
 
 /// Reads, applies fixes if asked to, and reports.
 Exit validate(const Options& options) {
-    std::vector<Part> parts = read_parts(options);
+    std::vector<Part> parts = read_with_blocks(options);
     if (options.fix) {
-        std::string error;
-        const std::size_t made = apply_fixes(parts, error);
-        if (!error.empty()) {
-            print_error("robochart-verify: {}\n", error);
-            return Exit::bad_input;
-        }
-        if (made > 0) parts = read_parts(options);
-        if (!options.quiet && options.format == Format::text)
-            print_error("{} place{} fixed\n", made, made == 1 ? "" : "s");
+        diagnostics::Repaired sum;
+        for (const Part& part : parts)
+            if (const std::string error = repair(part, options, sum); !error.empty()) {
+                print_error("robochart-verify: {}\n", error);
+                return Exit::bad_input;
+            }
+        if (sum.made > 0) parts = read_with_blocks(options);
+        if (!options.quiet && options.format == Format::text) report_repair(sum);
     }
     options.run->finish();
     const diagnostics::Diagnostics findings = together(parts);

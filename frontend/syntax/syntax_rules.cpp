@@ -1,6 +1,8 @@
 // See syntax_rules.hpp. Codes RC-P: reading a text; RC-F: finding files. Retired codes are never used again.
 #include "frontend/syntax/syntax_rules.hpp"
 
+#include <algorithm>
+
 namespace robochart::frontend::syntax {
 
 using enum diagnostics::Severity;
@@ -155,6 +157,10 @@ const std::vector<const Rule*>& all() {
                                                    &other_notation,
                                                    &probabilistic_clause_order};
     return rules;
+}
+
+bool is_syntax(const Rule& rule) {
+    return std::find(all().begin(), all().end(), &rule) != all().end();
 }
 
 }  // namespace robochart::frontend::syntax

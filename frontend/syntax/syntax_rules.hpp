@@ -18,5 +18,7 @@ extern const Rule unreadable, empty_input, no_files, empty_file;
 
 /// All of them, by code.
 [[nodiscard]] const std::vector<const Rule*>& all();
+/// Is it a rule of reading?
+[[nodiscard]] bool is_syntax(const Rule&);
 
 }  // namespace robochart::frontend::syntax

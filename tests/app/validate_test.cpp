@@ -96,5 +96,24 @@ TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
     EXPECT_EQ(run({"validate", file.path()}).exit, 0);
 }
 
+/// The claim's fix would not be read: nothing is written, and it is said.
+TEST(Validate, FixWritesOnlyWhatReadsBetter) {
+    const testing::Folder folder({{"m.rct", good}, {"c.assertions", "prob property P1 : P=? [ F S is in S::s ]\n"}});
+    const auto ran = run({"validate", "--fix", folder.path()});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(contents(folder / "c.assertions"), "prob property P1 : Prob=? of [ Finally S is in S::s ]\n");
+}
+
+TEST(Validate, LooksIntoCspBlocks) {
+    const testing::Folder folder({{"m.rct", good},
+                                  {"c.assertions",
+                                   "untimed csp P csp-begin\nP = e -> P\ncsp-end\n"
+                                   "untimed assertion A : S refines P in the traces model\n"}});
+    const auto ran = run({"validate", folder.path()});
+    EXPECT_EQ(ran.exit, 2) << ran.err;
+    EXPECT_NE(ran.err.find("error[CSPM-T01]"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("c.assertions:2:5"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace robochart::app

@@ -1,0 +1,237 @@
+// Certain fixes over every example of the rules: what `validate --fix` would write reads better than what was there.
+#include "diagnostics/repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "diagnostics/fixes.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "tests/frontend/fixture.hpp"
+#include "tests/source_folder.hpp"
+
+namespace robochart::frontend {
+namespace {
+
+namespace fs = std::filesystem;
+using diagnostics::Texts;
+
+std::unique_ptr<diagnostics::TextReading> read_texts(const Texts& texts) {
+    auto reading = std::make_unique<diagnostics::TextReading>();
+    std::vector<diagnostics::SourceId> sources;
+    for (const auto& [path, text] : texts) sources.push_back(reading->sources.add(path, text));
+    (void)load_texts(reading->sources, sources, reading->findings);
+    return reading;
+}
+
+diagnostics::Repaired repaired(const Texts& texts) {
+    return diagnostics::repair(texts, read_texts, syntax::is_syntax);
+}
+
+/// 0: syntax, 1: other errors, 2: warnings.
+int level_of(const diagnostics::Rule& rule) {
+    return syntax::is_syntax(rule) ? 0 : rule.severity == diagnostics::Severity::error ? 1 : 2;
+}
+
+std::multiset<std::string> said(const diagnostics::TextReading& reading, int level) {
+    std::multiset<std::string> result;
+    for (const diagnostics::Diagnostic& finding : reading.findings.sorted())
+        if (level_of(*finding.rule) == level) result.insert(std::string(finding.rule->code) + " " + finding.message());
+    return result;
+}
+
+bool includes(const std::multiset<std::string>& all, const std::multiset<std::string>& some) {
+    return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+/// The texts with one fix alone.
+Texts with_fix(const diagnostics::TextReading& reading, const Texts& texts, const diagnostics::FixIt& fix) {
+    Texts result = texts;
+    std::string& text = result.at(reading.sources.path(fix.span.source));
+    text = diagnostics::apply_fixes(text, {fix});
+    return result;
+}
+
+/// Fewer findings of some kind, none new of it or of those that would hide it.
+void expect_better(const diagnostics::TextReading& before, const diagnostics::TextReading& after,
+                   const std::string& what) {
+    for (int level = 0; level < 3; ++level) {
+        const auto old = said(before, level);
+        const auto now = said(after, level);
+        EXPECT_TRUE(includes(old, now)) << what << diagnostics::render_text(after.sources, after.findings);
+        if (now.size() < old.size()) return;
+    }
+    ADD_FAILURE() << what << "nothing is better";
+}
+
+/// Each certain fix alone makes its text better, and so do all that are made together.
+void expect_repaired(const Texts& texts, std::size_t& fixes) {
+    const auto before = read_texts(texts);
+    for (const diagnostics::Diagnostic& finding : before->findings.sorted()) {
+        if (finding.fixes.empty() || !diagnostics::is_certain(finding.fixes.front())) continue;
+        ++fixes;
+        const auto after = read_texts(with_fix(*before, texts, finding.fixes.front()));
+        expect_better(*before, *after,
+                      before->sources.place(finding.span) + ": " + finding.message() + " -> `" +
+                          finding.fixes.front().replacement + "`\n");
+    }
+    const diagnostics::Repaired result = repaired(texts);
+    if (result.made == 0) return;
+    Texts with = texts;
+    for (const auto& [path, text] : result.texts) with[path] = text;
+    expect_better(*before, *read_texts(with), "together\n");
+}
+
+bool is_read(const fs::path& path) {
+    return path.extension() == ".rct" || path.extension() == ".assertions";
+}
+
+TEST(Repair, MakesEveryFixtureBetter) {
+    std::size_t fixes = 0;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(tests::source_folder() / "tests/frontend/fixtures")) {
+        if (!is_read(entry.path())) continue;
+        SCOPED_TRACE(entry.path().string());
+        expect_repaired({{entry.path().filename().string(), testing::contents(entry.path().string())}}, fixes);
+    }
+    EXPECT_GT(fixes, 3U);
+}
+
+/// The fenced blocks of one example, each a file.
+struct Example {
+    Texts texts;
+};
+
+std::vector<Example> examples_of(const std::string& page) {
+    std::vector<Example> result(1);
+    std::istringstream lines(page);
+    std::string line;
+    std::string language;
+    std::string file;
+    for (std::size_t number = 0; std::getline(lines, line);) {
+        if (line.starts_with("#")) result.emplace_back();
+        if (!line.starts_with("```")) {
+            if (!file.empty()) result.back().texts[file] += line + "\n";
+            continue;
+        }
+        const bool ends = !language.empty();
+        language = ends ? "" : line.substr(3) + " ";
+        file.clear();
+        const bool model = language.starts_with("robochart ");
+        if (!model && !language.starts_with("assertions ")) continue;
+        const std::size_t named = language.find("file=");
+        file = named == std::string::npos ? std::to_string(number++) + (model ? ".rct" : ".assertions")
+                                          : language.substr(named + 5, language.find(' ', named) - named - 5);
+    }
+    return result;
+}
+
+TEST(Repair, MakesEveryExampleOfAPageBetter) {
+    std::size_t fixes = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(tests::source_folder() / "docs/rules")) {
+        if (entry.path().extension() != ".md") continue;
+        for (const Example& example : examples_of(testing::contents(entry.path().string()))) {
+            if (example.texts.empty()) continue;
+            SCOPED_TRACE(entry.path().filename().string());
+            expect_repaired(example.texts, fixes);
+        }
+    }
+    EXPECT_GT(fixes, 20U);
+}
+
+// ---------------------------------------------------------------- what is not written
+
+/// A rule for tests: each `x` of a text is wrong, and so is each `yy`.
+const diagnostics::Rule wrong{"T1", diagnostics::Severity::error, "{}", ""};
+
+std::unique_ptr<diagnostics::TextReading> find_x(const Texts& texts, const std::string& instead) {
+    auto reading = std::make_unique<diagnostics::TextReading>();
+    for (const auto& [path, text] : texts) {
+        const auto source = reading->sources.add(path, text);
+        for (std::uint32_t i = 0; i < text.size(); ++i) {
+            if (text[i] == 'x')
+                reading->findings.report(wrong, {source, i, i + 1}, {"x"})
+                    .fixes.push_back({{source, i, i + 1}, instead, "write"});
+            if (text.compare(i, 2, "yy") == 0) reading->findings.report(wrong, {source, i, i + 2}, {"yy"});
+        }
+    }
+    return reading;
+}
+
+diagnostics::Repaired without_x(const std::string& text, const std::string& instead) {
+    return diagnostics::repair(
+        {{"a", text}}, [&](const Texts& texts) { return find_x(texts, instead); },
+        [](const diagnostics::Rule&) { return false; });
+}
+
+/// The fix beside a `y` would trade one finding for another: it alone is left out.
+TEST(Repair, LeavesOutTheFixThatBringsAFinding) {
+    const diagnostics::Repaired result = without_x("x.x.yx.x.x", "y");
+    EXPECT_EQ(result.texts, (Texts{{"a", "y.y.yx.y.y"}}));
+    EXPECT_EQ(result.made, 4U);
+    ASSERT_EQ(result.refused.size(), 1U);
+    EXPECT_EQ(result.refused.front().place, "a:1");
+    EXPECT_EQ(result.refused.front().code, "T1");
+}
+
+TEST(Repair, WritesNothingWhereAFixDoesNotHelp) {
+    const diagnostics::Repaired result = without_x("x", "x");
+    EXPECT_TRUE(result.texts.empty());
+    EXPECT_EQ(result.made, 0U);
+    EXPECT_EQ(result.refused.size(), 1U);
+}
+
+}  // namespace
+}  // namespace robochart::frontend
+namespace robochart::frontend {
+TEST(Repair, TMP) {
+    std::string text =
+        "statemachine Door {\n"
+        "  event open; event close;\n"
+        "  clock C\n"
+        "  var bool locked\n"
+        "  int tries\n"
+        "  initial i\n"
+        "  state Closed { onentry tries = 0 do skip }\n"
+        "  state Open { entry C := 0 }\n"
+        "  transition t0 { from i to Closed }\n"
+        "  transition t1 { from Closed to Open on open [ tries < 3 and not locked ] / tries += 1 }\n"
+        "  transition t2 { Open -> Closed on close }\n"
+        "  transition t3 { from Open to Closed when C > 20 }\n"
+        "}\n";
+    for (int i = 0; i < 4; ++i) {
+        const auto r = repaired({{"m.rct", text}});
+        std::cout << r.made << " made, refused " << r.refused.size() << "\n";
+        for (auto& x : r.refused) std::cout << x.place << " " << x.code << " " << x.replacement << "\n";
+        if (r.texts.count("m.rct")) text = r.texts.at("m.rct");
+        std::cout << text << "\n";
+    }
+    for (const char* f : {"a16/c.assertions", "m02/w.rct", "m18/w.rct", "cascade.rct"}) {
+        const auto q = read_texts({{f, testing::contents(std::string("/work/shared/suite/findings3/messages/") + f)}});
+        std::cout << diagnostics::render_text(q->sources, q->findings) << "\n";
+    }
+    {
+        const std::string whole =
+            "interface I {\n  event e\n}\nenumeration E {\n  a b\n}\ndatatype D {\n  f : nat\n}\nstm M {\n  uses I\n  "
+            "var x : nat\n  initial i\n  state A {\n    entry x = 1\n    initial j\n    state C { }\n    transition t9 "
+            "{\n      from j to C\n    }\n  }\n  state B { entry skip }\n  transition t0 { from i to A }\n  transition "
+            "t1 { from A to B trigger e action x = 2 }\n  transition t2 { from B to A }\n}\ncontroller K {\n  uses I\n "
+            " sref m = M\n  connection K on e to m on e\n}\n";
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            if (whole[i] != '{' && whole[i] != '}') continue;
+            std::string cut = whole;
+            cut[i] = ' ';
+            const auto q = read_texts({{"m.rct", cut}});
+            if (q->findings.errors() != 1)
+                std::cout << "CUT " << whole[i] << " line " << std::count(whole.begin(), whole.begin() + i, '\n') + 1
+                          << diagnostics::render_text(q->sources, q->findings) << "\n";
+        }
+        const auto q = read_texts({{"m.rct", whole}});
+        std::cout << diagnostics::render_text(q->sources, q->findings) << "\n";
+    }
+    const std::string sn = "/work/shared/suite/findings3/messages/same_name/";
+    const auto q = read_texts({{"a.rct", testing::contents(sn + "a.rct")}, {"b.rct", testing::contents(sn + "b.rct")}});
+    std::cout << diagnostics::render_text(q->sources, q->findings) << "\n";
+}
+}  // namespace robochart::frontend
