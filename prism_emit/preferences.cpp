@@ -74,11 +74,14 @@ std::string read_line(std::string_view line, Preferences& preferences) {
 
 }  // namespace
 
-std::string read_preferences(std::string_view text, Preferences& preferences) {
+std::string read_preferences(std::string_view text, Preferences& preferences, std::size_t* wrong_line) {
     for (std::size_t number = 1; !text.empty(); ++number) {
         const auto end = text.find('\n');
         const std::string error = read_line(trimmed(text.substr(0, end)), preferences);
-        if (!error.empty()) return fmt::format("line {}: {}", number, error);
+        if (!error.empty()) {
+            if (wrong_line != nullptr) *wrong_line = number;
+            return fmt::format("line {}: {}", number, error);
+        }
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
     for (const auto& [name, range] : {std::pair("NAT", preferences.nat), std::pair("INT", preferences.integer),

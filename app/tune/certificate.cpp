@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "diagnostics/cache/digest.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::app {
 
@@ -228,14 +229,36 @@ std::string certificate_text(const Certificate& certificate) {
     return diagnostics::json_text(json, 2) + "\n";
 }
 
+namespace {
+
+/// A certificate says each thing once: a second value of a key would be read by some and not by others.
+Json parse_once(std::string_view text, std::string& twice) {
+    std::vector<std::set<std::string>> open;
+    const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+        if (event == Json::parse_event_t::object_start) open.emplace_back();
+        if (event == Json::parse_event_t::object_end) open.pop_back();
+        if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
+            twice = parsed.get<std::string>();
+        return true;
+    };
+    return Json::parse(text, watch, false);
+}
+
+}  // namespace
+
 std::optional<Certificate> read_certificate(std::string_view text, std::string& error) {
     if (text.size() > most_bytes) {
         error = "it is longer than 16 MiB";
         return std::nullopt;
     }
-    const Json json = Json::parse(text, nullptr, false);
+    std::string twice;
+    const Json json = parse_once(text, twice);
     if (json.is_discarded()) {
         error = "it is no JSON";
+        return std::nullopt;
+    }
+    if (!twice.empty()) {
+        error = fmt::format("it has the key `{}` twice", diagnostics::shown(diagnostics::ForeignText(twice)));
         return std::nullopt;
     }
     try {

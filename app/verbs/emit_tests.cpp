@@ -63,7 +63,7 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
 bool write_tests(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty())
-        project.diagnostics.report(rules::no_component, {},
+        project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.component.empty() ? "the model" : options.component});
     for (const ir::ComponentRef& component : components) {
         const refine::Limits bounds = limits(options, "tests of " + component.path);
@@ -83,7 +83,10 @@ bool write_tests(Project& project, const Options& options, Report& report) {
         } catch (const conformance::AlphabetError& mismatch) {
             refused = mismatch.what();
         }
-        if (!refused.empty()) project.diagnostics.report(rules::no_monitor, place, {component.path, refused});
+        if (!refused.empty())
+            project.diagnostics.report(rules::no_monitor,
+                                       place.known() ? place : declared_at(project.system, component),
+                                       {component.path, refused});
     }
     return project.diagnostics.ok();
 }

@@ -29,7 +29,8 @@ namespace {
 std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options& options,
                                                  const ir::ComponentRef& component, std::uint32_t cycle_length) {
     const auto refuse = [&](const std::string& why, diagnostics::Span place = {}) {
-        project.diagnostics.report(rules::no_monitor, place, {component.path, why});
+        project.diagnostics.report(rules::no_monitor, place.known() ? place : declared_at(project.system, component),
+                                   {component.path, why});
         return nullptr;
     };
     const refine::Limits bounds = limits(options, "monitor of " + component.path);
@@ -245,7 +246,7 @@ bool write_rule_monitors(const Options& options, Report& report) {
 bool write_monitors(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty())
-        project.diagnostics.report(rules::no_component, {},
+        project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.component.empty() ? "the model" : options.component});
     for (const ir::ComponentRef& component : components) {
         const auto made = build(project, options, component, options.cycle);

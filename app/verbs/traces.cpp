@@ -95,7 +95,9 @@ public:
         if (parts == nullptr) return std::nullopt;
         std::vector<Candidate> all = found(*parts, wanted);
         if (all.empty()) all = found(*parts, "");
-        if (all.empty()) return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted});
+        if (all.empty())
+            return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted},
+                          model_place(*parts_.front().project));
         const auto& [part, component] = all.front();
         if (!wanted.empty() && all.size() > 1 && all[1].first != part)
             return refuse(parts_.front(), rules::bad_option,
@@ -105,7 +107,8 @@ public:
         Entry& entry = entries_[{part, ir::qualified(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
         if (!entry.error.empty())
-            return refuse(parts_.front(), rules::no_monitor, {ir::qualified(component), entry.error});
+            return refuse(parts_.front(), rules::no_monitor, {ir::qualified(component), entry.error},
+                          declared_at(part->project->system, component));
         return Found{part->project.get(), ir::qualified(component), entry.checker.get()};
     }
 
@@ -147,8 +150,9 @@ private:
                 result.emplace_back(&part, components.front());
         return result;
     }
-    static std::nullopt_t refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments) {
-        part.project->diagnostics.report(rule, {}, std::move(arguments));
+    static std::nullopt_t refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments,
+                                 diagnostics::Span place = {}) {
+        part.project->diagnostics.report(rule, place, std::move(arguments));
         return std::nullopt;
     }
     void load(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {

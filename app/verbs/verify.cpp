@@ -259,7 +259,7 @@ std::vector<ir::ComponentRef> mapped_component(Project& project, const std::vect
 bool write_cpp(Project& project, const Options& options, Report& report) {
     auto components = code_components(project.system, options.component);
     if (components.empty()) {
-        project.diagnostics.report(rules::no_component, {},
+        project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.component.empty() ? "the model" : options.component});
         return false;
     }
@@ -312,12 +312,20 @@ std::optional<prism_emit::Preferences> read_preferences(Project& project, const 
     if (options.preferences.empty()) return result;
     std::string error;
     const auto source = project.sources.load(options.preferences, error);
-    if (source) error = prism_emit::read_preferences(project.sources.text(*source), result);
+    std::size_t line = 1;
+    if (source) error = prism_emit::read_preferences(project.sources.text(*source), result, &line);
     if (error.empty()) {
         warn_of_ignored(project, options, result.ignored);
         return result;
     }
-    project.diagnostics.report(prism_emit::rules::bad_preferences, {}, {options.preferences, error});
+    diagnostics::Span place;  // a file that cannot be read has none
+    if (source) {
+        const std::string_view text = project.sources.text(*source);
+        const std::string_view wrong = project.sources.line(*source, static_cast<std::uint32_t>(line));
+        const auto begin = static_cast<std::uint32_t>(wrong.data() - text.data());
+        place = {*source, begin, begin + static_cast<std::uint32_t>(wrong.size())};
+    }
+    project.diagnostics.report(prism_emit::rules::bad_preferences, place, {options.preferences, error});
     return std::nullopt;
 }
 
@@ -334,11 +342,13 @@ bool write_prism(Project& project, const Options& options, Report& report) {
     const auto wanted = read_preferences(project, options);
     if (!wanted) return false;
     const auto components = code_components(project.system, options.component);
-    if (components.empty()) project.diagnostics.report(prism_emit::rules::no_module, {}, {project.name});
+    if (components.empty())
+        project.diagnostics.report(prism_emit::rules::no_module, model_place(project), {project.name});
     for (const ir::ComponentRef& component : components) {
         const ir::Module* const module = module_of(project.system, component);
         if (module == nullptr) {
-            project.diagnostics.report(prism_emit::rules::no_module, {}, {component.path});
+            project.diagnostics.report(prism_emit::rules::no_module, declared_at(project.system, component),
+                                       {component.path});
             return false;
         }
         const auto emission = prism_emit::emit(project.system, *module, *wanted, project.diagnostics);
@@ -355,7 +365,7 @@ bool write_prism(Project& project, const Options& options, Report& report) {
 void check_conformance(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty())
-        project.diagnostics.report(rules::no_component, {},
+        project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.component.empty() ? "the model" : options.component});
     if (!export_fits(project, options, components.size())) return;
     const std::size_t first = report.conformance.size();
@@ -506,7 +516,9 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
             !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
         (void)run_phases(*part.project, wanted, code, report);
     }
-    if (!some) parts.front().project->diagnostics.report(rules::no_component, {}, {"the models"});
+    if (!some)
+        parts.front().project->diagnostics.report(rules::no_component, model_place(*parts.front().project),
+                                                  {"the models"});
     options.run->finish();
     if (const Project* const stopped = hopeless(parts, options)) {
         (void)show_diagnostics(*stopped, options);

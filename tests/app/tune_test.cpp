@@ -280,6 +280,7 @@ TEST(Certificates, AreReadStrictly) {
     EXPECT_EQ(refused(std::string(100'000, '[')), "it is no JSON");
     EXPECT_THAT(refused(std::string(100'000, '[') + std::string(100'000, ']')), HasSubstr("no object"));
     EXPECT_THAT(refused("{}"), HasSubstr("has no schema"));
+    EXPECT_EQ(refused(with("\"trials\": 16", "\"trials\": 16, \"trials\": 16")), "it has the key `trials` twice");
     EXPECT_THAT(refused(with("certificate/1", "certificate/2")), HasSubstr("schema"));
     EXPECT_THAT(refused(with("\"trials\": 16", "\"trials\": -16")), HasSubstr("trials of claims is no whole number"));
     EXPECT_THAT(refused(with("\"trials\": 16", "\"trials\": 1e999")), HasSubstr("no JSON"));
