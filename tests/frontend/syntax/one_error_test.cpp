@@ -43,6 +43,24 @@ TEST(OneError, BracesOfATransitionAreMissing) {
     EXPECT_EQ(fixed(machine("from A to B }")), machine("{ from A to B }"));
 }
 
+/// Of a text that is well laid out each brace is left out, one at a time.
+TEST(OneError, ABraceIsMissing) {
+    const std::string whole =
+        "interface I {\n  event e\n}\nenumeration E {\n  a b\n}\ndatatype D {\n  f : nat\n}\nstm M {\n  uses I\n  var "
+        "x : nat\n  initial i\n  state A {\n    entry x = 1\n    initial j\n    state C { }\n    transition t9 {\n      "
+        "from j to C\n    }\n  }\n  state B { entry skip }\n  transition t0 { from i to A }\n  transition t1 { from A to "
+        "B trigger e action x = 2 }\n  transition t2 { from B to A }\n}\ncontroller K {\n  uses I\n  sref m = M\n  "
+        "connection K on e to m on e\n}\n";
+    EXPECT_TRUE(read(whole)->findings.ok());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        if (whole[i] != '{' && whole[i] != '}') continue;
+        std::string cut = whole;
+        cut[i] = ' ';
+        const auto reading = read(cut);
+        EXPECT_EQ(reading->findings.errors(), 1U) << reading->report();
+    }
+}
+
 TEST(OneError, AClaimIsInPrismsNotation) {
     const std::string head = "prob property P1 : ";
     EXPECT_EQ(fixed(head + "P=? [ F M::S is in M::S::A ]", true), head + "Prob=? of [ Finally M::S is in M::S::A ]");
