@@ -37,7 +37,7 @@ private:
         if (behind == nullptr || behind->broken || names_.is_lost(end.event) || has_unknown_interface(*behind)) return;
         const std::string event = end.event.text();
         const Context* const interface = names_.interface_with(event, DeclKind::event);
-        if (is_told(*behind, event, interface)) return;
+        if (is_reported(*behind, event, interface)) return;
         auto& finding = out_.report(rules::cn10, end.event.span, {end.node.text(), event});
         if (out_.errors() > Diagnostics::max_kept) return;
         std::vector<std::string> events;
@@ -55,13 +55,13 @@ private:
 
     /// Whether what is missing here has been reported: by a use in the machine itself, or for another event of the
     /// interface.
-    bool is_told(const Context& behind, const std::string& event, const Context* interface) {
+    bool is_reported(const Context& behind, const std::string& event, const Context* interface) {
         const std::set<std::string>& used = unknown_events(behind);
         if (used.contains(event)) return true;
         if (interface == nullptr) return false;
         for (const std::string& other : used)
             if (names_.interface_with(other, DeclKind::event) == interface) return true;
-        return !told_.emplace(&behind, interface).second;
+        return !reported_.emplace(&behind, interface).second;
     }
 
     /// Events that the machine uses and nobody declares.
@@ -86,8 +86,8 @@ private:
 
     const Names& names_;
     Diagnostics& out_;
-    std::map<const Context*, std::set<std::string>> unknown_;   ///< looked up, never walked through
-    std::set<std::pair<const Context*, const Context*>> told_;  ///< likewise
+    std::map<const Context*, std::set<std::string>> unknown_;       ///< looked up, never walked through
+    std::set<std::pair<const Context*, const Context*>> reported_;  ///< likewise
 };
 
 }  // namespace

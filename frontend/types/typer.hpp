@@ -96,7 +96,7 @@ private:
 
     /// What is missing where a member of a component is not found, if it is not the member alone.
     struct Missing {
-        bool told = false;                   ///< it has been reported, or cannot be known
+        bool reported = false;               ///< it has been reported, or cannot be known
         const Context* interface = nullptr;  ///< declares the member, and the component has no clause for it
     };
     Missing missing(std::string_view name, DeclKind kind, const Surroundings& around);

@@ -66,7 +66,7 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     const bool is_clock =
         around.scope != nullptr && name.parts.size() == 1 && around.scope->clocks.contains(name.parts.front());
     const Missing missing = is_clock ? Missing() : this->missing(name.parts.back(), DeclKind::variable, around);
-    if (missing.told) return;
+    if (missing.reported) return;
     std::vector<std::string> candidates = finder_.candidates({DeclKind::enum_literal, DeclKind::function});
     if (around.scope != nullptr)
         for (std::string& key : finder_.keys(around.scope->variables)) candidates.push_back(std::move(key));
@@ -125,7 +125,7 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
     }
     if (finder_.names().is_lost(name)) return nullptr;
     const Missing missing = this->missing(name.parts.back(), DeclKind::clock, around);
-    if (missing.told) return nullptr;
+    if (missing.reported) return nullptr;
     const Declaration* component = component_around(around.place.inside);
     const std::string kind(component != nullptr ? to_text(component->kind) : "package");
     auto& finding =

@@ -124,7 +124,7 @@ void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
     const Missing missing = this->missing(statement.name.parts.back(), DeclKind::operation_signature, around);
-    if (missing.told) return;
+    if (missing.reported) return;
     auto& finding = finder_.unknown(statement.name, "operation", where, finder_.keys(around.scope->operations));
     if (finder_.out().errors() > diagnostics::Diagnostics::max_kept) return;
     const std::string& name = statement.name.parts.back();
@@ -154,7 +154,7 @@ void Typer::unknown_event(const Communication& communication, Surroundings& arou
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("of `{}`", component->name) : "here";
     const Missing missing = this->missing(communication.event.parts.back(), DeclKind::event, around);
-    if (missing.told) return;
+    if (missing.reported) return;
     auto& finding = finder_.unknown(communication.event, "event", where, finder_.keys(around.scope->events));
     const std::string& name = communication.event.parts.back();
     if (around.scope->operations.contains(name)) {
@@ -205,7 +205,7 @@ const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& arou
     }
     const Declaration* component = component_around(around.place.inside);
     const Missing missing = this->missing(name.parts.back(), DeclKind::variable, around);
-    if (missing.told) return nullptr;
+    if (missing.reported) return nullptr;
     auto& finding = finder_.unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
                                     finder_.keys(around.scope->variables));
     if (missing.interface != nullptr) note_missing(missing, "requires", name.parts.back(), finding);

@@ -98,7 +98,7 @@ TEST(Missing, AnImportThatBringsNothingIsOneErrorAndAWarning) {
     EXPECT_EQ(resolved("package p interface I { var a : T var b : U const c : V }")->findings.errors(), 3U);
 }
 
-TEST(Missing, TypesOfOneNameAreToldApart) {
+TEST(Missing, TypesOfOneNameAreDistinguished) {
     auto reading = std::make_unique<testing::Reading>();
     const auto add = [&](const char* path, const char* text) {
         const auto source = reading->sources.add(path, text);

@@ -47,8 +47,10 @@ TEST(OneError, BracesOfATransitionAreMissing) {
 TEST(OneError, ABraceIsMissing) {
     const std::string whole =
         "interface I {\n  event e\n}\nenumeration E {\n  a b\n}\ndatatype D {\n  f : nat\n}\nstm M {\n  uses I\n  var "
-        "x : nat\n  initial i\n  state A {\n    entry x = 1\n    initial j\n    state C { }\n    transition t9 {\n      "
-        "from j to C\n    }\n  }\n  state B { entry skip }\n  transition t0 { from i to A }\n  transition t1 { from A to "
+        "x : nat\n  initial i\n  state A {\n    entry x = 1\n    initial j\n    state C { }\n    transition t9 {\n     "
+        " "
+        "from j to C\n    }\n  }\n  state B { entry skip }\n  transition t0 { from i to A }\n  transition t1 { from A "
+        "to "
         "B trigger e action x = 2 }\n  transition t2 { from B to A }\n}\ncontroller K {\n  uses I\n  sref m = M\n  "
         "connection K on e to m on e\n}\n";
     EXPECT_TRUE(read(whole)->findings.ok());
