@@ -478,24 +478,6 @@ const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp
     return emission;
 }
 
-diagnostics::Span declared_at(const ir::System& system, const ir::ComponentRef& component) {
-    switch (component.kind) {
-        case ir::ComponentKind::module:
-            return system.modules[component.definition].origin.span;
-        case ir::ComponentKind::controller:
-            return system.controllers[component.definition].origin.span;
-        case ir::ComponentKind::machine:
-            return system.machines[component.definition].origin.span;
-        default:
-            return {};
-    }
-}
-
-diagnostics::Span model_place(const Project& project) {
-    if (!project.model || project.model->files.empty()) return {};
-    return {project.model->files.front()->source, 0, 0};
-}
-
 std::string file_name(const Project& project, const ir::ComponentRef& component) {
     const bool shared = project.shared_names.contains(component.path) && !component.package.empty();
     std::string name = shared ? component.package + "_" + component.path : component.path;

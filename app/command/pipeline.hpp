@@ -73,11 +73,6 @@ struct Part {
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
 
-/// Where a component is declared.
-[[nodiscard]] diagnostics::Span declared_at(const ir::System&, const ir::ComponentRef&);
-/// The beginning of the first text of the model: the place of what is missing in the model as a whole.
-[[nodiscard]] diagnostics::Span model_place(const Project&);
-
 /// A component's name in names of files and of generated code: letters, digits and underscores. Its package is part of
 /// it where components of other packages have its name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);

@@ -6,6 +6,7 @@
 #include "app/command/limits.hpp"
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
+#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"

@@ -14,6 +14,7 @@
 #include "app/command/limits.hpp"
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
+#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/step/trace_page.hpp"

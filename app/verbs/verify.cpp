@@ -11,6 +11,7 @@
 #include "app/command/broken_claims.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
+#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/html.hpp"
