@@ -115,5 +115,22 @@ TEST(Validate, LooksIntoCspBlocks) {
     EXPECT_NE(ran.err.find("c.assertions:2:5"), std::string::npos) << ran.err;
 }
 
+/// What the model's own text causes is bad input, with its place; what an option asks for is wrong usage.
+TEST(Refused, ByTheModelOrByAnOption) {
+    const TemporaryFile file("m.rct",
+                             "stm S {\n  var n : nat\n  initial i\n  state s { entry n = 100000000000 }\n"
+                             "  transition t { from i to s }\n}\n");
+    const auto by_model = run({"check", "--core", file.path()});
+    EXPECT_EQ(by_model.exit, 2) << by_model.err;
+    EXPECT_NE(by_model.err.find("m.rct:4:"), std::string::npos) << by_model.err;
+    const TemporaryFile small("m.rct", good);
+    const auto by_option = run({"check", "--core", "--range", "nat=0..100000000000", small.path()});
+    EXPECT_EQ(by_option.exit, 4) << by_option.err;
+    const TemporaryFile types("t.rct", "enumeration Colour { red blue }\n");
+    const auto lacking = run({"emit", "cpp", types.path()});
+    EXPECT_EQ(lacking.exit, 2) << lacking.err;
+    EXPECT_NE(lacking.err.find("t.rct:1:1"), std::string::npos) << lacking.err;
+}
+
 }  // namespace
 }  // namespace robochart::app
