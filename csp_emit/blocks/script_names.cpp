@@ -27,7 +27,7 @@ ScriptNames::ScriptNames(const cspm::Script& script) {
     add(script.decls, "");
 }
 
-/// Private names of modules begin like those of the machinery; blocks write what is exported, or all where nothing is.
+/// Blocks write what a module exports, or all of it where it exports nothing.
 void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string& qualifier) {
     for (const cspm::DeclPtr& decl : decls) {
         switch (decl->kind) {
@@ -98,7 +98,8 @@ std::vector<std::string> ScriptNames::meant(std::string_view written) const {
     // The same name elsewhere; modules of the model, whose names are in a script's outermost places, first.
     std::vector<const ScriptName*> same;
     for (const ScriptName& name : names_)
-        if (name.name == last && name.qualifier != qualifier) same.push_back(&name);
+        if (name.name == last && name.qualifier != qualifier && name.qualifier.find("__") == std::string::npos)
+            same.push_back(&name);
     std::ranges::stable_sort(same, {}, [](const ScriptName* name) { return std::ranges::count(name->qualifier, ':'); });
     std::ranges::reverse(same);
     std::ranges::stable_sort(same, {}, [](const ScriptName* name) { return std::ranges::count(name->qualifier, ':'); });

@@ -55,9 +55,11 @@ int item_kind(const ScriptName& name) {
     }
 }
 
-/// Those of the machinery end or begin with two underlines; `D__`, `O__` and the like are for blocks.
+/// Of the machinery: definitions of control states and the numbers of transitions. `D__`, `VS_O__` and the like, in
+/// capitals, are for blocks.
 bool is_inner(const std::string& name) {
-    return name.find("__") != std::string::npos && name.find("__") + 2 != name.size();
+    const bool small = std::ranges::any_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
+    return name.starts_with("TID") || (small && name.ends_with("__"));
 }
 
 std::string_view kind_text(cspm::DeclKind kind) {
