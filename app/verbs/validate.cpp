@@ -11,7 +11,7 @@
 #include "checker/cspm/syntax/rules.hpp"
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
+#include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
 #include "diagnostics/repair.hpp"
 #include "frontend/project/project.hpp"
