@@ -13,7 +13,7 @@
 #include "diagnostics/escape.hpp"
 #include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
-#include "diagnostics/repair.hpp"
+#include "diagnostics/repair/repair.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -33,8 +33,8 @@ std::vector<Part> read_with_blocks(const Options& options) {
     return parts;
 }
 
-/// Repairs the texts of a part (diagnostics/repair.hpp) and writes those that changed, each file as a whole or not at
-/// all. Returns why one could not be written; "" if all could.
+/// Repairs the texts of a part (diagnostics/repair/repair.hpp) and writes those that changed, each file as a whole or
+/// not at all. Returns why one could not be written; "" if all could.
 std::string repair(const Part& part, const Options& options, diagnostics::Repaired& sum) {
     const Project& project = *part.project;
     diagnostics::Texts texts;

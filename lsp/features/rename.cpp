@@ -8,8 +8,8 @@
 
 #include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"
-#include "lsp/features/rename_blocks.hpp"
-#include "lsp/features/rename_check.hpp"
+#include "lsp/renaming/rename_blocks.hpp"
+#include "lsp/renaming/rename_check.hpp"
 #include "lsp/workspace/names.hpp"
 
 namespace robochart::lsp {

@@ -1,5 +1,5 @@
 // Certain fixes over every example of the rules: what `validate --fix` would write reads better than what was there.
-#include "diagnostics/repair.hpp"
+#include "diagnostics/repair/repair.hpp"
 
 #include <gtest/gtest.h>
 

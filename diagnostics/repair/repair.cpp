@@ -1,4 +1,4 @@
-#include "diagnostics/repair.hpp"
+#include "diagnostics/repair/repair.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lsp/features/rename_check.hpp"
+#include "lsp/renaming/rename_check.hpp"
 
 namespace robochart::lsp {
 

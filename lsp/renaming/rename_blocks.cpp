@@ -1,4 +1,4 @@
-#include "lsp/features/rename_blocks.hpp"
+#include "lsp/renaming/rename_blocks.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // See rename_check.hpp. Edits replace names by names, so the n-th name before is the n-th name after.
-#include "lsp/features/rename_check.hpp"
+#include "lsp/renaming/rename_check.hpp"
 
 #include <fmt/format.h>
 
