@@ -11,6 +11,7 @@
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/numbers.hpp"
+#include "semantics/ir/own_constants.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/rules.hpp"
 
@@ -118,9 +119,18 @@ bool names_constant(const System& system, const std::string& option) {
 
 GivenConstants not_overridden(const System& system, const GivenConstants& weaker, const GivenConstants& stronger) {
     const auto constants = named_constants(system);
-    const auto overridden = [&](const std::string& path) {
+    const auto named = [&](const std::string& path) {
         return std::any_of(stronger.begin(), stronger.end(),
                            [&](const auto& option) { return means(option.first, path); });
+    };
+    // Who sets the machine's own constant sets it in its parts too.
+    const auto own = own_constants(system);
+    std::set<std::string> set_by_machine;
+    for (const NamedConstant& each : constants)
+        if (named(each.path)) set_by_machine.insert(each.name);
+    const auto overridden = [&](const NamedConstant& constant) {
+        const auto machines = own.find(constant.name);
+        return named(constant.path) || (machines != own.end() && set_by_machine.contains(machines->second));
     };
     GivenConstants result;
     for (const auto& [option, text] : weaker) {
@@ -128,7 +138,7 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
         for (const NamedConstant& each : constants) {
             if (!means(option, each.path)) continue;
             known = true;
-            left = left || !overridden(each.path);
+            left = left || !overridden(each);
         }
         if (left || !known) result.emplace(option, text);
     }
@@ -161,6 +171,8 @@ ChosenConstants chosen_constants(const System& system, const GivenConstants& opt
         }
         if (!known) diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion(option, constants)});
     }
+    for (const auto& [part, own] : own_constants(system))
+        if (const auto value = chosen.find(own); value != chosen.end()) chosen.emplace(part, ExprPtr(value->second));
     return chosen;
 }
 
