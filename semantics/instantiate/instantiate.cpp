@@ -5,6 +5,7 @@
 
 #include "diagnostics/spelling.hpp"
 #include "semantics/evaluate/evaluate.hpp"
+#include "semantics/instantiate/compared.hpp"
 #include "semantics/instantiate/constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/arithmetic.hpp"
@@ -107,6 +108,20 @@ void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
             report_outside(real, Ranges::names[2], to_string(literal), {}, diagnostics);
 }
 
+/// Where nobody chose a range, it reaches beyond what its values are compared with, within the chosen ranges of the
+/// types that must hold it.
+void reach_beyond(const Compared& compared, Ranges& ranges) {
+    const std::array<const std::set<std::int64_t>*, 3> numbers{&compared.nat, &compared.integer, &compared.real};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (ranges.by_type[i].chosen) continue;
+        for (const std::int64_t number : *numbers[i]) {
+            const bool fits = std::all_of(ranges.by_type.begin() + i + 1, ranges.by_type.end(),
+                                          [&](const Range& outer) { return !outer.chosen || outer.has(number); });
+            if (fits) ranges.by_type[i].include(number);
+        }
+    }
+}
+
 /// nat within int within real, by widening the ranges that nobody chose.
 void nest(Ranges& ranges, Diagnostics& diagnostics) {
     for (std::size_t i = 1; i < ranges.by_type.size(); ++i) {
@@ -129,9 +144,12 @@ void nest(Ranges& ranges, Diagnostics& diagnostics) {
 
 /// Where the model has the number that makes a range large; unknown where an option does.
 diagnostics::Span cause_of(const Range& range, const Literals& literals) {
+    if (range.chosen) return {};
     const bool upwards = range.high > -(range.low + 1);  // no overflow at the least number
-    const auto found = literals.places.find(upwards ? range.high : range.low);
-    return range.chosen || found == literals.places.end() ? diagnostics::Span{} : found->second;
+    auto found = literals.places.find(upwards ? range.high : range.low);
+    // A range may reach one number beyond the model's.
+    if (found == literals.places.end()) found = literals.places.find(upwards ? range.high - 1 : range.low + 1);
+    return found == literals.places.end() ? diagnostics::Span{} : found->second;
 }
 
 std::vector<std::int64_t> numbers(const Range& range, const char* name, const Literals& literals,
@@ -216,6 +234,15 @@ Instantiation instantiate(const System& system, const InstantiationOptions& opti
     Ranges ranges;
     read_range_options(options, ranges, diagnostics);
     widen(literals, ranges, diagnostics);
+    if (!carriers_given(system)) {
+        const auto lengths = options.ranges.find("Seq");
+        const std::int64_t longest =
+            lengths == options.ranges.end() ? instantiation.sequence_bound : lengths->second.second;
+        const Compared beyond = compared(system, chosen, literals, longest);
+        reach_beyond(beyond, ranges);
+        if (!ranges.by_type[2].chosen)
+            literals.real.insert(literals.real.end(), beyond.between.begin(), beyond.between.end());
+    }
     nest(ranges, diagnostics);
     instantiation.scale = scale_of(literals);
     literals.strings.insert("");

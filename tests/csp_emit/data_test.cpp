@@ -423,7 +423,7 @@ TEST(Reals, LeastAndGreatestOfASet) {
                                                          {"k ! (min({2, -1}))", "-1"},
                                                          {"k ! (max({-2, -1}))", "-1"},
                                                          {"t ! (hasMin({0.5}))", "true"},
-                                                         {"t ! (hasMax({x : real | x > 2}))", "false"},
+                                                         {"t ! (hasMax({x : real | x > 2 /\\ x < 1}))", "false"},
                                                          {"r ! (max({x : real | x < 0}))", "-5"}};
     std::string actions, specification = "Spec = ";
     for (const auto& [action, value] : cases) {

@@ -23,7 +23,8 @@ TEST(Durations, AreConstantsThatAreOnlyWaitedForOrComparedWithClocks) {
 
 TEST(Durations, AreNoneWhereTheyAreValuesToo) {
     EXPECT_EQ(greatest("state A { entry wait(c); x = c } transition t { from A to A condition since(T) >= d }"), 30);
-    EXPECT_EQ(greatest("state A { entry wait(c) } transition t { from A to A trigger e?x condition x > d }"), 40);
+    EXPECT_EQ(greatest("state A { entry wait(c) } transition t { from A to A trigger e?x condition x > d }"), 41)
+        << "one beyond what x is compared with";
     EXPECT_EQ(greatest("state A { entry wait(c + d) }"), 40) << "computed with, so within the type";
     EXPECT_EQ(greatest("state A { entry wait(c) } transition t { from A to A condition since(T) >= c + 1 }"), 40)
         << "d is used nowhere: it counts as before";

@@ -71,16 +71,16 @@ TEST(Instantiate, DefaultsWithoutLiterals) {
 
 TEST(Instantiate, LiteralsWidenTheirTypeAndTheTypesAboveIt) {
     const auto inst = instantiate_quietly(with_guard(compare(ExprKind::less, samples::variable(0, types.nat), nat(4))));
-    EXPECT_EQ(inst.nat, (Numbers{0, 1, 2, 3, 4}));
-    EXPECT_EQ(inst.integer, (Numbers{-2, -1, 0, 1, 2, 3, 4}));
-    EXPECT_EQ(inst.real, (Numbers{-2, -1, 0, 1, 2, 3, 4}));
+    EXPECT_EQ(inst.nat, (Numbers{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(inst.integer, (Numbers{-2, -1, 0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(inst.real, (Numbers{-2, -1, 0, 1, 2, 3, 4, 5}));
 }
 
 TEST(Instantiate, RealLiteralsWidenRealOnly) {
     const auto inst =
         instantiate_quietly(with_guard(compare(ExprKind::less, samples::variable(1, types.real), decimal(4, 0))));
     EXPECT_EQ(inst.nat, (Numbers{0, 1, 2}));
-    EXPECT_EQ(inst.real.back(), 4);
+    EXPECT_EQ(inst.real.back(), 5);
 }
 
 TEST(Instantiate, AggregationHasScaleOneHundredAndItsSpeeds) {
@@ -172,6 +172,18 @@ TEST(Instantiate, OptionsSetConstantsByNameOrPath) {
     EXPECT_EQ(inst.constants.at("const_P_S_d"), (Value{25, {}}));
 }
 
+TEST(Instantiate, AMachinesConstantIsThatOfItsPartsUnlessTheyHaveTheirOwn) {
+    auto inst = instantiate_quietly(with_constants(), {{{"S::c", "1"}, {"P::S::d", "0.25"}}, {}});
+    EXPECT_EQ(inst.constants.at("const_P_K_ref_c"), (Value{1, {}}));
+    EXPECT_EQ(inst.constants.at("const_P_K_ref_d"), (Value{25, {}})) << "also where the model gives a value";
+    inst = instantiate_quietly(with_constants(), {{{"S::c", "1"}, {"ref::c", "2"}}, {}});
+    EXPECT_EQ(inst.constants.at("const_P_S_c"), (Value{1, {}}));
+    EXPECT_EQ(inst.constants.at("const_P_K_ref_c"), (Value{2, {}}));
+    EXPECT_EQ(instantiate_quietly(with_constants(), {{{"S::r", "false"}}, {}}).constants.at("const_P_K_r"),
+              (Value{1, {}}))
+        << "what the controller provides is another constant";
+}
+
 TEST(Instantiate, ConstantValuesFollowTheContext) {
     const auto system = with_constants();
     const auto inst = instantiate_quietly(system, {{{"P::K::r", "false"}, {"K::ref::c", "2"}}, {}});
@@ -204,8 +216,12 @@ TEST(Instantiate, StrongerNamesOverrideHoweverTheyAreSpelled) {
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}, {"d", "2"}}, {{"c", "3"}}), (GivenConstants{{"d", "2"}}));
     EXPECT_EQ(not_overridden(system, {{"P::S::d", "2"}}, {{"d", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"d", "2"}}, {{"P::S::d", "3"}, {"ref::d", "3"}}), GivenConstants{});
+    // The machine's own constant is that of its parts.
+    EXPECT_EQ(not_overridden(system, {{"ref::c", "1"}}, {{"S::c", "3"}}), GivenConstants{});
+    EXPECT_EQ(not_overridden(system, {{"S::c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"S::c", "1"}}));
     // Of all constants of the name one is left: both names together are refused.
-    EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), (GivenConstants{{"c", "1"}}));
+    EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"c", "1"}}));
+    EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), GivenConstants{}) << "and so that of the part";
     EXPECT_EQ(not_overridden(system, {{"none", "1"}}, {{"c", "3"}}), (GivenConstants{{"none", "1"}}))
         << "it is reported";
 }

@@ -7,6 +7,7 @@
 
 #include "diagnostics/render.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 #include "semantics/ir/dump.hpp"
 #include "tests/codes.hpp"
 
@@ -61,6 +62,7 @@ std::unique_ptr<Lowered> lower_files(const std::vector<SourceText>& files) {
         const bool assertions = file.path.size() > 4 && file.path.substr(file.path.size() - 4) != ".rct";
         result->model.files.push_back(frontend::parse(result->sources, id, assertions, result->diagnostics));
     }
+    frontend::add_toolkits(result->sources, result->model, result->diagnostics);
     frontend::resolve(result->model, result->diagnostics);
     if (result->diagnostics.ok()) result->system = lower(result->model, result->sources, result->diagnostics);
     return result;

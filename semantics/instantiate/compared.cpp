@@ -1,0 +1,392 @@
+// A comparison such as `n > limit` is never true if the carrier ends at the limit.
+#include "semantics/instantiate/compared.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "semantics/ir/arithmetic.hpp"
+#include "semantics/ir/numbers.hpp"
+#include "semantics/ir/query.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+constexpr std::size_t most_values = 64;  // of one expression without variables
+constexpr int most_depth = 16;           // of constants defined by constants
+
+// ---------------------------------------------------------------- decimals
+
+/// Both in units of the finer of the two.
+struct Aligned {
+    std::int64_t left, right;
+    std::uint32_t decimals;
+};
+
+std::optional<std::int64_t> in_units(const Decimal& value, std::uint32_t decimals) {
+    const auto factor = power_of_ten(decimals - value.decimals);
+    return factor ? checked_multiply(value.unscaled, *factor) : std::nullopt;
+}
+
+std::optional<Aligned> aligned(const Decimal& a, const Decimal& b) {
+    const std::uint32_t decimals = std::max(a.decimals, b.decimals);
+    const auto left = in_units(a, decimals), right = in_units(b, decimals);
+    if (!left || !right) return std::nullopt;
+    return Aligned{*left, *right, decimals};
+}
+
+std::int64_t floor_of(const Decimal& value) {
+    return *floor_divide(value.unscaled, power_of_ten(value.decimals).value_or(1));
+}
+
+bool is_whole(const Decimal& value) {
+    return *floor_modulus(value.unscaled, power_of_ten(value.decimals).value_or(1)) == 0;
+}
+
+/// Numbers that do not fit are in no carrier, and in no order.
+bool less(const Decimal& a, const Decimal& b) {
+    const auto both = aligned(a, b);
+    return both ? both->left < both->right : floor_of(a) < floor_of(b);
+}
+
+Decimal negated(const Decimal& value) {
+    return {checked_subtract(0, value.unscaled).value_or(value.unscaled), value.decimals};
+}
+
+using Operation = std::optional<Decimal> (*)(const Decimal&, const Decimal&);
+
+std::optional<Decimal> sum(const Decimal& a, const Decimal& b) {
+    const auto both = aligned(a, b);
+    const auto value = both ? checked_add(both->left, both->right) : std::nullopt;
+    return value ? std::optional(Decimal{*value, both->decimals}) : std::nullopt;
+}
+
+std::optional<Decimal> difference(const Decimal& a, const Decimal& b) {
+    return sum(a, negated(b));
+}
+
+std::optional<Decimal> product(const Decimal& a, const Decimal& b) {
+    const auto value = checked_multiply(a.unscaled, b.unscaled);
+    if (!value || a.decimals + b.decimals > 18) return std::nullopt;
+    return Decimal{*value, a.decimals + b.decimals};
+}
+
+/// Rounded down to a whole number.
+std::optional<Decimal> quotient(const Decimal& a, const Decimal& b) {
+    const auto both = aligned(a, b);
+    const auto value = both ? floor_divide(both->left, both->right) : std::nullopt;
+    return value ? std::optional(Decimal{*value, 0}) : std::nullopt;
+}
+
+// ---------------------------------------------------------------- values without variables
+
+using Values = std::vector<Decimal>;
+using Chosen = std::map<std::string, ExprPtr>;
+
+/// The number that a block Instantiations defines a name as; nothing if it is another expression.
+std::optional<std::int64_t> defined_number(const std::string& text, const std::string& name) {
+    const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        if (at > 0 && in_name(text[at - 1])) continue;
+        std::size_t next = text.find_first_not_of(" \t", at + name.size());
+        if (next == std::string::npos || text[next] != '=') continue;
+        next = text.find_first_not_of(" \t", next + 1);
+        if (next == std::string::npos) continue;
+        const std::size_t end = text.find_first_not_of("-0123456789", next);
+        if (const auto number = parse_integer(text.substr(next, end == std::string::npos ? end : end - next)))
+            return number;
+    }
+    return std::nullopt;
+}
+
+bool is_instantiations(const CspBlock& block) {
+    return block.name == "Instantiations" || block.name == "instantiations";
+}
+
+/// What expressions without variables can be.
+class KnownValues {
+public:
+    KnownValues(const System& system, const Chosen& chosen, std::int64_t longest)
+        : system_(system), chosen_(chosen), longest_(longest) {}
+
+    /// Nothing if it depends on what the machine does. `machine` declares the constants; null: there are none.
+    [[nodiscard]] std::optional<Values> of(const Expr&, const Machine*, int depth = 0) const;
+    [[nodiscard]] bool is_length(const Expr& expr) const {
+        const bool size = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size";
+        return size && !expr.args.empty() && is_sequence(*expr.args[0]);
+    }
+
+private:
+    [[nodiscard]] bool is_sequence(const Expr& expr) const {
+        if (expr.kind == ExprKind::cast) return is_sequence(*expr.args[0]);
+        return expr.type.valid() && system_.type(expr.type).kind == TypeKind::sequence;
+    }
+    [[nodiscard]] std::optional<Values> combined(const Expr&, const Machine*, int depth, Operation) const;
+    [[nodiscard]] const Values& constant(const std::string& name, int depth) const;
+    [[nodiscard]] Values values_of(const std::string& name, int depth) const;
+    void add_declared(const std::vector<Constant>&, const std::string& name, const Machine*, int depth, Values&) const;
+
+    const System& system_;
+    const Chosen& chosen_;
+    std::int64_t longest_;
+    mutable std::map<std::string, Values> constants_;
+};
+
+std::optional<Values> KnownValues::of(const Expr& expr, const Machine* machine, int depth) const {
+    if (expr.kind == ExprKind::integer) return Values{{expr.number, 0}};
+    if (expr.kind == ExprKind::real) return Values{expr.decimal};
+    if (is_length(expr)) return Values{{longest_, 0}};
+    if (expr.kind == ExprKind::constant) {
+        if (machine == nullptr || expr.constant.index >= machine->constants.size()) return std::nullopt;
+        return constant(machine->constants[expr.constant.index].name, depth);
+    }
+    if (expr.kind == ExprKind::plus) return combined(expr, machine, depth, sum);
+    if (expr.kind == ExprKind::minus) return combined(expr, machine, depth, difference);
+    if (expr.kind == ExprKind::times) return combined(expr, machine, depth, product);
+    if (expr.kind == ExprKind::divide) return combined(expr, machine, depth, quotient);
+    if (expr.kind != ExprKind::negate && expr.kind != ExprKind::cast) return std::nullopt;
+    auto inner = of(*expr.args[0], machine, depth);
+    if (inner && expr.kind == ExprKind::negate)
+        for (Decimal& value : *inner) value = negated(value);
+    return inner;
+}
+
+std::optional<Values> KnownValues::combined(const Expr& expr, const Machine* machine, int depth,
+                                            Operation operation) const {
+    const auto left = of(*expr.args[0], machine, depth), right = of(*expr.args[1], machine, depth);
+    if (!left || !right || left->size() * right->size() > most_values) return std::nullopt;
+    Values result;
+    for (const Decimal& a : *left)
+        for (const Decimal& b : *right)
+            if (const auto value = operation(a, b)) result.push_back(*value);
+    return result;
+}
+
+void KnownValues::add_declared(const std::vector<Constant>& constants, const std::string& name, const Machine* machine,
+                               int depth, Values& values) const {
+    for (const Constant& constant : constants) {
+        if (constant.name != name) continue;
+        if (!constant.value) {
+            values.push_back({});
+        } else if (const auto given = of(*constant.value, machine, depth)) {
+            values.insert(values.end(), given->begin(), given->end());
+        }
+    }
+}
+
+const Values& KnownValues::constant(const std::string& name, int depth) const {
+    const auto known = constants_.find(name);
+    if (known != constants_.end()) return known->second;
+    const Values found = depth < most_depth ? values_of(name, depth) : Values{};
+    return constants_[name] = found;
+}
+
+/// Constants of one name are taken for one: that is how a required constant gets its value.
+Values KnownValues::values_of(const std::string& name, int depth) const {
+    Values values;
+    for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);
+    for (const Controller& controller : system_.controllers)
+        add_declared(controller.constants, name, nullptr, depth + 1, values);
+    for (const Module& module : system_.modules)
+        add_declared(module.platform.constants, name, nullptr, depth + 1, values);
+    const auto add = [&](const Expr& expr) {
+        if (const auto given = of(expr, nullptr, depth + 1)) values.insert(values.end(), given->begin(), given->end());
+    };
+    for (const NamedConstant& named : named_constants(system_)) {
+        if (!named.path.ends_with("::" + name)) continue;
+        if (const auto option = chosen_.find(named.name); option != chosen_.end()) add(*option->second);
+        for (const Property& property : system_.properties)
+            for (const auto& [set, value] : property.constants)
+                if (set == named.name) add(*value);
+        for (const CspBlock& block : system_.csp_blocks)
+            if (is_instantiations(block))
+                if (const auto number = defined_number(block.text, named.name)) values.push_back({*number, 0});
+    }
+    std::ranges::sort(values, less);
+    const auto same = [](const Decimal& a, const Decimal& b) { return !less(a, b) && !less(b, a); };
+    values.erase(std::unique(values.begin(), values.end(), same), values.end());
+    if (values.size() > most_values) values.resize(most_values);
+    return values;
+}
+
+// ---------------------------------------------------------------- comparisons
+
+class Comparisons {
+public:
+    Comparisons(const System& system, const KnownValues& known, Compared& result)
+        : system_(system), known_(known), result_(result) {}
+
+    void look_at(const Expr&, const Machine*);
+    /// Two variables are compared by order: their type holds a number beyond each that one of them may have.
+    void add_extremes(const Literals&);
+    void add_between(const Literals&);
+
+private:
+    void compare(const Expr& subject, const Expr& with, const Machine*, bool ordered);
+    void add(const Expr& subject, const Decimal& value, const Machine*, bool ordered);
+    void add_operands(const Expr& subject, const Decimal& value, const Machine*, bool ordered);
+    void add_beside(std::set<std::int64_t>& numbers, const Decimal& value, bool natural);
+    void add_beyond(const Decimal& value);
+    [[nodiscard]] TypeKind kind(const Expr& expr) const {
+        return expr.type.valid() ? system_.type(expr.type).kind : TypeKind::unit;
+    }
+
+    const System& system_;
+    const KnownValues& known_;
+    Compared& result_;
+    std::set<TypeKind> unlike_variables_;  // types of which two values that may change are compared by order
+    Values thresholds_;                    // what reals are compared with by order
+};
+
+void Comparisons::look_at(const Expr& expr, const Machine* machine) {
+    const bool comparison = is_comparison(expr.kind) && expr.args.size() == 2;
+    const bool among = expr.kind == ExprKind::is_in && expr.args.size() == 2;
+    if (!comparison && !among) return;
+    const Expr &left = *expr.args[0], &right = *expr.args[1];
+    if (among) {
+        const bool range = right.kind == ExprKind::range;
+        if (!range && right.kind != ExprKind::set && right.kind != ExprKind::set_range) return;
+        for (const ExprPtr& each : right.args)
+            if (each) compare(left, *each, machine, range);
+        return;
+    }
+    if (reads_clock(left) || reads_clock(right)) return;
+    const bool ordered = expr.kind != ExprKind::equal && expr.kind != ExprKind::not_equal;
+    compare(left, right, machine, ordered);
+    compare(right, left, machine, ordered);
+}
+
+/// `subject` with what `with` can be, if that is known and the subject may change.
+void Comparisons::compare(const Expr& subject, const Expr& with, const Machine* machine, bool ordered) {
+    const bool changes = known_.is_length(subject) || !known_.of(subject, machine);
+    if (!changes) return;
+    if (const auto values = known_.of(with, machine)) {
+        for (const Decimal& value : *values) add(subject, value, machine, ordered);
+    } else if (ordered) {
+        unlike_variables_.insert(kind(subject));
+    }
+}
+
+/// What the parts of the subject have to be so that it can be on either side of the value.
+void Comparisons::add(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
+    if (known_.is_length(subject) || known_.of(subject, machine)) return;
+    const TypeKind type = kind(subject);
+    if (type == TypeKind::nat)
+        add_beside(result_.nat, value, true);
+    else if (type == TypeKind::integer)
+        add_beside(result_.integer, value, false);
+    else if (type == TypeKind::real)
+        add_beyond(value);
+    else
+        return;
+    if (type == TypeKind::real && ordered) thresholds_.push_back(value);
+    add_operands(subject, value, machine, ordered);
+}
+
+void Comparisons::add_operands(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
+    const auto inverted = [&](const Expr& part, const std::optional<Decimal>& needed) {
+        if (needed) add(part, *needed, machine, ordered);
+    };
+    const auto each_value = [&](std::size_t of, const auto& act) {
+        if (const auto values = known_.of(*subject.args[of], machine))
+            for (const Decimal& other : *values) act(*subject.args[1 - of], other);
+    };
+    const Decimal next = sum(value, {1, 0}).value_or(value);
+    if (subject.kind == ExprKind::cast) {
+        inverted(*subject.args[0], value);
+        if (kind(*subject.args[0]) == TypeKind::real) inverted(*subject.args[0], next);  // it is rounded down
+    } else if (subject.kind == ExprKind::negate) {
+        inverted(*subject.args[0], negated(value));
+    } else if (subject.kind == ExprKind::plus) {
+        for (const std::size_t side : {0U, 1U})
+            each_value(side, [&](const Expr& part, const Decimal& b) { inverted(part, difference(value, b)); });
+    } else if (subject.kind == ExprKind::minus) {
+        each_value(1, [&](const Expr& part, const Decimal& b) { inverted(part, sum(value, b)); });
+        each_value(0, [&](const Expr& part, const Decimal& a) { inverted(part, difference(a, value)); });
+    } else if (subject.kind == ExprKind::times) {
+        for (const std::size_t side : {0U, 1U})
+            each_value(side, [&](const Expr& part, const Decimal& b) {
+                inverted(part, quotient(value, b));
+                if (const auto down = quotient(value, b)) inverted(part, sum(*down, {1, 0}));
+            });
+    } else if (subject.kind == ExprKind::divide) {
+        each_value(1, [&](const Expr& part, const Decimal& b) {
+            inverted(part, product(value, b));
+            inverted(part, product(next, b));
+        });
+    }
+}
+
+void Comparisons::add_beside(std::set<std::int64_t>& numbers, const Decimal& value, bool natural) {
+    const std::int64_t down = floor_of(value);
+    for (const auto number : {checked_subtract(down, is_whole(value) ? 1 : 0), checked_add(down, 1)})
+        if (number && (!natural || *number >= 0)) numbers.insert(*number);
+}
+
+void Comparisons::add_beyond(const Decimal& value) {
+    const std::int64_t down = floor_of(value);
+    for (const auto number : {checked_subtract(down, is_whole(value) ? 1 : 0), checked_add(down, 1)})
+        if (number) result_.real.insert(*number);
+}
+
+void Comparisons::add_extremes(const Literals& literals) {
+    const auto extremes = [&](const std::set<std::int64_t>& written, std::set<std::int64_t>& numbers, bool natural) {
+        if (written.empty()) return;
+        add_beside(numbers, {*written.begin(), 0}, natural);
+        add_beside(numbers, {*written.rbegin(), 0}, natural);
+    };
+    if (unlike_variables_.contains(TypeKind::nat)) extremes(literals.nat, result_.nat, true);
+    if (unlike_variables_.contains(TypeKind::integer)) extremes(literals.integer, result_.integer, false);
+    if (unlike_variables_.contains(TypeKind::real))
+        for (const Decimal& value : literals.real) add_beyond(value);
+}
+
+/// The whole numbers around are in the carrier, and so are all literals.
+void Comparisons::add_between(const Literals& literals) {
+    std::ranges::sort(thresholds_, less);
+    for (std::size_t i = 1; i < thresholds_.size(); ++i) {
+        const Decimal &low = thresholds_[i - 1], &high = thresholds_[i];
+        if (!less(low, high)) continue;
+        const Decimal whole{checked_add(floor_of(low), 1).value_or(floor_of(low)), 0};
+        const auto inside = [&](const Decimal& value) { return less(low, value) && less(value, high); };
+        if (inside(whole) || std::ranges::any_of(literals.real, inside)) continue;
+        const auto both = aligned(low, high);
+        const auto tenfold = both ? checked_multiply(both->left, 10) : std::nullopt;
+        if (!tenfold) continue;
+        if (both->right - both->left > 1)
+            result_.between.push_back({both->left + (both->right - both->left) / 2, both->decimals});
+        else if (both->decimals < 18)
+            result_.between.push_back({*tenfold + 5, both->decimals + 1});
+    }
+}
+
+}  // namespace
+
+Compared compared(const System& system, const Chosen& chosen, const Literals& literals, std::int64_t longest) {
+    Compared result;
+    const KnownValues known(system, chosen, longest);
+    Comparisons comparisons(system, known, result);
+    const auto look_at = [&](const Expr& root, const Machine* machine) {
+        visit_operands(root, [&](const Expr& expr) { comparisons.look_at(expr, machine); });
+    };
+    for (const Machine& machine : system.machines)
+        visit_expressions(machine, [&](const Expr& root, ExprRole) { look_at(root, &machine); });
+    for (const Function& function : system.functions)
+        for (const auto* conditions : {&function.preconditions, &function.postconditions})
+            for (const ExprPtr& condition : *conditions) look_at(*condition, nullptr);
+    comparisons.add_extremes(literals);
+    comparisons.add_between(literals);
+    return result;
+}
+
+bool carriers_given(const System& system) {
+    return std::ranges::any_of(system.csp_blocks, [](const CspBlock& block) {
+        const auto defines = [&](const char* name) { return block.text.find(name) != std::string::npos; };
+        return is_instantiations(block) && (defines("core_nat") || defines("core_int") || defines("core_real"));
+    });
+}
+
+}  // namespace robochart::ir
