@@ -102,6 +102,10 @@ ExprPtr Translator::arithmetic(const ir::Expr& expr) const {
     if (result == nullptr || !numeric(*result)) return refused("arithmetic on a type that is not a number", expr);
     b::Exprs operands;
     for (const auto& part : expr.args) operands.push_back(as_type(*part, expr.type));
+    // RoboTool's bounds of clocks divide by 1 where a value of the type is 0; the guard itself does not.
+    const bool divides = expr.kind == ExprKind::divide || expr.kind == ExprKind::modulus;
+    if (divides && !scope_.placed && operands[1]->kind != Op::integer)
+        operands[1] = b::call("no_zero_div", {operands[1]});
     return clipped(expr.kind, operands, expr.type);
 }
 
@@ -386,7 +390,10 @@ ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr
 }
 
 std::vector<ExprPtr> preconditions(const Project& project, const Scope& scope, const ir::Expr& expr) {
-    return Translator(project, scope).preconditions(expr);
+    std::vector<ExprPtr> result = Translator(project, scope).preconditions(expr);
+    if (scope.placed)
+        for (ExprPtr& condition : result) condition = placed(condition, expr.span);
+    return result;
 }
 
 ExprPtr component(const Project& project, ir::TypeId type, const ExprPtr& whole, const std::vector<ExprPtr>& path,

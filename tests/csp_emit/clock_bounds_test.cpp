@@ -1,0 +1,41 @@
+// Where clocks saturate: RoboTool's bounds divide by 1 where a divisor is 0, so that a guard which no run evaluates
+// makes no claim fail. The guards themselves divide by what the model says.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Open constants are 0, so the turn is never begun.
+std::string turning(const std::string& bound) {
+    return "stm S { event go clock C const speed : nat, half : nat initial i state Move { } state Turn { }\n"
+           "transition t0 { from i to Move }\n"
+           "transition t1 { from Move to Turn trigger go # C condition speed > 0 }\n"
+           "transition t2 { from Turn to Move condition since ( C ) >= " +
+           bound + " } }";
+}
+
+TEST(ClockBounds, DoNotDivideByZero) {
+    const std::string claims =
+        "timed assertion A : S::Turn is not reachable in S\n"
+        "timed assertion B : S::Turn is reachable in S with constant speed of S set to 1\n";
+    for (const char* const bound : {"half / speed", "half % speed", "half / (speed * 2)"}) {
+        const auto model = testing::model(turning(bound), claims);
+        EXPECT_THAT(testing::claims(*model, Time::timed), ElementsAre("holds", "holds")) << bound;
+    }
+}
+
+TEST(ClockBounds, GuardsDoDivide) {
+    std::string model = turning("half / speed");
+    model.erase(model.find("condition speed > 0"), std::string("condition speed > 0").size());
+    const auto failing = testing::model(model, "timed assertion A : S is deadlock-free\n");
+    EXPECT_THROW((void)testing::claims(*failing, Time::timed), cspm::EvaluationError);
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit
