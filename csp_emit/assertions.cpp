@@ -11,6 +11,7 @@
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/expressions.hpp"
+#include "semantics/ir/own_constants.hpp"
 
 namespace robochart::csp_emit {
 
@@ -70,7 +71,7 @@ std::string opposite(const ir::Property& property) {
 class Asserter {
 public:
     Asserter(const Project& project, NameManager& names, Emitted& emitted)
-        : project_(project), names_(names), emitted_(emitted) {}
+        : project_(project), names_(names), emitted_(emitted), own_(ir::own_constants(project.system)) {}
 
     Obligation property(std::uint32_t index);
 
@@ -83,6 +84,7 @@ private:
     ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
     ExprPtr argument(const std::vector<std::string>& names, const ir::Property& property) const;
     bool takes(const ir::ComponentRef& ref, const std::string& constant) const;
+    std::string own(const ConstantParameter& constant) const;
     void report_unused(const ir::Property& property) const;
     std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, cspm::Model model, bool negated) const;
     std::vector<DeclPtr> termination(const ExprPtr& process, cspm::Model model, bool negated) const;
@@ -102,6 +104,7 @@ private:
     const Project& project_;
     NameManager& names_;
     Emitted& emitted_;
+    std::map<std::string, std::string> own_;  // of constants of parts the machines'
 };
 
 const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const {
@@ -116,12 +119,19 @@ ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Prop
     return nullptr;
 }
 
+/// The machine's own constant of which it is that of a part; "" if it is none.
+std::string Asserter::own(const ConstantParameter& constant) const {
+    const auto found = own_.find(constant.source);
+    return found == own_.end() ? "" : found->second;
+}
+
 bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) const {
     const ComponentEmission* found = component(ref);
     if (found == nullptr) return false;
     return std::any_of(found->constants.begin(), found->constants.end(),
                        [&](const ConstantParameter& c) {
-                           return c.parameter == constant || c.source == constant || c.value == constant;
+                           return c.parameter == constant || c.source == constant || c.value == constant ||
+                                  own(c) == constant;
                        }) ||
            std::any_of(found->arguments.begin(), found->arguments.end(),
                        [&](const ArgumentParameter& argument) { return argument.name == constant; });
@@ -163,7 +173,8 @@ b::Exprs Asserter::arguments(const ir::ComponentRef& ref, const ir::Property& pr
             arguments.push_back(given ? given : default_literal(project_, parameter.type));
         }
         for (const ConstantParameter& constant : found->constants) {
-            const ExprPtr given = argument({constant.parameter, constant.source, constant.value}, property);
+            const ExprPtr given =
+                argument({constant.parameter, constant.source, constant.value, own(constant)}, property);
             arguments.push_back(given ? given : b::name(constant.value));
         }
     }

@@ -13,6 +13,7 @@
 #include "csp_emit/base/script_library.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/block_claims.hpp"
+#include "csp_emit/block_constants.hpp"
 #include "csp_emit/compose/controller.hpp"
 #include "csp_emit/compose/instantiations.hpp"
 #include "csp_emit/compose/module.hpp"
@@ -112,7 +113,9 @@ private:
     std::vector<std::pair<std::string, std::vector<DeclPtr>>> packages_;
 };
 
-void emit_components(const Project& project, const NameManager& names, Emitted& emitted, std::vector<DeclPtr>& decls) {
+/// `given`: the names of constants that blocks Instantiations define and that count in claims.
+void emit_components(const Project& project, const NameManager& names, const std::set<std::string>& given,
+                     Emitted& emitted, std::vector<DeclPtr>& decls) {
     Packages packages;
     const ir::System& system = project.system;
     for (const ir::Machine& machine : system.machines) {
@@ -127,12 +130,13 @@ void emit_components(const Project& project, const NameManager& names, Emitted& 
     }
     for (const ir::Controller& controller : system.controllers) {
         if (controller.path != controller.name) continue;
-        const ControllerContext context{&project, &controller, controller.name,
-                                        qualified(controller.package, controller.name), names};
+        const ControllerContext context{
+            &project, &controller, controller.name, qualified(controller.package, controller.name),
+            names,    nullptr,     &given};
         packages.add(controller.package, emit_controller(context, emitted).module);
     }
     for (const ir::Module& module : system.modules) {
-        const ModuleContext context{&project, &module, qualified(module.package, module.name), names};
+        const ModuleContext context{&project, &module, qualified(module.package, module.name), names, &given};
         packages.add(module.package, emit_module(context, emitted).module);
     }
     const bool share = project.options.share_modules && project.diagnostics.ok();
@@ -288,12 +292,17 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     std::vector<DeclPtr> generated = data_definitions(project);
     append(generated, record_definitions(project, theirs.all));
     std::vector<std::string> left_out;
-    add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded, left_out);
-    if (project.instantiations_replaced())
-        check_instantiations_read(project, files, names_for_blocks(project, core, generated, safe.for_blocks),
-                                  left_out);
     Emitted emitted;
-    emit_components(project, names, emitted, generated);
+    const std::set<std::string> given = given_names(files, safe.for_blocks);
+    std::set<std::string> deciding = given;  // of two names of one constant that which counts
+    add_instantiations(project, given, generated, result.bounded, left_out);
+    if (project.instantiations_replaced()) {
+        const auto definitions = block_definitions(project, files, safe.for_blocks);
+        check_instantiations_read(project, definitions, names_for_blocks(project, core, generated, safe.for_blocks),
+                                  left_out);
+        for (const std::string& part : check_names_of_constants(project, definitions)) deciding.erase(part);
+    }
+    emit_components(project, names, deciding, emitted, generated);
     std::vector<DeclPtr> ours = core;
     append(ours, generated);
     const cspm::NewNames new_names = new_names_of_ours(theirs, ours, names);

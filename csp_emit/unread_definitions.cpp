@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/robotool_names.hpp"
@@ -12,28 +11,6 @@
 
 namespace robochart::csp_emit {
 namespace {
-
-using Places = std::vector<diagnostics::Span>;
-
-/// Part of a file as the user gave it: its blocks are read from copies.
-diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
-    const auto& blocks = project.system.csp_blocks;
-    const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const ir::CspBlock& each) {
-        return each.file == file && each.text_span.known();
-    });
-    if (block != blocks.end()) span.source = block->text_span.source;
-    return span;
-}
-
-/// Of the definitions in blocks Instantiations, by name: a function has several clauses.
-std::map<std::string, Places> definitions_of(const Project& project, const std::vector<FileBlocks>& files) {
-    std::map<std::string, Places> result;
-    for (const FileBlocks& file : files)
-        for (const cspm::DeclPtr& decl : file.instantiations)
-            for (const std::string& name : user_names({decl}).all)
-                result[name].push_back(in_file(project, file.file, decl->span));
-    return result;
-}
 
 /// The script of the other time has been looked at before, with the same findings.
 bool is_known(const Project& project, diagnostics::Span place) {
@@ -57,20 +34,22 @@ bool is_of_instantiations(const std::string& name) {
 
 }  // namespace
 
-void check_instantiations_read(const Project& project, const std::vector<FileBlocks>& files,
+void check_instantiations_read(const Project& project,
+                               const std::map<std::string, std::vector<BlockDefinition>>& definitions,
                                const std::set<std::string>& known, const std::vector<std::string>& left_out) {
-    for (const auto& [name, clauses] : definitions_of(project, files)) {
+    for (const auto& [name, clauses] : definitions) {
         if (known.count(name) != 0 || project.occurrences(name) > clauses.size()) continue;
+        const diagnostics::Span place = clauses.front().place;
         const std::string carrier = name_of_carrier(name);
         const bool old = std::find(left_out.begin(), left_out.end(), carrier) != left_out.end();
         const std::string meant = old ? carrier : diagnostics::nearest(name, left_out);
-        if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, clauses.front())) continue;
+        if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, place)) continue;
         diagnostics::Diagnostic& finding =
-            project.diagnostics.report(rules::definition_unread, clauses.front(),
+            project.diagnostics.report(rules::definition_unread, place,
                                        {name, old             ? fmt::format("; today's name of it is '{}'", carrier)
                                               : meant.empty() ? std::string()
                                                               : fmt::format("; did you mean '{}'?", meant)});
-        if (old) finding.fixes.push_back({name_in(project, clauses.front(), name), carrier, "today's name"});
+        if (old) finding.fixes.push_back({name_in(project, place, name), carrier, "today's name"});
     }
 }
 

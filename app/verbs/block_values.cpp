@@ -14,6 +14,7 @@
 #include "csp_emit/emit.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "runs/values.hpp"
+#include "semantics/ir/own_constants.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -24,8 +25,12 @@ class Definitions {
 public:
     explicit Definitions(const cspm::Script& script) {
         for (const cspm::DeclPtr& decl : script.decls) {
-            if (decl->kind == cspm::DeclKind::value && decl->patterns.front().front()->kind == cspm::PatternKind::name)
-                values_.emplace(decl->patterns.front().front()->text, decl->body);
+            if (decl->kind == cspm::DeclKind::value &&
+                decl->patterns.front().front()->kind == cspm::PatternKind::name) {
+                const std::string& name = decl->patterns.front().front()->text;
+                values_.emplace(name, decl->body);
+                if (decl->span.known()) written_.insert(name);
+            }
             if (decl->kind == cspm::DeclKind::function) functions_[decl->names.front()] += cspm::print(*decl) + "\n";
         }
     }
@@ -41,6 +46,8 @@ public:
         }
         return "";
     }
+    /// Whether somebody has written it: what is generated has no place.
+    [[nodiscard]] bool is_written(const std::string& name) const { return written_.contains(name); }
     [[nodiscard]] std::string function(const std::string& name) const {
         const auto at = functions_.find(name);
         return at == functions_.end() ? "" : at->second;
@@ -48,11 +55,13 @@ public:
 
 private:
     std::map<std::string, cspm::ExprPtr> values_;
+    std::set<std::string> written_;
     std::map<std::string, std::string> functions_;
 };
 
 /// A constant by its last name where all of that name are alike, else by its path.
 std::vector<std::string> constants_unlike(const Project& project, const Definitions& here, const Definitions& there) {
+    const auto own = ir::own_constants(project.system);
     std::vector<std::pair<std::string, std::string>> unlike;  // path, and both values
     std::map<std::string, std::set<std::string>> of_name;     // what those of one name are
     const auto last = [](const std::string& path) { return path.substr(path.rfind(':') + 1); };
@@ -60,7 +69,11 @@ std::vector<std::string> constants_unlike(const Project& project, const Definiti
         const auto shown = [&](const std::string& text) {
             return runs::value_text(project.system, project.instantiation, constant.type, text);
         };
-        const std::string ours = here.value(constant.name), theirs = there.value(constant.name);
+        // Of a part's constant the machine's own name decides.
+        const auto machines = own.find(constant.name);
+        const bool of_machine = machines != own.end() && there.is_written(machines->second);
+        const std::string& deciding = of_machine ? machines->second : constant.name;
+        const std::string ours = here.value(constant.name), theirs = there.value(deciding);
         const bool same = ours == theirs || ours.empty() || theirs.empty();
         std::string both = same ? "" : fmt::format("{} (there {})", shown(ours), shown(theirs));
         of_name[last(constant.path)].insert(both);

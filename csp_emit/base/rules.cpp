@@ -76,6 +76,19 @@ const Rule name_of_robotool{"RC-C15", Severity::error,
                             "return of a call and one channel for all states that are entered; what is inside a "
                             "machine is not a process of its "
                             "own here."};
+const Rule name_of_machine_decides{
+    "RC-C17", Severity::note,
+    "{0} = {1} does not count in claims about the controller or a module: there the machine's own name of the constant "
+    "decides, {2} = {3}",
+    "A machine's constant has a name for the machine alone and one for each controller that runs it. In claims about a "
+    "controller or a module RoboTool binds the second to the first, so the first counts where a block defines both. "
+    "The "
+    "second is what a csp block that mentions it reads."};
+const Rule two_values_of_constant{
+    "RC-C18", Severity::error, "{0} = {1} and {2} = {3} are two values of one constant; define {4}",
+    "A machine's constant has a name for the machine alone and one for each controller that runs it. In claims about a "
+    "controller or a module RoboTool binds the second to the first, so in its scripts both parts have the value of the "
+    "first. A claim gives one part a value of its own with `with constant c of C::ref set to v`."};
 const Rule probabilistic_choice{
     "RC-C21", Severity::note, "probabilistic junction {} counts as a free choice: CSP has no probabilities",
     "Every transition that leaves the junction may be taken, whatever its probability, as at a junction whose "
@@ -83,11 +96,12 @@ const Rule probabilistic_choice{
     "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 15> table{
-        &unsupported,         &recursive_call,          &missing_in_caller,    &reserved_name,
-        &too_many_points,     &instantiations_replaced, &constant_without_use, &name_of_another,
-        &one_name_for_two,    &block_without_process,   &inputs_hidden,        &definition_unread,
-        &block_of_other_time, &name_of_robotool,        &probabilistic_choice};
+    static constexpr std::array<const Rule*, 17> table{
+        &unsupported,         &recursive_call,          &missing_in_caller,       &reserved_name,
+        &too_many_points,     &instantiations_replaced, &constant_without_use,    &name_of_another,
+        &one_name_for_two,    &block_without_process,   &inputs_hidden,           &definition_unread,
+        &block_of_other_time, &name_of_robotool,        &name_of_machine_decides, &two_values_of_constant,
+        &probabilistic_choice};
     return table;
 }
 

@@ -22,6 +22,8 @@ extern const diagnostics::Rule inputs_hidden;            // RC-C12
 extern const diagnostics::Rule definition_unread;        // RC-C13
 extern const diagnostics::Rule block_of_other_time;      // RC-C14
 extern const diagnostics::Rule name_of_robotool;         // RC-C15
+extern const diagnostics::Rule name_of_machine_decides;  // RC-C17
+extern const diagnostics::Rule two_values_of_constant;   // RC-C18
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -130,9 +130,14 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
                                                 owner, constant.id);
         const bool provided = source.constant != &owner.constants.at(constant.id.index);
         constant.source = source.name;
-        // A csp block may give the part's constant a value; else it is the machine's own by its definition.
-        const bool of_part = provided || project().mentions(source.name);
-        constant.value = of_part ? source.name : default_constant(project(), constant.value, source.name);
+        // RoboTool binds the part's constant to the machine's own. A csp block that defines the part's alone means it.
+        const auto given = [&](const std::string& each) {
+            return context_.given != nullptr && context_.given->contains(each);
+        };
+        const bool of_part = provided || given(source.name);
+        const bool of_machine = !of_part && given(constant.value);
+        if (!of_machine)
+            constant.value = of_part ? source.name : default_constant(project(), constant.value, source.name);
     }
     emitted_.components[path] = result;
     return result;

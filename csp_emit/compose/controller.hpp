@@ -1,6 +1,9 @@
 // Controllers (semantics 3.9): machines side by side, each in a module of its own inside the controller's.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "csp_emit/compose/composition.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -13,6 +16,7 @@ struct ControllerContext {
     std::string path;  ///< qualified CSPM name
     NameManager names;
     const ir::Module* module = nullptr;  ///< the module that the controller runs in; null: it is checked alone
+    const std::set<std::string>* given = nullptr;  ///< constants that count by blocks; null: none
 };
 
 [[nodiscard]] ComponentEmission emit_controller(const ControllerContext&, Emitted&);

@@ -117,7 +117,7 @@ std::string ModuleEmitter::constant_argument(const ir::Controller& controller, c
 void ModuleEmitter::add_part(const ir::ControllerInstance& instance, std::vector<DeclPtr>& decls) {
     const ir::Controller& controller = project().system.controller(instance.controller);
     ControllerContext context{&project(),     &controller, instance.name, context_.path + "::" + instance.name,
-                              context_.names, &module()};
+                              context_.names, &module(),   context_.given};
     Part part;
     part.name = instance.name;
     part.emission = emit_controller(context, emitted_);

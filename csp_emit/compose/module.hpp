@@ -1,6 +1,9 @@
 // Modules (semantics 3.9): controllers side by side with the robotic platform as their environment.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "csp_emit/compose/composition.hpp"
 
 namespace robochart::csp_emit {
@@ -10,6 +13,7 @@ struct ModuleContext {
     const ir::Module* module = nullptr;
     std::string path;
     NameManager names;
+    const std::set<std::string>* given = nullptr;  ///< constants that count by blocks; null: none
 };
 
 [[nodiscard]] ComponentEmission emit_module(const ModuleContext&, Emitted&);

@@ -1,0 +1,122 @@
+// See block_constants.hpp.
+#include "csp_emit/block_constants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "semantics/ir/arithmetic.hpp"
+#include "semantics/ir/own_constants.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using cspm::ExprKind;
+using Definitions = std::map<std::string, std::vector<BlockDefinition>>;
+
+/// What a definition of a constant says, as far as it is known without evaluating a script.
+struct Value {
+    std::string text;
+    bool known = false;  ///< it is a number, a truth value or a name that no block defines
+};
+
+class Values {
+public:
+    explicit Values(const Definitions& definitions) : definitions_(definitions) {}
+
+    /// The expression behind `name = expression`; null where no block defines it so.
+    [[nodiscard]] cspm::ExprPtr body(const std::string& name) const {
+        const auto found = definitions_.find(name);
+        if (found == definitions_.end() || found->second.front().decl->kind != cspm::DeclKind::value) return nullptr;
+        return found->second.front().decl->body;
+    }
+    [[nodiscard]] Value of(const std::string& name) const {
+        const cspm::ExprPtr expr = resolved(body(name));
+        if (const auto value = number(expr)) return {std::to_string(*value), true};
+        const bool literal = expr->kind == ExprKind::boolean || expr->kind == ExprKind::name;
+        return {cspm::print(expr), literal};
+    }
+
+private:
+    /// Without parentheses, and behind names that a block defines.
+    [[nodiscard]] cspm::ExprPtr resolved(cspm::ExprPtr expr) const {
+        std::set<std::string> followed;
+        for (;;) {
+            if (expr->kind == ExprKind::parenthesised) {
+                expr = expr->args[0];
+            } else if (expr->kind == ExprKind::name && followed.insert(expr->text).second &&
+                       body(expr->text) != nullptr) {
+                expr = body(expr->text);
+            } else {
+                return expr;
+            }
+        }
+    }
+    [[nodiscard]] std::optional<std::int64_t> number(const cspm::ExprPtr& unresolved) const {
+        const cspm::ExprPtr expr = resolved(unresolved);
+        if (expr->kind == ExprKind::integer) return expr->number;
+        if (expr->kind == ExprKind::negate) {
+            const auto value = number(expr->args[0]);
+            return value ? ir::checked_subtract(0, *value) : std::nullopt;
+        }
+        if (expr->kind != ExprKind::plus && expr->kind != ExprKind::minus && expr->kind != ExprKind::times)
+            return std::nullopt;
+        const auto left = number(expr->args[0]), right = number(expr->args[1]);
+        if (!left || !right) return std::nullopt;
+        return expr->kind == ExprKind::plus    ? ir::checked_add(*left, *right)
+               : expr->kind == ExprKind::minus ? ir::checked_subtract(*left, *right)
+                                               : ir::checked_multiply(*left, *right);
+    }
+
+    const Definitions& definitions_;
+};
+
+/// The script of the other time has been looked at before, with the same findings.
+bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics::Span place) {
+    const auto known = project.diagnostics.sorted();
+    return std::ranges::any_of(
+        known, [&](const diagnostics::Diagnostic& finding) { return finding.rule == &rule && finding.span == place; });
+}
+
+}  // namespace
+
+std::set<std::string> check_names_of_constants(const Project& project, const Definitions& definitions) {
+    std::set<std::string> result;
+    const Values values(definitions);
+    std::map<std::string, const ir::NamedConstant*> first_part;  // by the machine's own name
+    const std::vector<ir::NamedConstant> constants = ir::named_constants(project.system);
+    const auto own = ir::own_constants(project.system);
+    for (const ir::NamedConstant& constant : constants) {
+        const auto own_constant = own.find(constant.name);
+        if (own_constant == own.end() || values.body(constant.name) == nullptr) continue;
+        const std::string& machines = own_constant->second;
+        const Value value = values.of(constant.name);
+        const diagnostics::Span place = definitions.at(constant.name).front().place;
+        const auto report = [&](const diagnostics::Rule& rule, const std::string& other, const Value& others) {
+            if (is_known(project, rule, place)) return;
+            project.diagnostics.report(rule, place, {constant.name, value.text, other, others.text, machines})
+                .notes.push_back(
+                    {definitions.at(other).front().place, fmt::format("here {} = {}", other, others.text)});
+        };
+        if (values.body(machines) != nullptr) {
+            const Value machines_value = values.of(machines);
+            if (machines_value.text == value.text) continue;
+            report(rules::name_of_machine_decides, machines, machines_value);
+            result.insert(constant.name);
+            continue;
+        }
+        const auto [first, added] = first_part.emplace(machines, &constant);
+        if (added) continue;
+        const Value others = values.of(first->second->name);
+        const bool differ = value.known && others.known && value.text != others.text;
+        if (differ) report(rules::two_values_of_constant, first->second->name, others);
+    }
+    return result;
+}
+
+}  // namespace robochart::csp_emit
