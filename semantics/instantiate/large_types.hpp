@@ -1,0 +1,16 @@
+// Types of a model that are too large to be looked at value by value.
+#pragma once
+
+#include <string>
+
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// Of the first type of an event or a parameter that has more values than `most`: its name, the number of the model
+/// that makes it so large, and the option that narrows it. "" if there is none.
+[[nodiscard]] std::string large_type(const System&, const Instantiation&, double most,
+                                     const diagnostics::SourceManager&);
+
+}  // namespace robochart::ir
