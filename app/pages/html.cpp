@@ -166,9 +166,6 @@ void ReportPage::verdicts() {
         "<th scope=\"col\">states</th></tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < report_.assertions.size(); ++i) verdict(i, report_.assertions[i]);
     out_ += "</tbody></table>\n";
-    for (const BoundReport& each : report_.bounds)
-        out_ += fmt::format("<p>a bound of the finite instantiation was reached: {}: {} [{}] {}</p>\n",
-                            xml_text(each.element), xml_text(each.text), each.time, xml_text(each.place));
     out_ += "</section>\n";
 }
 

@@ -4,7 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
 
+#include "app/command/run.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/expressions/clipping.hpp"
 #include "diagnostics/text.hpp"
 #include "semantics/ir/element_at.hpp"
@@ -12,41 +19,183 @@
 namespace robochart::app {
 namespace {
 
+/// A state of a term takes long beside one of a compiled machine.
+constexpr std::size_t most_states = 20'000;
+
+/// What looks at the elements of a sequence.
+constexpr std::array<const char*, 3> of_sequences{"sequence_toolkit_extract", "sequence_toolkit_size", "access_"};
+
 /// The expression as written, on one line.
 std::string written(const diagnostics::SourceManager& sources, diagnostics::Span span) {
     return diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin));
 }
 
+bool inside(diagnostics::Span part, diagnostics::Span whole) {
+    return part.source == whole.source && whole.begin <= part.begin && part.end <= whole.end;
+}
+
+std::string text_of(const ir::SequenceLimit& limit, const std::string& expression, std::int64_t longest) {
+    const std::string sequences = fmt::format("sequences hold at most {} elements here", longest);
+    if (limit.kind == ir::SequenceLimit::Kind::length)
+        return fmt::format("{}, so `{}` has one answer for all of them", sequences, expression);
+    if (limit.first > longest)
+        return fmt::format("{}, so `{}` takes none, and a condition that needs one has no value", sequences,
+                           expression);
+    return fmt::format("{}, so `{}` takes none from place {} on", sequences, expression, longest + 1);
+}
+
 }  // namespace
 
-BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission, csp_emit::Time time,
-                       std::vector<BoundReport>& report)
+BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission)
     : project_(project),
       emission_(emission),
-      time_(time == csp_emit::Time::timed ? "timed" : "untimed"),
-      report_(report) {}
+      sequence_limits_(ir::sequence_limits(project.system, project.instantiation)) {}
 
 cspm::CallObserver BoundWatch::observer() {
-    return {emission_.bounded, [this](const cspm::ObservedCall& call) { note(call); }};
+    std::set<std::string> functions = emission_.bounded;
+    if (!sequence_limits_.empty()) functions.insert(of_sequences.begin(), of_sequences.end());
+    return {std::move(functions), [this](const cspm::ObservedCall& call) { note(call); }};
 }
 
 void BoundWatch::note(const cspm::ObservedCall& call) {
     // Calls without a place, and those in CSP blocks, are no expressions of the model.
     if (!call.span.known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
+    if (std::ranges::find(of_sequences, call.function) != of_sequences.end()) {
+        for (const ir::SequenceLimit& limit : sequence_limits_)
+            if (inside(limit.span, call.span))
+                add(limit.span,
+                    text_of(limit, written(project_.sources, limit.span), project_.instantiation.sequence_bound),
+                    fmt::format("--range Seq=0..{} lets sequences hold more", limit.needed));
+        return;
+    }
     const auto text = csp_emit::reached_bound(emission_, project_.instantiation, call);
     if (!text) return;
     const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
-    if (!known_.emplace(std::make_pair(call.function, at), true).second) return;
-    const std::string element = ir::element_at(project_.system, call.span);
-    BoundReport bound{project_.label + (element.empty() ? "model" : element), project_.sources.place(call.span),
-                      fmt::format("in {}, {}", written(project_.sources, call.span), *text), time_};
-    const auto same = std::find_if(report_.begin(), report_.end(), [&](const BoundReport& other) {
-        return other.place == bound.place && other.element == bound.element && other.text == bound.text;
+    if (!known_.emplace(call.function, at).second) return;
+    const bool chosen = text->find("has no body") != std::string::npos;
+    add(call.span, fmt::format("in {}, {}", written(project_.sources, call.span), *text),
+        chosen ? "a csp block Instantiations defines functions" : "--range gives types more values");
+}
+
+void BoundWatch::add(diagnostics::Span span, std::string text, std::string remedy) {
+    const std::string element = ir::element_at(project_.system, span);
+    Ground ground;
+    ground.text = std::move(text);
+    ground.element = project_.label + (element.empty() ? "model" : element);
+    ground.remedy = std::move(remedy);
+    set_place(project_.sources, span, ground);
+    if (std::ranges::find(met_, ground) == met_.end()) met_.push_back(std::move(ground));
+}
+
+// ---------------------------------------------------------------- what runs come to
+
+namespace {
+
+/// The processes of components, by what their names end in.
+constexpr std::array<const char*, 6> variants{"::D__", "::O__", "::VS__", "::VS_O__", "::AS_O__", "::FVS__"};
+
+/// The component whose process a call is; "" if it is none.
+std::string component_of(const cspm::Expr& expr) {
+    if (expr.kind != cspm::ExprKind::apply || expr.args[0]->kind != cspm::ExprKind::name) return "";
+    const std::string& name = expr.args[0]->text;
+    for (const char* const variant : variants)
+        if (name.ends_with(variant)) return name.substr(0, name.size() - std::string_view(variant).size());
+    return "";
+}
+
+using Processes = std::vector<cspm::ExprPtr>;
+
+/// The components' processes in an expression, as they are before compression.
+void add_components(const cspm::ExprPtr& expr, Processes& found) {
+    if (!expr) return;
+    if (const std::string component = component_of(*expr); !component.empty()) {
+        cspm::Expr plain = *expr;
+        plain.args[0] = cspm::build::name(component + "::D__");
+        found.push_back(std::make_shared<const cspm::Expr>(std::move(plain)));
+        return;
+    }
+    for (const cspm::ExprPtr& part : expr->args) add_components(part, found);
+}
+
+/// Where a claim speaks of what a CSP block defines, all of it counts: the block may keep a component from doing
+/// things.
+Processes processes_of(const csp_emit::Obligation& claim) {
+    Processes sides;
+    if (claim.firing) sides.push_back(claim.firing->process);
+    if (claim.recurrence) sides.push_back(claim.recurrence->process);
+    for (const cspm::DeclPtr& decl : claim.assertions) {
+        sides.push_back(decl->assertion.specification);
+        if (decl->assertion.kind == cspm::AssertionKind::refinement) sides.push_back(decl->assertion.implementation);
+    }
+    Processes result;
+    for (const cspm::ExprPtr& side : sides) {
+        Processes components;
+        add_components(side, components);
+        const bool of_block = claim.property == ir::no_id && claim.component.empty();
+        if (of_block || components.empty()) components = {side};
+        result.insert(result.end(), components.begin(), components.end());
+    }
+    return result;
+}
+
+}  // namespace
+
+const ReachedBounds::Visited& ReachedBounds::visited(const cspm::ExprPtr& process) {
+    const auto [at, added] = visited_.try_emplace(cspm::print(process));
+    Visited& result = at->second;
+    if (!added) return result;
+    // A session of its own: values that another claim has asked for are known in its session, and nobody hears of them.
+    cspm::Session session(emission_.script, &options_.run->budget());
+    BoundWatch watch(project_, emission_);
+    session.observe(watch.observer());
+    try {
+        std::deque<process::TermId> waiting{session.process(process)};
+        std::set<process::TermId> seen{waiting.front()};
+        for (std::size_t states = 0; !waiting.empty(); waiting.pop_front()) {
+            if (++states > most_states) {
+                result.all = false;
+                break;
+            }
+            options_.run->budget().poll();
+            for (const process::Transition& step : session.transitions(waiting.front()))
+                if (seen.insert(step.target).second) waiting.push_back(step.target);
+        }
+    } catch (const cspm::EvaluationError&) {
+        result.all = false;
+    } catch (const process::SemanticsError&) {
+        result.all = false;
+    }
+    result.reached = watch.met();
+    return result;
+}
+
+/// Whether the element is of a machine that runs in the component that the process is; of other processes: always.
+bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& process) const {
+    const std::string component = component_of(*process);
+    if (component.empty()) return true;
+    return std::ranges::any_of(emission_.provenance.definitions, [&](const auto& definition) {
+        const csp_emit::DefinitionMeaning& meaning = definition.second;
+        const bool runs_there = meaning.component == component || meaning.component.starts_with(component + "::");
+        return runs_there && element.starts_with(project_.label + meaning.machine + "::");
     });
-    if (same == report_.end())
-        report_.push_back(std::move(bound));
-    else if (same->time != time_)
-        same->time = "untimed, timed";
+}
+
+Basis ReachedBounds::of(const csp_emit::Obligation& claim, const std::vector<Ground>& met) {
+    Basis result;
+    for (const cspm::ExprPtr& process : processes_of(claim)) {
+        const Visited& found = visited(process);
+        for (const Ground& ground : found.reached) add(result, ground);
+        if (found.all) continue;
+        for (Ground ground : met) {
+            const bool reached = std::ranges::any_of(found.reached, [&](const Ground& other) {
+                return other.place == ground.place && other.element == ground.element && other.remedy == ground.remedy;
+            });
+            if (reached || !is_part(ground.element, process)) continue;
+            ground.text += fmt::format(" (not in the first {} states, and it is not known whether later)", most_states);
+            add(result, std::move(ground));
+        }
+    }
+    return result;
 }
 
 }  // namespace robochart::app

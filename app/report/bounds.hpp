@@ -1,33 +1,63 @@
-// Bounds of the finite instantiation that were reached while assertions were checked: once for each expression and
-// element.
+// Bounds of the finite instantiation that runs come to: where a value was cut, chosen, or is none of the type.
 #pragma once
 
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
 #include "checker/cspm/syntax/observed_call.hpp"
+#include "semantics/instantiate/sequence_limits.hpp"
 
 namespace robochart::app {
 
 /// Listens to the evaluation of one script.
 class BoundWatch {
 public:
-    BoundWatch(const Project& project, const csp_emit::Emission& emission, csp_emit::Time time,
-               std::vector<BoundReport>& report);
+    BoundWatch(const Project& project, const csp_emit::Emission& emission);
 
     [[nodiscard]] cspm::CallObserver observer();
+    /// What was met so far: once for each function and place.
+    [[nodiscard]] const std::vector<Ground>& met() const { return met_; }
 
 private:
     void note(const cspm::ObservedCall& call);
+    void add(diagnostics::Span span, std::string text, std::string remedy);
 
     const Project& project_;
     const csp_emit::Emission& emission_;
-    std::string time_;
-    std::vector<BoundReport>& report_;
-    std::map<std::pair<std::string, std::uint64_t>, bool> known_;
+    std::vector<ir::SequenceLimit> sequence_limits_;
+    std::set<std::pair<std::string, std::uint64_t>> known_;
+    std::vector<Ground> met_;
+};
+
+/// Which bounds the runs of a claim's processes come to. The search for an answer explores each part of a composition
+/// with all its inputs, and meets bounds that no run of the whole does; so the states of the whole are visited once
+/// more, up to a limit.
+class ReachedBounds {
+public:
+    ReachedBounds(const Project& project, const csp_emit::Emission& emission, const Options& options)
+        : project_(project), emission_(emission), options_(options) {}
+
+    /// `met`: what the search met, for this claim or others.
+    [[nodiscard]] Basis of(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
+
+private:
+    struct Visited {
+        std::vector<Ground> reached;
+        bool all = true;  ///< no state is left
+    };
+    const Visited& visited(const cspm::ExprPtr& process);
+    [[nodiscard]] bool is_part(const std::string& element, const cspm::ExprPtr& process) const;
+
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    const Options& options_;
+    std::map<std::string, Visited> visited_;  // by the process as text
 };
 
 }  // namespace robochart::app

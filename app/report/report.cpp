@@ -119,18 +119,6 @@ std::string assertion_block(const AssertionReport& a, const std::string& subject
 }
 
 /// What the verdicts are about where it is less than the model.
-void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
-    if (bounds.empty()) return;
-    out +=
-        "\nbounds of the finite instantiation that were met; where these states can be reached, the verdicts are about "
-        "a "
-        "smaller model\n(each part is explored with all its inputs, so they need not be reachable: docs/cli.md, The "
-        "finite instantiation)\n";
-    for (const BoundReport& bound : bounds)
-        out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time,
-                           bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));
-}
-
 void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const conformance::Cycle& cycle = cycles[i];
@@ -487,7 +475,6 @@ std::string render_text(const Report& report, const Options& options) {
     std::string out = options.quiet ? "" : shown_lines(heading_text(report));
     out += assertions_text(report, options, color) + core_text(report, options, color) + legend(report, options);
     std::string found;
-    write_bounds(found, report.bounds);
     write_sizes(found, report.sizes);
     out += shown_lines(found);
     if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";

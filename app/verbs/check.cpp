@@ -13,6 +13,7 @@
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "app/report/bounds.hpp"
+#include "app/report/causes.hpp"
 #include "app/report/second_look.hpp"
 #include "app/report/sizes.hpp"
 #include "app/report/taken_guards.hpp"
@@ -90,7 +91,7 @@ Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, c
 
 /// What cannot be evaluated, with its place and the element of the model that it is in.
 std::string said(const Project& project, const cspm::EvaluationError& error) {
-    return runs::placed_failure(error, project.system, project.sources);
+    return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
 
 /// One assertion of an obligation: its answer, with its counterexample where it fails, and what it rests on.
@@ -333,14 +334,37 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
     }
 }
 
+/// An answer that an earlier run has found says nothing of bounds.
+void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
+                AssertionReport& report) {
+    const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
+    if (!answered || (bounds.met().empty() && report.searched)) return;
+    for (Ground& ground : reached.of(claim, bounds.met())) add(report.basis, std::move(ground));
+}
+
+/// To those of other claims and of the other time.
+void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds) {
+    const std::string name = time == Time::timed ? "timed" : "untimed";
+    for (const Ground& ground : basis) {
+        if (ground.kind != GroundKind::bound) continue;
+        const auto same = std::ranges::find_if(bounds, [&](const BoundReport& other) {
+            return other.place == ground.place && other.element == ground.element && other.text == ground.text;
+        });
+        if (same == bounds.end())
+            bounds.push_back({ground.element, ground.place, ground.text, name});
+        else if (same->time != name)
+            same->time = "untimed, timed";
+    }
+}
+
 void check_time(Project& project, const Options& options, Time time, Report& report) {
     const csp_emit::Emission& emission = emit_csp(project, options, time);
     if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
     const std::unique_ptr<cspm::Session> session = open(project, emission, time, options, report);
     if (!session) return;
-    std::vector<BoundReport> bounds_met = report.bounds;
-    BoundWatch bounds(project, emission, time, bounds_met);
+    BoundWatch bounds(project, emission);
     session->observe(bounds.observer());
+    ReachedBounds reached(project, emission, options);
     const TakenGuards guards(project, emission, time);
     const Context context{project, options, emission, *session, guards};
     RuleClaims rules(project, emission, options);
@@ -369,9 +393,10 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         }
         premises.apply(obligation, one);
         second_look.add_to(obligation, one);
+        add_bounds(reached, bounds, obligation, one);
         const auto edit = options.run->edit();
+        add_bounds(one.basis, time, report.bounds);
         report.assertions[at++] = std::move(one);
-        report.bounds = bounds_met;
     }
     if (options.sizes) measure_sizes(project, *session, emission, time, options, report);
 }
