@@ -114,10 +114,21 @@ std::string ExpressionWriter::frame_of(const Unit& owner) const {
     return &owner == &caller_ ? "f" : lent_frame(owner);
 }
 
-CppExpr ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol, Binding binding) const {
+CppExpr ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol, const char* name,
+                                     Binding binding) const {
+    if (block_arithmetic(expr)) return block_arithmetic_text(expr);
     const TypeKind result = kind(expr);
+    if (result != TypeKind::real) return CppExpr(function(expr, name));
     return {fmt::format("{} {} {}", operand_as(*expr.args[0], result), symbol, operand_as(*expr.args[1], result)),
             binding};
+}
+
+CppExpr ExpressionWriter::negated(const ir::Expr& expr) const {
+    const ir::Expr& arg = *expr.args[0];
+    if (!numeric(kind(expr))) return {"-" + operand(arg), Binding::prefix};
+    const bool defined = kind(expr) == TypeKind::real || arg.kind == ExprKind::integer;  // a literal is not negative
+    if (defined) return {"-" + operand_as(arg, kind(expr)), Binding::prefix};
+    return CppExpr(fmt::format("negative({})", write_as(arg, expr.type)));
 }
 
 std::string ExpressionWriter::function(const ir::Expr& expr, const char* name) const {
@@ -280,8 +291,7 @@ CppExpr ExpressionWriter::of_kind(const ir::Expr& expr) const {
         case ExprKind::since_entry:
             return CppExpr(fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr))));
         case ExprKind::negate:
-            return {"-" + (numeric(kind(expr)) ? operand_as(*expr.args[0], kind(expr)) : operand(*expr.args[0])),
-                    Binding::prefix};
+            return negated(expr);
         case ExprKind::logical_not:
             return negation(expression(*expr.args[0]));
         case ExprKind::iff:
@@ -305,11 +315,11 @@ CppExpr ExpressionWriter::of_kind(const ir::Expr& expr) const {
         case ExprKind::less_equal:
             return comparison(expr, "<=", Binding::order);
         case ExprKind::plus:
-            return block_arithmetic(expr) ? block_arithmetic_text(expr) : arithmetic(expr, "+", Binding::sum);
+            return arithmetic(expr, "+", "plus", Binding::sum);
         case ExprKind::minus:
-            return block_arithmetic(expr) ? block_arithmetic_text(expr) : arithmetic(expr, "-", Binding::sum);
+            return arithmetic(expr, "-", "minus", Binding::sum);
         case ExprKind::times:
-            return block_arithmetic(expr) ? block_arithmetic_text(expr) : arithmetic(expr, "*", Binding::product);
+            return arithmetic(expr, "*", "times", Binding::product);
         case ExprKind::divide:
             return CppExpr(function(expr, "divide"));
         case ExprKind::modulus:

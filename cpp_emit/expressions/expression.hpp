@@ -59,7 +59,9 @@ public:
 private:
     [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< none for a kind without C++
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, Binding) const;
+    /// Reals by the operator; whole numbers by the function of that name, which is defined at the type's limits.
+    [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
+    [[nodiscard]] CppExpr negated(const ir::Expr&) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
     [[nodiscard]] CppExpr comparison(const ir::Expr&, const char* symbol, Binding) const;
     [[nodiscard]] CppExpr compared(const ir::Expr&, const char* symbol, const std::string& left,

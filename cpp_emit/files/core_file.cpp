@@ -42,24 +42,24 @@ void write_enumeration(CodeWriter& out, const Enumeration& enumeration) {
     out.close("};");
 }
 
-/// `a.x == b.x && ...`, for language standards without defaulted comparison.
+/// `lhs.x == rhs.x && ...`, for language standards without defaulted comparison.
 void write_comparison(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
     std::vector<std::string> equal;
-    for (const std::string& field : fields) equal.push_back(fmt::format("a.{0} == b.{0}", field));
+    for (const std::string& field : fields) equal.push_back(fmt::format("lhs.{0} == rhs.{0}", field));
     const char* const unused = fields.empty() ? "[[maybe_unused]] " : "";
-    out.open(
-        fmt::format("friend constexpr bool operator==({1}const {0}& a, {1}const {0}& b) noexcept {{", name, unused));
+    out.open(fmt::format("friend constexpr bool operator==({1}const {0}& lhs, {1}const {0}& rhs) noexcept {{", name,
+                         unused));
     out.line(fmt::format("return {};", equal.empty() ? "true" : fmt::format("{}", fmt::join(equal, " && "))));
     out.close();
     out.line(fmt::format(
-        "friend constexpr bool operator!=(const {0}& a, const {0}& b) noexcept {{ return !(a == b); }}", name));
+        "friend constexpr bool operator!=(const {0}& lhs, const {0}& rhs) noexcept {{ return !(lhs == rhs); }}", name));
 }
 
 /// The first member that differs decides: sets keep their members in this order.
 void write_order(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
-    out.open(fmt::format("friend constexpr bool operator<(const {0}& a, const {0}& b) noexcept {{", name));
+    out.open(fmt::format("friend constexpr bool operator<(const {0}& lhs, const {0}& rhs) noexcept {{", name));
     for (const std::string& field : fields)
-        out.line(fmt::format("if (!(a.{0} == b.{0})) return a.{0} < b.{0};", field));
+        out.line(fmt::format("if (!(lhs.{0} == rhs.{0})) return lhs.{0} < rhs.{0};", field));
     out.line("return false;");
     out.close();
 }
@@ -473,7 +473,8 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.line(fmt::format("inline constexpr std::uint32_t step_bound = {};", bound_text(core)));
     out.gap();
     out.line("using robochart::advance_clock, robochart::advance_wait, robochart::duration;");
-    out.line("using robochart::divide, robochart::modulus, robochart::place_of, robochart::rounded_down;");
+    out.line("using robochart::divide, robochart::minus, robochart::modulus, robochart::negative, robochart::plus;");
+    out.line("using robochart::place_of, robochart::rounded_down, robochart::times;");
     write_declared_types(generation, out);
     for (std::size_t index = 0; index < core.machines.size(); ++index) {
         for (const Enumeration& enumeration : core.machines[index].enumerations) write_enumeration(out, enumeration);

@@ -57,6 +57,11 @@ public:
         return a.clipped(floor_quotient(WideInteger{a.raw_} * b.raw_, Carrier::scale));
     }
     friend constexpr Finite operator-(Finite a) noexcept { return a.clipped(-WideInteger{a.raw_}); }
+    /// Under the names by which generated code computes with whole numbers (runtime.hpp).
+    friend constexpr Finite plus(Finite a, Finite b) noexcept { return a + b; }
+    friend constexpr Finite minus(Finite a, Finite b) noexcept { return a - b; }
+    friend constexpr Finite times(Finite a, Finite b) noexcept { return a * b; }
+    friend constexpr Finite negative(Finite a) noexcept { return -a; }
     friend constexpr Finite divide(Finite a, Finite b) noexcept {
         if (b.raw_ == 0) return a;
         return a.clipped(floor_quotient(WideInteger{a.raw_} * Carrier::scale, b.raw_));

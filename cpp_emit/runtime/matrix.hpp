@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "robochart/runtime.hpp"
+
 namespace robochart {
 
 namespace detail {
@@ -103,28 +105,28 @@ inline constexpr bool is_block = IsBlock<T>::value;
 
 template <class B, std::enable_if_t<is_block<B>, int> = 0>
 constexpr B operator+(B a, const B& b) noexcept {
-    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = a.entry_[i] + b.entry_[i];
+    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = plus(a.entry_[i], b.entry_[i]);
     return a;
 }
 template <class B, std::enable_if_t<is_block<B>, int> = 0>
 constexpr B operator-(B a, const B& b) noexcept {
-    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = a.entry_[i] - b.entry_[i];
+    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = minus(a.entry_[i], b.entry_[i]);
     return a;
 }
 template <class B, std::enable_if_t<is_block<B>, int> = 0>
 constexpr B operator-(B a) noexcept {
-    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = -a.entry_[i];
+    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = negative(a.entry_[i]);
     return a;
 }
 /// Every entry times a number, the operands in the order written.
 template <class B, std::enable_if_t<is_block<B>, int> = 0>
 constexpr B operator*(B a, typename B::value_type factor) noexcept {
-    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = a.entry_[i] * factor;
+    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = times(a.entry_[i], factor);
     return a;
 }
 template <class B, std::enable_if_t<is_block<B>, int> = 0>
 constexpr B operator*(typename B::value_type factor, B a) noexcept {
-    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = factor * a.entry_[i];
+    for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = times(factor, a.entry_[i]);
     return a;
 }
 
@@ -135,9 +137,9 @@ constexpr Result product(const A& a, const B& b) noexcept {
     Result result;
     for (std::size_t row = 0; row < A::rows; ++row) {
         for (std::size_t column = 0; column < B::columns; ++column) {
-            auto sum = a.entry_[row * A::columns] * b.entry_[column];
+            auto sum = times(a.entry_[row * A::columns], b.entry_[column]);
             for (std::size_t i = 1; i < A::columns; ++i)
-                sum = sum + a.entry_[row * A::columns + i] * b.entry_[i * B::columns + column];
+                sum = plus(sum, times(a.entry_[row * A::columns + i], b.entry_[i * B::columns + column]));
             result.entry_[row * B::columns + column] = sum;
         }
     }
@@ -146,8 +148,8 @@ constexpr Result product(const A& a, const B& b) noexcept {
 /// Of two vectors.
 template <class T, std::size_t length>
 constexpr T dot(const Vector<T, length>& a, const Vector<T, length>& b) noexcept {
-    T sum = a.entry_[0] * b.entry_[0];
-    for (std::size_t i = 1; i < length; ++i) sum = sum + a.entry_[i] * b.entry_[i];
+    T sum = times(a.entry_[0], b.entry_[0]);
+    for (std::size_t i = 1; i < length; ++i) sum = plus(sum, times(a.entry_[i], b.entry_[i]));
     return sum;
 }
 template <class Result, class A>

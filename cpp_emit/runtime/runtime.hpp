@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -115,9 +116,14 @@ struct Deployment {
     static constexpr std::size_t longest = 16;
 };
 
-/// A real as a whole number, rounded down.
+/// A real as a whole number, rounded down; beyond the type's numbers its nearest one, 0 for what is no number.
 template <class Whole>
 constexpr Whole rounded_down(double value) noexcept {
+    constexpr Whole least = std::numeric_limits<Whole>::min();
+    constexpr Whole greatest = std::numeric_limits<Whole>::max();
+    if (value != value) return Whole{0};
+    if (value <= static_cast<double>(least)) return least;
+    if (value >= static_cast<double>(greatest)) return greatest;
     const auto cut = static_cast<Whole>(value);
     return static_cast<double>(cut) > value ? static_cast<Whole>(cut - 1) : cut;
 }
@@ -125,18 +131,72 @@ constexpr std::int64_t place_of(std::int64_t index) noexcept {
     return index;
 }
 
+template <class T>
+using IfWhole = std::enable_if_t<std::is_integral_v<T>, int>;
+template <class T>
+using IfFloating = std::enable_if_t<std::is_floating_point_v<T>, int>;
+
+/// Arithmetic of whole numbers as in the model's semantics: a result that the type does not have is replaced by the first
+/// operand. So a counter at its limit keeps its value, and no operation is undefined.
+template <class T, IfWhole<T> = 0>
+constexpr T plus(T a, T b) noexcept {
+    using Limits = std::numeric_limits<T>;
+    return (b > 0 ? a > Limits::max() - b : a < Limits::min() - b) ? a : static_cast<T>(a + b);
+}
+template <class T, IfWhole<T> = 0>
+constexpr T minus(T a, T b) noexcept {
+    using Limits = std::numeric_limits<T>;
+    return (b > 0 ? a < Limits::min() + b : a > Limits::max() + b) ? a : static_cast<T>(a - b);
+}
+template <class T, IfWhole<T> = 0>
+constexpr T times(T a, T b) noexcept {
+    using Limits = std::numeric_limits<T>;
+    // Quotients are cut towards zero, so they are the exact bounds of the other factor. None divides the least number by -1.
+    bool fits = true;
+    if (a > 0) fits = b > 0 ? a <= Limits::max() / b : b >= Limits::min() / a;
+    if (a < 0) fits = b > 0 ? a >= Limits::min() / b : b >= Limits::max() / a;
+    return fits ? static_cast<T>(a * b) : a;
+}
+template <class T, IfWhole<T> = 0>
+constexpr T negative(T a) noexcept {
+    return a == std::numeric_limits<T>::min() ? a : static_cast<T>(-a);
+}
+/// Vectors and matrices compute with the same names, whatever their entries are.
+template <class T, IfFloating<T> = 0>
+constexpr T plus(T a, T b) noexcept {
+    return a + b;
+}
+template <class T, IfFloating<T> = 0>
+constexpr T minus(T a, T b) noexcept {
+    return a - b;
+}
+template <class T, IfFloating<T> = 0>
+constexpr T times(T a, T b) noexcept {
+    return a * b;
+}
+template <class T, IfFloating<T> = 0>
+constexpr T negative(T a) noexcept {
+    return -a;
+}
+
 /// Division and remainder as in the model's semantics: by zero is by one, and for whole numbers the quotient is rounded
-/// down.
-constexpr double divide(double a, double b) noexcept {
-    return a / (b < 0.0 || b > 0.0 ? b : 1.0);
+/// down. The least number by -1 has no quotient in the type, so it stays as it is; its remainder is 0.
+template <class T, IfFloating<T> = 0>
+constexpr T divide(T a, T b) noexcept {
+    return a / (b < 0 || b > 0 ? b : T{1});
 }
-constexpr std::int64_t divide(std::int64_t a, std::int64_t b) noexcept {
+template <class T, IfWhole<T> = 0>
+constexpr T divide(T a, T b) noexcept {
     if (b == 0) return a;
-    const std::int64_t quotient = a / b;
-    return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
+    if (b == -1) return negative(a);
+    const T quotient = static_cast<T>(a / b);
+    return a % b != 0 && (a < 0) != (b < 0) ? static_cast<T>(quotient - 1) : quotient;
 }
-constexpr std::int64_t modulus(std::int64_t a, std::int64_t b) noexcept {
-    return a - (b == 0 ? a : divide(a, b) * b);
+template <class T, IfWhole<T> = 0>
+constexpr T modulus(T a, T b) noexcept {
+    if (b == 0 || b == -1) return T{0};
+    const T rest = static_cast<T>(a % b);
+    return rest != 0 && (rest < 0) != (b < 0) ? static_cast<T>(rest + b) : rest;
 }
 
 /// The condition itself.

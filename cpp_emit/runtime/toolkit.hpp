@@ -159,9 +159,9 @@ constexpr Result apply(const Function& function, const Argument& argument) noexc
 template <class Numbers, class Number>
 constexpr Numbers whole_range(Number low, Number high, std::int64_t less_low, std::int64_t less_high) noexcept {
     Numbers result;
-    const std::int64_t last = place_of(high) - less_high;
-    for (std::int64_t i = place_of(low) + less_low; i <= last; ++i) {
-        if (result.size() == Numbers::most) break;
+    const std::int64_t last = minus(place_of(high), less_high);
+    std::int64_t i = plus(place_of(low), less_low);
+    for (bool more = i <= last; more && result.size() < Numbers::most; more = i < last, i = plus(i, std::int64_t{1})) {
         if constexpr (detail::IsSequence<Numbers>::value) {
             result.append(typename Numbers::value_type(i));
         } else {

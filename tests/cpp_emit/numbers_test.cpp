@@ -2,6 +2,9 @@
 // deployment's division rounds like the model's.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "cpp_emit/runtime/finite.hpp"
 #include "cpp_emit/runtime/runtime.hpp"
 #include "semantics/evaluate/evaluate.hpp"
@@ -113,6 +116,43 @@ TEST(Numbers, DurationsAreNotNegative) {
     EXPECT_EQ(duration(Whole(-3)), 0U);
     EXPECT_EQ(duration(std::int64_t{-1}), 0U);
     EXPECT_EQ(duration(INT64_MAX), static_cast<std::uint32_t>(INT32_MAX));
+}
+
+/// A type of 8 bits shows all pairs of operands.
+std::int8_t fitting(int exact, std::int8_t first) {
+    return exact >= INT8_MIN && exact <= INT8_MAX ? static_cast<std::int8_t>(exact) : first;
+}
+
+TEST(Numbers, AResultThatTheTypeDoesNotHaveIsTheFirstOperand) {
+    for (int left = INT8_MIN; left <= INT8_MAX; ++left) {
+        const auto a = static_cast<std::int8_t>(left);
+        ASSERT_EQ(negative(a), fitting(-left, a)) << left;
+        for (int right = INT8_MIN; right <= INT8_MAX; ++right) {
+            const auto b = static_cast<std::int8_t>(right);
+            ASSERT_EQ(plus(a, b), fitting(left + right, a)) << left << ", " << right;
+            ASSERT_EQ(minus(a, b), fitting(left - right, a)) << left << ", " << right;
+            ASSERT_EQ(times(a, b), fitting(left * right, a)) << left << ", " << right;
+            if (right == 0) continue;
+            const int quotient = static_cast<int>(std::floor(static_cast<double>(left) / right));
+            ASSERT_EQ(divide(a, b), fitting(quotient, a)) << left << ", " << right;
+            ASSERT_EQ(modulus(a, b), left - quotient * right) << left << ", " << right;
+        }
+    }
+}
+
+TEST(Numbers, DeploymentIsDefinedAtItsLimits) {
+    EXPECT_EQ(plus(INT64_MAX, std::int64_t{1}), INT64_MAX);
+    EXPECT_EQ(minus(INT64_MIN, std::int64_t{1}), INT64_MIN);
+    EXPECT_EQ(times(std::int64_t{1} << 62, std::int64_t{2}), std::int64_t{1} << 62);
+    EXPECT_EQ(times(std::int64_t{-1} << 62, std::int64_t{2}), INT64_MIN);
+    EXPECT_EQ(times(INT64_MIN, std::int64_t{-1}), INT64_MIN);
+    EXPECT_EQ(times(std::int64_t{-1}, INT64_MIN), -1);
+    EXPECT_EQ(negative(INT64_MIN), INT64_MIN);
+    EXPECT_EQ(divide(INT64_MIN, std::int64_t{-1}), INT64_MIN);
+    EXPECT_EQ(modulus(INT64_MIN, std::int64_t{-1}), 0);
+    EXPECT_EQ(rounded_down<std::int64_t>(1e300), INT64_MAX);
+    EXPECT_EQ(rounded_down<std::int64_t>(-std::numeric_limits<double>::infinity()), INT64_MIN);
+    EXPECT_EQ(rounded_down<std::int64_t>(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
 TEST(Numbers, DeploymentDividesLikeTheModel) {

@@ -16,7 +16,8 @@ inline constexpr std::uint32_t cycle_length = 1;
 inline constexpr std::uint32_t step_bound = 100048;
 
 using robochart::advance_clock, robochart::advance_wait, robochart::duration;
-using robochart::divide, robochart::modulus, robochart::place_of, robochart::rounded_down;
+using robochart::divide, robochart::minus, robochart::modulus, robochart::negative, robochart::plus;
+using robochart::place_of, robochart::rounded_down, robochart::times;
 
 /// Where Door is: in a node, or in the middle of a program.
 enum class At : std::uint8_t {
@@ -36,10 +37,10 @@ struct State {
     At at = At::i;
     std::uint8_t filler[3] = {};  ///< keeps the bytes canonical
 
-    friend constexpr bool operator==(const State& a, const State& b) noexcept {
-        return a.T == b.T && a.at == b.at;
+    friend constexpr bool operator==(const State& lhs, const State& rhs) noexcept {
+        return lhs.T == rhs.T && lhs.at == rhs.at;
     }
-    friend constexpr bool operator!=(const State& a, const State& b) noexcept { return !(a == b); }
+    friend constexpr bool operator!=(const State& lhs, const State& rhs) noexcept { return !(lhs == rhs); }
 };
 
 /// What the control cycle reads: events received, shared variables written from outside.
