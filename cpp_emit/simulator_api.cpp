@@ -246,7 +246,7 @@ private:
         if (output.types.empty()) {
             out_.line(fmt::format("(void)add({}, 0);", index));
         } else {
-            out_.line(fmt::format("rc_action* const action = add({}, {});", index, output.types.size()));
+            out_.line(fmt::format("::rc_action* const action = add({}, {});", index, output.types.size()));
             out_.line("if (action == nullptr) return;");
             for (std::size_t i = 0; i < output.types.size(); ++i) out_.line(to_value(output.types[i], i));
         }
@@ -279,9 +279,9 @@ private:
         const bool draws = generation_.component.probabilistic;
         if (draws)
             out_.line(
-                "Actions(rc_actions& actions, robochart::Draws& draws) noexcept : actions_(actions), draws_(draws) {}");
+                "Actions(::rc_actions& actions, robochart::Draws& draws) noexcept : actions_(actions), draws_(draws) {}");
         else
-            out_.line("explicit Actions(rc_actions& actions) noexcept : actions_(actions) {}");
+            out_.line("explicit Actions(::rc_actions& actions) noexcept : actions_(actions) {}");
         out_.gap();
         if (draws)
             out_.line(
@@ -292,18 +292,18 @@ private:
         for (const FunctionHook& hook : generation_.component.functions) function_method(hook);
         out_.gap();
         out_.label("private:");
-        out_.open("[[maybe_unused]] rc_action* add(std::uint32_t output, std::uint32_t count) noexcept {");
+        out_.open("[[maybe_unused]] ::rc_action* add(std::uint32_t output, std::uint32_t count) noexcept {");
         out_.open("if (actions_.count == ROBOCHART_DRIVE_MAX_ACTIONS) {");
         out_.line("actions_.overflow = 1;");
         out_.line("return nullptr;");
         out_.close();
-        out_.line("rc_action* const action = &actions_.action[actions_.count++];");
+        out_.line("::rc_action* const action = &actions_.action[actions_.count++];");
         out_.line("action->output = output;");
         out_.line("action->count = count;");
         out_.line("return action;");
         out_.close();
         out_.gap();
-        out_.line("rc_actions& actions_;");
+        out_.line("::rc_actions& actions_;");
         if (generation_.component.probabilistic) out_.line("robochart::Draws& draws_;");
         out_.close("};");
     }

@@ -12,36 +12,44 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-std::string parameters(const Generation& generation, const Core& core, const ir::OperationSignature& signature,
-                       bool unused) {
-    const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
+std::string parameters(const Generation& generation, const Core& core, const std::vector<ir::TypeId>& types,
+                       const std::vector<std::string>& names) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
-        texts.push_back(fmt::format("{}{} {}", unused ? "[[maybe_unused]] " : "",
-                                    deployed_type(generation, core.relative, signature.parameters[i]), names.at(i)));
+    for (std::size_t i = 0; i < types.size(); ++i)
+        texts.push_back(fmt::format("{} {}", deployed_type(generation, core.relative, types[i]), names.at(i)));
     return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// Of a definition that does not use its parameters, and whose class may have members of these names.
+std::vector<std::string> unused(const std::vector<std::string>& model_names) {
+    std::vector<std::string> names = parameter_identifiers(model_names);
+    for (std::string& name : names) name = "/*" + name + "*/";
+    return names;
+}
+
+/// Of a definition that passes its parameters on, whatever its class calls its members.
+std::vector<std::string> passed(std::size_t count) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
+    return names;
 }
 
 void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const ApiOperation& operation) {
     out.gap();
-    const diagnostics::ForeignText place = generation.place(operation.signature->origin);
-    const std::string list = parameters(generation, core, *operation.signature, operation.modelled);
+    const ir::OperationSignature& signature = *operation.signature;
+    const diagnostics::ForeignText place = generation.place(signature.origin);
+    const auto list = [&](const std::vector<std::string>& names) {
+        return parameters(generation, core, signature.parameters, names);
+    };
     if (operation.modelled) {
         out.doc(place + ", as the model defines it. Override it and return true to do it differently.");
-        out.line(fmt::format("virtual bool {}({}) {{ return false; }}", operation.method, list));
+        out.line(fmt::format("virtual bool {}({}) {{ return false; }}", operation.method,
+                             list(unused(signature.parameter_names))));
     } else {
         out.doc(place + ", done by the platform: override it.");
-        out.line(fmt::format("virtual void {}({}) = 0;", operation.method, list));
+        out.line(fmt::format("virtual void {}({}) = 0;", operation.method,
+                             list(parameter_identifiers(signature.parameter_names))));
     }
-}
-
-std::string function_parameters(const Generation& generation, const Core& core, const ir::Function& function) {
-    const std::vector<std::string> names = parameter_identifiers(function.parameter_names);
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < function.parameters.size(); ++i)
-        texts.push_back(fmt::format("[[maybe_unused]] {} {}",
-                                    deployed_type(generation, core.relative, function.parameters[i]), names.at(i)));
-    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 void write_functions(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
@@ -52,7 +60,7 @@ void write_functions(const Generation& generation, const Core& core, const Class
         out.doc(fmt::format("Function {}: the model has only its contract.", function.name));
         out.line(fmt::format("[[nodiscard]] virtual {} {}({}) {{ return {}; }}",
                              deployed_type(generation, core.relative, function.result), each.method,
-                             function_parameters(generation, core, function),
+                             parameters(generation, core, function.parameters, unused(function.parameter_names)),
                              deployed_value(generation, core, function.result, value)));
     }
 }
@@ -60,10 +68,10 @@ void write_functions(const Generation& generation, const Core& core, const Class
 void write_function_hooks(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
     for (const ApiFunction& each : api.functions) {
         const ir::Function& function = generation.system.functions[each.hook->id.index];
-        const std::vector<std::string> arguments = parameter_identifiers(function.parameter_names);
+        const std::vector<std::string> arguments = passed(function.parameters.size());
         out.gap();
         out.open(fmt::format("{} {}({}) const noexcept {{", deployed_type(generation, core.relative, function.result),
-                             each.hook->method, function_parameters(generation, core, function)));
+                             each.hook->method, parameters(generation, core, function.parameters, arguments)));
         out.line(fmt::format("return machine.{}({});", each.method, fmt::join(arguments, ", ")));
         out.close();
     }
@@ -153,10 +161,10 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     each_class(api, [&](const ApiClass& part) {
         for (const ApiOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
-            const std::vector<std::string> arguments = parameter_identifiers(signature.parameter_names);
+            const std::vector<std::string> arguments = passed(signature.parameters.size());
             out.gap();
             out.open(fmt::format("{} {}({}) const noexcept {{", operation.modelled ? "bool" : "void",
-                                 operation.core_method, parameters(generation, core, signature, false)));
+                                 operation.core_method, parameters(generation, core, signature.parameters, arguments)));
             out.line(fmt::format("{}machine.{}({});", operation.modelled ? "return " : "", operation.method,
                                  fmt::join(arguments, ", ")));
             out.close();

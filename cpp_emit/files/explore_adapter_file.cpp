@@ -193,7 +193,7 @@ private:
     void log_class() {
         out_.declaration("The platform of the exploration: writes down what the controller does.", "class Log {");
         out_.label("public:");
-        out_.line("explicit Log(rc_log& log) noexcept : log_(log) {}");
+        out_.line("explicit Log(::rc_log& log) noexcept : log_(log) {}");
         out_.gap();
         for (std::size_t index = 0; index < outputs_.size(); ++index) {
             std::string parameters, arguments;
@@ -219,7 +219,7 @@ private:
         }
         out_.gap();
         out_.label("private:");
-        out_.line("[[maybe_unused]] rc_log& log_;");
+        out_.line("[[maybe_unused]] ::rc_log& log_;");
         out_.close("};");
     }
 

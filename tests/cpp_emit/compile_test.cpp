@@ -37,7 +37,8 @@ protected:
     void expect_clean(const std::string& compiler) const {
         std::string ignored;
         if (folder_.status(compiler + " --version", ignored) != 0) GTEST_SKIP() << compiler << " is not installed";
-        const std::string strict = compiler + " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -I. -c ";
+        const std::string strict =
+            compiler + " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. -c ";
         folder_.run(strict + "-fno-exceptions -fno-rtti *_explore.cpp " + GetParam().machine + ".cpp");
         folder_.run(strict + "main.cpp");
     }
@@ -103,6 +104,26 @@ TEST(Compile, OddMachines) {
                 std::string(
                     " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. -fsyntax-only *.cpp"));
         }
+    }
+}
+
+/// Operations and functions with a parameter that is called as a variable of the class is.
+TEST(Compile, ParametersMayBeCalledAsVariables) {
+    const ir::System system = testing::model(
+        "function far(speed : real) : boolean { }\n"
+        "interface I { var speed : real go(speed : real) }\ninterface J { turn(speed : real) }\n"
+        "operation turn(speed : real) { initial i final f transition t { from i to f } }\n"
+        "stm M { requires I requires J event e initial i state A { entry go(1); turn(2) }\n"
+        " transition t { from i to A } transition u { from A to A trigger e condition far(speed) } }\n"
+        "controller C { requires I uses E sref m = M opref o = turn connection C on e to m on e }\n"
+        "interface E { event e }\n");
+    Folder folder;
+    folder.write(testing::emit_ok(system, testing::component(system, "C")));
+    for (const char* compiler : {"g++", "clang++"}) {
+        std::string ignored;
+        if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;
+        folder.run(compiler +
+                   std::string(" -std=c++17 -Wall -Wextra -Wpedantic -Wshadow -Werror -I. -fsyntax-only *.cpp"));
     }
 }
 
@@ -217,10 +238,10 @@ TEST(Compile, ComparisonsThatAreSettled) {
         std::string ignored;
         if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;
         for (const char* level : {"-O0", "-O2"})
-            folder.run(
-                fmt::format("for f in *.cpp; do {} -std=c++17 {} -Wall -Wextra -Wpedantic -Wconversion -Werror -I. "
-                            "-c -o object.o $f || exit 1; done",
-                            compiler, level));
+            folder.run(fmt::format(
+                "for f in *.cpp; do {} -std=c++17 {} -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. "
+                "-c -o object.o $f || exit 1; done",
+                compiler, level));
     }
 }
 
