@@ -54,6 +54,7 @@ private:
         lint_flow(machine, written_by_, out_);
         lint_loops(machine, never, out_);
         lint_arithmetic(machine, out_);
+        lint_growth(machine, written_by_, out_);
         lint_statements(machine, out_);
         lint_missed(machine, out_);
         lint_termination(machine, out_);

@@ -84,6 +84,8 @@ void lint_arithmetic(const Machine& machine, Diagnostics& out);
 void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
 /// RC-W14, RC-W15, RC-W16.
 void lint_statements(const Machine& machine, Diagnostics& out);
+/// RC-W21.
+void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out);
 /// RC-W20.
 void lint_missed(const Machine& machine, Diagnostics& out);
 /// RC-W07, RC-W08, RC-W18: over the whole project.

@@ -37,7 +37,7 @@ extern const Rule unknown_component, not_a_component, no_state, no_clock, no_con
 // rules_lints.cpp
 extern const Rule w_loose_machine, w_loose_controller, w_loose_platform, w_stuck, w_unreachable, w_never, w_else_never,
     w_always, w_unset, w_unused, w_unread, w_loop, w_negative, w_zero, w_maybe_zero, w_shadows, w_hidden_member,
-    w_endless, w_copy, w_self, w_deadline, w_deaf, w_never_reset, w_broken_promise, w_missed;
+    w_endless, w_copy, w_self, w_deadline, w_deaf, w_never_reset, w_broken_promise, w_missed, w_grows;
 
 [[nodiscard]] const std::vector<const Rule*>& of_names();
 [[nodiscard]] const std::vector<const Rule*>& of_nodes();

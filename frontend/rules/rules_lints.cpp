@@ -95,6 +95,13 @@ const Rule w_missed{
     "ended, and what the platform raises meanwhile is lost. Where that matters, wait in the state, with a clock and a "
     "transition that may be taken later."};
 
+const Rule w_grows{
+    "RC-W21", warning, "`{}` grows without bound: no condition reads it, and nothing sets it back",
+    "Generated code keeps the last value that its type has, and a check ends at the last value of the finite "
+    "instantiation, so both differ from the model behind that value. Bound the growth by a condition, or set the "
+    "variable "
+    "back."};
+
 const std::vector<const Rule*>& of_lints() {
     static const std::vector<const Rule*> rules = {&w_loose_machine,  &w_loose_controller,
                                                    &w_loose_platform, &w_stuck,
@@ -108,7 +115,7 @@ const std::vector<const Rule*>& of_lints() {
                                                    &w_copy,           &w_self,
                                                    &w_deadline,       &w_deaf,
                                                    &w_never_reset,    &w_broken_promise,
-                                                   &w_missed};
+                                                   &w_missed,         &w_grows};
     return rules;
 }
 

@@ -1,0 +1,164 @@
+// RC-W21: variables that only grow. Each assignment adds to the variable (or takes from it, or multiplies it), at least
+// one of them can happen again and again, and no condition reads the variable, so nothing ends the growth. The finite
+// instantiation stops such a variable at its last value, and so does generated code at the end of its type
+// (semantics 3.13): behind that value the model and the robot differ.
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "frontend/lint/lints.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/types/typer.hpp"
+#include "frontend/types/types.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+bool is_number(const Variable& variable) {
+    if (variable.kind != DeclKind::variable || variable.type == nullptr) return false;
+    const TypeForm form = variable.type->form;
+    return form == TypeForm::nat || form == TypeForm::integer || form == TypeForm::real;
+}
+
+/// Where a step leads: `x + 1` upwards, `x - 1` downwards, `x * 2` away from 0.
+enum class Direction { up, down, away };
+
+bool reads(const Expr& expr, const Declaration& variable) {
+    return strip(expr).kind == ExprKind::name && strip(expr).target == &variable;
+}
+
+/// The direction of `x = value`; none where it is no step or may go either way.
+std::optional<Direction> direction_of(const Expr& value, const Declaration& variable) {
+    const Expr& sum = strip(value);
+    if (sum.kind != ExprKind::binary) return std::nullopt;
+    const bool first = reads(*sum.args[0], variable);
+    const bool second = reads(*sum.args[1], variable);
+    if (first == second) return std::nullopt;
+    const std::optional<double> step = number_of(strip(*sum.args[first ? 1 : 0]));
+    if (!step) return std::nullopt;
+    if (sum.binary == BinaryOp::plus && *step > 0) return Direction::up;
+    if (sum.binary == BinaryOp::minus && first && *step > 0) return Direction::down;
+    if (sum.binary == BinaryOp::times && *step > 1) return Direction::away;
+    return std::nullopt;
+}
+
+/// What is known of one variable of the machine.
+struct Growth {
+    bool bounded = false;                ///< a condition reads it, or something else than a step writes it
+    bool read = false;                   ///< by something else than its own steps
+    std::optional<Direction> direction;  ///< of all its steps
+    const Stmt* again = nullptr;         ///< the first step that can happen again and again
+};
+
+class Growing {
+public:
+    /// What operations write may be set back by them.
+    Growing(const Machine& machine, const WrittenBy& written_by) {
+        const auto written = [&](const std::string& name) {
+            return std::ranges::any_of(written_by, [&](const auto& entry) { return entry.second.contains(name); });
+        };
+        for (const auto& variable : machine.variables)
+            if (is_number(*variable) && !written(variable->name)) variables_[variable.get()];
+    }
+
+    void container(const NodeContainer& container, bool repeated) {
+        const Graph graph(container);
+        for (const auto& transition : container.transitions) {
+            if (transition->condition) condition(*transition->condition);
+            if (transition->trigger) received(*transition->trigger);
+            const bool cycle = transition->source != nullptr && transition->target != nullptr &&
+                               reaches(graph, *transition->target, *transition->source);
+            if (transition->action) action(*transition->action, repeated || cycle);
+        }
+        for (const auto& node : container.nodes) {
+            const bool again = repeated || on_cycle(graph, *node);
+            for (const Action& each : node->actions)
+                if (each.statement) action(*each.statement, again);
+            this->container(*node, again);
+        }
+    }
+
+    void report(const Machine& machine, Diagnostics& out) const {
+        for (const auto& variable : machine.variables) {
+            const auto found = variables_.find(variable.get());
+            if (found == variables_.end() || found->second.bounded || !found->second.read) continue;
+            if (found->second.again == nullptr) continue;
+            out.report(rules::w_grows, found->second.again->span, {variable->name});
+        }
+    }
+
+private:
+    static bool reaches(const Graph& graph, const State& from, const State& to) {
+        std::unordered_set<const State*> seen{&from};
+        std::vector<const State*> open{&from};
+        while (!open.empty()) {
+            const State* node = open.back();
+            open.pop_back();
+            if (node == &to) return true;
+            for (const Transition* way : graph.out(*node))
+                if (way->target != nullptr && seen.insert(way->target).second) open.push_back(way->target);
+        }
+        return false;
+    }
+    static bool on_cycle(const Graph& graph, const State& node) {
+        for (const Transition* way : graph.out(node))
+            if (way->target != nullptr && reaches(graph, *way->target, node)) return true;
+        return false;
+    }
+
+    void condition(const Expr& expr) {
+        walk(expr, [&](const Expr& part) {
+            const auto found = part.kind == ExprKind::name ? variables_.find(part.target) : variables_.end();
+            if (found != variables_.end()) found->second.bounded = true;
+        });
+    }
+
+    /// An assignment to the variable itself reads it for its step alone.
+    void note_reads(const Expr& expr, const Stmt& statement) {
+        const Declaration* const own = statement.target ? assigned_root(*statement.target) : nullptr;
+        walk(expr, [&](const Expr& part) {
+            const auto found = part.kind == ExprKind::name ? variables_.find(part.target) : variables_.end();
+            if (found != variables_.end() && part.target != own) found->second.read = true;
+        });
+    }
+
+    void received(const Communication& communication) {
+        const auto found = variables_.find(communication.variable_target);
+        if (found != variables_.end()) found->second.bounded = true;
+    }
+
+    void action(const Stmt& action, bool repeated) {
+        walk(action, [&](const Stmt& statement) {
+            if (statement.condition) condition(*statement.condition);
+            for_expressions(statement, [&](const Expr& expr) { note_reads(expr, statement); });
+            if (statement.communication) received(*statement.communication);
+            if (statement.kind == StmtKind::assignment && statement.target) assigned(statement, repeated);
+        });
+    }
+
+    void assigned(const Stmt& statement, bool repeated) {
+        const auto found = variables_.find(assigned_root(*statement.target));
+        if (found == variables_.end()) return;
+        Growth& growth = found->second;
+        const auto direction =
+            statement.value ? direction_of(*statement.value, *found->first) : std::optional<Direction>();
+        growth.bounded = growth.bounded || !direction || (growth.direction && growth.direction != direction);
+        growth.direction = direction;
+        if (repeated && growth.again == nullptr) growth.again = &statement;
+    }
+
+    std::unordered_map<const Declaration*, Growth> variables_;
+};
+
+}  // namespace
+
+void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out) {
+    if (machine.kind == DeclKind::operation) return;  // its variables begin anew with each call
+    Growing growing(machine, written_by);
+    growing.container(machine, false);
+    growing.report(machine, out);
+}
+
+}  // namespace robochart::frontend
