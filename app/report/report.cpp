@@ -151,16 +151,20 @@ std::string in_cycles(const std::optional<std::uint64_t>& cycles) {
     return *cycles == 1 ? "1 cycle" : fmt::format("{} cycles", with_commas(*cycles));
 }
 
+/// "enters A, B, C and 2 more"
+std::string first_of(const std::vector<std::string>& places) {
+    constexpr std::size_t most = 3;
+    const auto shown = places.begin() + static_cast<std::ptrdiff_t>(std::min(places.size(), most));
+    std::string text = fmt::format("{}", fmt::join(places.begin(), shown, ", "));
+    if (places.size() > most) text += fmt::format(" and {} more", places.size() - most);
+    return text;
+}
+
 /// Why an event is lost, and where.
 std::string reason_text(const conformance::MissedEvent::Reason& reason) {
-    constexpr std::size_t listed = 3;
-    std::string places;
-    for (std::size_t i = 0; i < reason.places.size() && i < listed; ++i)
-        places += (i == 0 ? "" : ", ") + reason.places[i];
-    if (reason.places.size() > listed) places += fmt::format(" and {} more", reason.places.size() - listed);
     const bool busy = reason.why == conformance::MissedWhile::busy;
     return fmt::format("{} while {}: {}", in_cycles(reason.cycles), busy ? "the machine is busy" : "no condition holds",
-                       places);
+                       first_of(reason.places));
 }
 
 /// The most cycles in a row in which an event is lost; with two reasons, of each of them.
@@ -171,6 +175,15 @@ void write_missed(std::string& out, const std::vector<conformance::MissedEvent>&
         std::vector<std::string> reasons;
         for (const conformance::MissedEvent::Reason& reason : each.reasons) reasons.push_back(reason_text(reason));
         out += fmt::format("{} [{}]\n", fmt::join(reasons, ", "), conformance::rules::event_missed.code);
+    }
+}
+
+void write_overtaken(std::string& out, const std::vector<conformance::OvertakenEvent>& overtaken) {
+    for (const conformance::OvertakenEvent& found : overtaken) {
+        std::vector<std::string> first = found.by;
+        if (found.due) first.emplace_back("what is due without an event");
+        out += fmt::format("               event {} comes second in a cycle: after {}, in {} [{}]\n", found.event,
+                           fmt::join(first, ", "), first_of(found.places), conformance::rules::event_overtaken.code);
     }
 }
 
@@ -186,6 +199,7 @@ void write_asides(std::string& out, const conformance::Result& r) {
     if (!r.register_cycles && r.outcome == conformance::Outcome::conforms)
         out += "               runs in register cycles: not decided\n";
     write_missed(out, r.missed);
+    write_overtaken(out, r.overtaken);
     if (!r.deadlines || r.deadlines->holds) return;
     out +=
         fmt::format("               may miss a deadline: yes, {}{}\n", r.deadlines->reason, code_of(r.deadlines->rule));

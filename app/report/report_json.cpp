@@ -87,6 +87,14 @@ Json missed(const conformance::MissedEvent& m) {
     return json;
 }
 
+Json overtaken(const conformance::OvertakenEvent& found) {
+    return {{"event", found.event},
+            {"code", conformance::rules::event_overtaken.code},
+            {"by", found.by},
+            {"due", found.due},
+            {"places", found.places}};
+}
+
 Json conformance_json(const ConformanceReport& c) {
     const conformance::Result& r = c.result;
     Json json{{"component", c.component},    {"outcome", name_of(r.outcome)}, {"codeStates", r.code_states},
@@ -109,6 +117,7 @@ Json conformance_json(const ConformanceReport& c) {
     if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
     for (const conformance::MissedEvent& each : r.missed) json["missedEvents"].push_back(missed(each));
+    for (const conformance::OvertakenEvent& each : r.overtaken) json["overtakenEvents"].push_back(overtaken(each));
     if (r.cycles.empty()) return json;
     json["cycles"] = cycles(r.cycles);
     json["expected"] = r.expected;

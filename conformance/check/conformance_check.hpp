@@ -2,7 +2,7 @@
 // Results are given in control cycles.
 #pragma once
 
-#include "conformance/check/missed_events.hpp"
+#include "conformance/check/places_in_state.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/code/code_system.hpp"
 #include "conformance/code/interface.hpp"

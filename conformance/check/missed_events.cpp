@@ -11,25 +11,14 @@ namespace robochart::conformance {
 
 namespace {
 
-/// The value of a member in the text of a state; members of operations stand behind those of their machines.
-std::string_view value_in(std::string_view state, const std::string& member) {
-    const std::string wanted = member + "=";
-    for (std::size_t at = state.find(wanted); at != std::string_view::npos; at = state.find(wanted, at + 1)) {
-        if (at != 0 && state[at - 1] != ' ') continue;
-        const std::string_view rest = state.substr(at + wanted.size());
-        return rest.substr(0, rest.find(' '));
-    }
-    return {};
-}
-
 class Finder {
 public:
     Finder(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places)
-        : code_(code), alphabet_(alphabet), inputs_(alphabet.interface().inputs.size()) {
-        for (const cpp_emit::EventPlace& place : places) by_name_[place.member + "=" + place.place] = &place;
-        for (const cpp_emit::EventPlace& place : places) members_.insert(place.member);
-        if (!places.empty()) events_ = std::min(inputs_, places.front().events.size());
-    }
+        : code_(code),
+          alphabet_(alphabet),
+          places_(places),
+          inputs_(alphabet.interface().inputs.size()),
+          events_(std::min(inputs_, places_.events())) {}
 
     std::vector<MissedEvent> find() {
         for (const std::uint32_t image : code_.begun()) look_at(image);
@@ -51,12 +40,9 @@ private:
     }
 
     void look_at(std::uint32_t image) {
-        const std::string state = code_.print(image);
         std::vector<bool> lost;  // once it is asked for
-        for (const std::string& member : members_) {
-            const auto found = by_name_.find(member + "=" + std::string(value_in(state, member)));
-            if (found == by_name_.end()) continue;
-            const cpp_emit::EventPlace& place = *found->second;
+        for (const cpp_emit::EventPlace* found : places_.in(code_.print(image))) {
+            const cpp_emit::EventPlace& place = *found;
             if (lost.empty()) lost = lost_below(code_.known_root(image), 0);
             for (std::uint32_t event = 0; event < events_; ++event)
                 if (place.events[event] && lost[event]) note(event, place, image);
@@ -160,10 +146,9 @@ private:
 
     const CodeSystem& code_;
     const Alphabet& alphabet_;
+    PlacesInState places_;
     std::size_t inputs_;
-    std::size_t events_ = 0;
-    std::unordered_map<std::string, const cpp_emit::EventPlace*> by_name_;  ///< never iterated
-    std::set<std::string> members_;
+    std::size_t events_;
     std::vector<std::unordered_map<std::uint32_t, std::vector<bool>>> lost_;  ///< by register; never iterated
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> behind_;    ///< never iterated
     std::map<std::pair<std::uint32_t, bool>, Missed> missed_;

@@ -4,14 +4,11 @@
 
 #include <vector>
 
+#include "conformance/check/places_in_state.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/code/code_system.hpp"
-#include "cpp_emit/plan/options.hpp"
 
 namespace robochart::conformance {
-
-/// Where the machines of a controller may miss events, as the generator knows it.
-using EventPlaces = std::vector<cpp_emit::EventPlace>;
 
 /// The events of which a register may be raised in vain. `code` has been explored as a whole.
 [[nodiscard]] std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet&, const EventPlaces&);

@@ -3,7 +3,7 @@
 // readings").
 #pragma once
 
-#include "conformance/check/missed_events.hpp"
+#include "conformance/check/places_in_state.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/code/interface.hpp"
 #include "conformance/model/model_graph.hpp"

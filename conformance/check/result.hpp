@@ -72,6 +72,15 @@ struct MissedEvent {
     std::vector<Reason> reasons;
 };
 
+/// An event that a state takes only after what the states inside it take in the same cycle (docs/conformance.md,
+/// "Events that come second").
+struct OvertakenEvent {
+    std::string event;
+    std::vector<std::string> by;      ///< the events that come first
+    bool due = false;                 ///< transitions without trigger come first, of timeouts and conditions
+    std::vector<std::string> places;  ///< where the machine is then
+};
+
 /// What one API of the code did.
 struct Behaviour {
     std::vector<std::string> outputs;  ///< in order
@@ -113,8 +122,9 @@ struct Result {
     /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;
-    std::vector<MissedEvent> missed;  ///< conforms: of all states of the code
-    std::uint64_t dispatched = 0;     ///< (state, event or none) pairs in which both APIs were compared
+    std::vector<MissedEvent> missed;        ///< conforms: of all states of the code
+    std::vector<OvertakenEvent> overtaken;  ///< the same
+    std::uint64_t dispatched = 0;           ///< (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script

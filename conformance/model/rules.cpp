@@ -59,11 +59,15 @@ const Rule event_missed{"RC-K09", Severity::note, "{}",
                         "An event that is raised in such a cycle is lost: the controller reads it, nothing takes it, "
                         "and it is forgotten at the end of the cycle."};
 
+const Rule event_overtaken{"RC-K10", Severity::note, "{}",
+                           "Where several transitions are enabled in one cycle, those of inner states go first, those "
+                           "of timeouts and conditions too. What an outer state does at the event comes after them."};
+
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
         &log_syntax,        &log_name,          &log_value,           &log_of_other,     &endless_steps,
         &endless_outputs,   &time_stops,        &output_in_mid_cycle, &end_in_mid_cycle, &input_in_mid_cycle,
-        &output_made_twice, &input_not_in_time, &event_missed};
+        &output_made_twice, &input_not_in_time, &event_missed,        &event_overtaken};
     return table;
 }
 

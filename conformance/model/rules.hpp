@@ -22,6 +22,7 @@ extern const diagnostics::Rule input_in_mid_cycle;   ///< RC-K06
 extern const diagnostics::Rule output_made_twice;    ///< RC-K07
 extern const diagnostics::Rule input_not_in_time;    ///< RC-K08
 extern const diagnostics::Rule event_missed;         ///< RC-K09
+extern const diagnostics::Rule event_overtaken;      ///< RC-K10
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -1,4 +1,5 @@
-// Where an event that the platform raises may be lost (docs/conformance.md, "Events that can be missed").
+// Where an event that the platform raises may be lost or taken late (docs/conformance.md, "Events that can be missed",
+// "Events that come second").
 #include <algorithm>
 #include <set>
 
@@ -40,10 +41,14 @@ private:
             EventPlace place{member, value.name, program, !value.rests};
             Awaited awaited(events_.size());
             await(part, machine, value.state, awaited);
+            place.level.assign(events_.size(), EventPlace::no_level);
+            if (value.rests) place.level = awaited.level;
             if (!value.rests) lead(part, machine, value.target, awaited);
             place.events = value.rests ? awaited.conditional() : awaited.all;
-            if (std::find(place.events.begin(), place.events.end(), true) != place.events.end())
-                places_.push_back(std::move(place));
+            const bool missed = std::ranges::find(place.events, true) != place.events.end();
+            const bool outer = std::ranges::any_of(
+                place.level, [](std::uint32_t level) { return level > 0 && level != EventPlace::no_level; });
+            if (missed || outer) places_.push_back(std::move(place));
         }
     }
 
@@ -59,9 +64,10 @@ private:
 
     /// By the transitions of a state and of those around it.
     struct Awaited {
-        explicit Awaited(std::size_t events) : all(events), taken(events) {}
-        std::vector<bool> all;    ///< some transition awaits it
-        std::vector<bool> taken;  ///< some does without a condition
+        explicit Awaited(std::size_t events) : all(events), taken(events), level(events, EventPlace::no_level) {}
+        std::vector<bool> all;             ///< some transition awaits it
+        std::vector<bool> taken;           ///< some does without a condition
+        std::vector<std::uint32_t> level;  ///< how far outside the innermost of these is
         [[nodiscard]] std::vector<bool> conditional() const {
             std::vector<bool> result = all;
             for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && !taken[i];
@@ -74,7 +80,7 @@ private:
     }
 
     void await(const Part& part, const ir::Machine& machine, ir::NodeId state, Awaited& awaited) const {
-        for (; state.valid(); state = machine.nodes[state.index].parent)
+        for (std::uint32_t level = 0; state.valid(); state = machine.nodes[state.index].parent, ++level)
             for (const ir::TransitionId id : machine.nodes[state.index].outgoing) {
                 const ir::Transition& transition = machine.transitions[id.index];
                 if (!transition.trigger) continue;
@@ -82,8 +88,11 @@ private:
                 const auto use = std::find_if(part.events.begin(), part.events.end(),
                                               [&](const EventUse& each) { return each.name == name; });
                 if (use == part.events.end()) continue;
-                add(raised(*use), awaited.all);
-                if (!transition.guard && !transition.trigger->predicate) add(raised(*use), awaited.taken);
+                const std::vector<bool> events = raised(*use);
+                for (std::size_t i = 0; i < events.size(); ++i)
+                    if (events[i]) awaited.level[i] = std::min(awaited.level[i], level);
+                add(events, awaited.all);
+                if (!transition.guard && !transition.trigger->predicate) add(events, awaited.taken);
             }
     }
 

@@ -64,13 +64,17 @@ struct Options {
     return options.fault == Fault::none || in_event_api(options.fault);
 }
 
-/// A place of a machine in which it may fail to take an event that it knows.
+/// A place of a machine in which it may fail to take an event that it knows, or takes it late.
 struct EventPlace {
     std::string member;             ///< as the state is printed: "state", "stm0.state"
     std::string place;              ///< as the place is printed: "enter_A_1"
     std::string element;            ///< for people: "enters Busy::A (busy.rct:7)"
     bool busy = false;              ///< an action is in progress; else the machine rests
     std::vector<bool> events = {};  ///< of the events that the platform raises, in the order of Inputs, which of them
+    /// For each of these events how far outside the state is that has the innermost transition for it: 0 is the state
+    /// where the machine rests, 1 the one around it; no_level if none has one or an action is in progress.
+    std::vector<std::uint32_t> level = {};
+    static constexpr std::uint32_t no_level = UINT32_MAX;
 };
 
 /// What was generated for one component.

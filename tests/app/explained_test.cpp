@@ -1,4 +1,5 @@
 // What `conform` says of a model that cannot be run in control cycles, and of what it is besides, as text and as JSON.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,9 +58,27 @@ TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
     EXPECT_EQ(missed[0].at("reasons").at(0).at("places"), (nlohmann::json{"enters M::C (m.rct:6)"}));
 }
 
+// An outer state awaits `stop`, the state inside it `go`: the code halts before it ends.
+TEST(Explained, EventsThatComeSecondChangeNoExitCode) {
+    const TemporaryFile model("m.rct",
+                              "interface I { halt() brake() }\nstm M {\n requires I\n event go event stop\n initial i\n"
+                              " state A { initial j\n  state B { }\n  state C { entry halt() }\n"
+                              "  transition a { from j to B }\n  transition b { from B to C trigger go }\n }\n"
+                              " state D { entry brake() }\n transition t0 { from i to A }\n"
+                              " transition t1 { from A to D trigger stop }\n}\n");
+    const Ran text = run({"conform", model.path()});
+    EXPECT_EQ(text.exit, 0) << text.out << text.err;
+    EXPECT_THAT(text.out, HasSubstr("event stop comes second in a cycle: after go, in M::A::B (m.rct:7) [RC-K10]\n"));
+    const Ran data = run({"conform", model.path(), "--format", "json"});
+    const auto overtaken = nlohmann::json::parse(data.out).at("conformance").at(0).at("overtakenEvents");
+    EXPECT_EQ(overtaken, nlohmann::json::parse(R"([{"event": "stop", "code": "RC-K10", "by": ["go"], "due": false,
+                                                    "places": ["M::A::B (m.rct:7)"]
+}])"));
+}
+
 TEST(Explained, EachCodeHasAPage) {
-    for (int i = 1; i <= 9; ++i) {
-        const Ran page = run({"explain", "RC-K0" + std::to_string(i)});
+    for (int i = 1; i <= 10; ++i) {
+        const Ran page = run({"explain", fmt::format("RC-K{:02}", i)});
         EXPECT_EQ(page.exit, 0);
         EXPECT_THAT(page.out, HasSubstr("control cycles"));
     }

@@ -166,6 +166,7 @@ void take(const app::ConformanceReport& report, Judgement& result) {
     if (found.outcome == conformance::Outcome::not_schedulable) return;
     if (found.outcome != conformance::Outcome::conforms) result.findings.insert(":0 neither schedulable nor not");
     if (!found.missed.empty()) add_rule(&conformance::rules::event_missed, result);
+    if (!found.overtaken.empty()) add_rule(&conformance::rules::event_overtaken, result);
     for (const auto& aside : {found.register_cycles, found.deadlines})
         if (aside) add_rule(aside->rule, result);
 }

@@ -34,11 +34,12 @@ std::vector<app::PageText> pages() {
     return result;
 }
 
-/// Advice beyond the published rules (RC-W, and of `conform` RC-K09) may be given on any example, and each block
-/// Instantiations has its note (RC-C07); they are looked at on pages of their own.
+/// Advice beyond the published rules (RC-W, and of `conform` RC-K09 and RC-K10) may be given on any example, and each
+/// block Instantiations has its note (RC-C07); they are looked at on pages of their own.
 bool counts(const std::string& finding, std::string_view code) {
     if (code.starts_with("RC-W") || finding.ends_with(" " + std::string(code))) return true;
-    return finding.find(" RC-W") == std::string::npos && !finding.ends_with(" RC-K09") && !finding.ends_with(" RC-C07");
+    return finding.find(" RC-W") == std::string::npos && !finding.ends_with(" RC-K09") &&
+           !finding.ends_with(" RC-K10") && !finding.ends_with(" RC-C07");
 }
 
 std::multiset<std::string> of_interest(const std::multiset<std::string>& findings, std::string_view code) {

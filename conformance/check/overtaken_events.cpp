@@ -1,0 +1,129 @@
+// See overtaken_events.hpp. Outputs show who came first. Alone, the event makes outputs A, another event makes B. If
+// both are raised and the cycle begins with B and not with A, the other came first. If the cycle without any input
+// makes outputs N, and with the event alone N and more, then what was due came first. Cycles that make no outputs, or
+// pass probabilistic junctions, show nothing.
+#include "conformance/check/overtaken_events.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace robochart::conformance {
+
+namespace {
+
+using Writes = std::vector<process::Event>;
+
+bool starts_with(const Writes& writes, const Writes& front) {
+    return writes.size() >= front.size() && std::equal(front.begin(), front.end(), writes.begin());
+}
+
+class Overtaking {
+public:
+    Overtaking(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places)
+        : code_(code),
+          alphabet_(alphabet),
+          places_(places),
+          inputs_(alphabet.interface().inputs.size()),
+          events_(std::min(inputs_, places_.events())) {}
+
+    std::vector<OvertakenEvent> find() {
+        for (const std::uint32_t image : code_.begun())
+            for (const cpp_emit::EventPlace* place : places_.in(code_.print(image))) look_at(image, *place);
+        std::vector<OvertakenEvent> all;
+        for (const auto& [event, found] : found_) all.push_back(result(event, found));
+        return all;
+    }
+
+private:
+    /// A register and its reading.
+    using Raised = std::pair<std::size_t, std::uint32_t>;
+
+    struct Found {
+        std::set<std::size_t> by;
+        bool due = false;
+        std::vector<std::string> places;
+    };
+
+    void look_at(std::uint32_t image, const cpp_emit::EventPlace& place) {
+        const std::uint32_t root = code_.known_root(image);
+        if (!looked_at_.emplace(root, &place).second) return;  // equal trees behave alike
+        for (std::size_t event = 0; event < events_; ++event)
+            if (place.level[event] > 0 && place.level[event] != cpp_emit::EventPlace::no_level)
+                look_at(root, place, event);
+    }
+
+    void look_at(std::uint32_t root, const cpp_emit::EventPlace& place, std::size_t event) {
+        const Writes& nothing = writes(root, {});
+        for (const std::uint32_t reading : readings(event)) {
+            const Raised raised{event, reading};
+            const Writes& alone = writes(root, {raised});
+            if (alone.empty()) continue;
+            if (!nothing.empty() && alone.size() > nothing.size() && starts_with(alone, nothing))
+                note(event, place).due = true;
+            for (std::size_t other = 0; other < events_; ++other)
+                if (place.level[other] < place.level[event] && comes_first(root, other, raised, alone))
+                    note(event, place).by.insert(other);
+        }
+    }
+
+    [[nodiscard]] bool comes_first(std::uint32_t root, std::size_t other, const Raised& raised,
+                                   const Writes& alone) const {
+        return std::ranges::any_of(readings(other), [&](std::uint32_t reading) {
+            const Writes& others = writes(root, {{other, reading}});
+            const Writes& both = writes(root, {raised, {other, reading}});
+            return !others.empty() && starts_with(both, others) && !starts_with(both, alone);
+        });
+    }
+
+    Found& note(std::size_t event, const cpp_emit::EventPlace& place) {
+        Found& found = found_[event];
+        if (std::ranges::find(found.places, place.element) == found.places.end()) found.places.push_back(place.element);
+        return found;
+    }
+
+    /// The least and the greatest value stand for all.
+    [[nodiscard]] std::set<std::uint32_t> readings(std::size_t event) const {
+        return {1U, alphabet_.interface().inputs[event].readings() - 1};
+    }
+
+    /// What a cycle with these events alone writes; nothing where chance decides.
+    [[nodiscard]] const Writes& writes(std::uint32_t root, const std::vector<Raised>& raised) const {
+        std::uint32_t node = root;
+        for (std::size_t input = 0; input < inputs_; ++input) {
+            const auto found = std::ranges::find(raised, input, &Raised::first);
+            node = code_.below(node)[found == raised.end() ? 0 : found->second];
+        }
+        return code_.result(node).ways.empty() ? code_.result(node).writes : none_;
+    }
+
+    [[nodiscard]] std::string name(std::size_t event) const {
+        const std::string text = alphabet_.tell(alphabet_.read(static_cast<std::uint32_t>(event), 1));
+        return text.substr(0, text.find(" = "));
+    }
+
+    [[nodiscard]] OvertakenEvent result(std::size_t event, const Found& found) const {
+        OvertakenEvent result{name(event), {}, found.due, found.places};
+        for (const std::size_t other : found.by) result.by.push_back(name(other));
+        return result;
+    }
+
+    const CodeSystem& code_;
+    const Alphabet& alphabet_;
+    PlacesInState places_;
+    std::size_t inputs_;
+    std::size_t events_;
+    Writes none_;
+    std::set<std::pair<std::uint32_t, const cpp_emit::EventPlace*>> looked_at_;  ///< never iterated
+    std::map<std::size_t, Found> found_;
+};
+
+}  // namespace
+
+std::vector<OvertakenEvent> overtaken_events(const CodeSystem& code, const Alphabet& alphabet,
+                                             const EventPlaces& places) {
+    return Overtaking(code, alphabet, places).find();
+}
+
+}  // namespace robochart::conformance

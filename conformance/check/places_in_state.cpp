@@ -1,0 +1,37 @@
+#include "conformance/check/places_in_state.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+/// The value of a member in the text of a state; members of operations stand behind those of their machines.
+std::string_view value_in(std::string_view state, const std::string& member) {
+    const std::string wanted = member + "=";
+    for (std::size_t at = state.find(wanted); at != std::string_view::npos; at = state.find(wanted, at + 1)) {
+        if (at != 0 && state[at - 1] != ' ') continue;
+        const std::string_view rest = state.substr(at + wanted.size());
+        return rest.substr(0, rest.find(' '));
+    }
+    return {};
+}
+
+}  // namespace
+
+PlacesInState::PlacesInState(const EventPlaces& places) {
+    for (const cpp_emit::EventPlace& place : places) {
+        by_name_[place.member + "=" + place.place] = &place;
+        members_.insert(place.member);
+    }
+    if (!places.empty()) events_ = places.front().events.size();
+}
+
+std::vector<const cpp_emit::EventPlace*> PlacesInState::in(std::string_view state) const {
+    std::vector<const cpp_emit::EventPlace*> result;
+    for (const std::string& member : members_) {
+        const auto found = by_name_.find(member + "=" + std::string(value_in(state, member)));
+        if (found != by_name_.end()) result.push_back(found->second);
+    }
+    return result;
+}
+
+}  // namespace robochart::conformance

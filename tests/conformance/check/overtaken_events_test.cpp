@@ -1,0 +1,84 @@
+// Events of outer states that come second in a cycle: after which events, or after what is due, and where.
+#include "conformance/check/overtaken_events.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "conformance/check/conform.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Of a robot with an emergency stop around a composite state with these members.
+std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
+    const test::TemporaryFolder folder(
+        "interface Motion { go() halt() brake() }\n"
+        "stm M {\n requires Motion\n event obstacle event stop event clear : nat\n clock T\n var x : nat\n initial i\n"
+        " state Moving { initial j\n" +
+        inside +
+        " }\n state Stopped { entry brake() }\n transition t0 { from i to Moving }\n"
+        " transition t1 { from Moving to Stopped trigger stop }\n}");
+    test::Model model(folder.path());
+    diagnostics::Diagnostics found;
+    const Result result =
+        conform(model.system, model.instantiation, model.machine("M"), Options(), model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    return result.overtaken;
+}
+
+// With both events the code halts and then brakes; with `stop` alone it brakes.
+TEST(OvertakenEvents, OfAnOuterStateAfterThoseOfAnInnerOne) {
+    const auto overtaken = overtaken_in(R"(
+        state Driving { }
+        state Held { entry halt() }
+        transition a { from j to Driving }
+        transition b { from Driving to Held trigger obstacle }
+        transition c { from Held to Driving trigger clear ? x action go() })");
+    ASSERT_EQ(overtaken.size(), 1U);
+    EXPECT_EQ(overtaken[0].event, "stop");
+    EXPECT_THAT(overtaken[0].by, ElementsAre("obstacle", "clear"));
+    EXPECT_FALSE(overtaken[0].due);
+    EXPECT_THAT(overtaken[0].places, ElementsAre(HasSubstr("Driving ("), HasSubstr("Held (")));
+}
+
+// Two units after it was entered Driving is left by itself: in that cycle `stop` comes after.
+TEST(OvertakenEvents, AfterATimeoutThatIsDue) {
+    const auto overtaken = overtaken_in(R"(
+        state Driving { }
+        state Held { entry halt() }
+        transition a { from j to Driving #T }
+        transition b { from Driving to Held condition since(T) >= 2 })");
+    ASSERT_EQ(overtaken.size(), 1U);
+    EXPECT_EQ(overtaken[0].event, "stop");
+    EXPECT_TRUE(overtaken[0].due);
+    EXPECT_THAT(overtaken[0].by, IsEmpty());
+}
+
+// The exit action halts whichever way the state is left, so it does not show that `obstacle` came first; the brake
+// does.
+TEST(OvertakenEvents, AreNotShownByAnExitActionThatBothShare) {
+    EXPECT_THAT(overtaken_in(R"(
+        state Driving { exit halt() }
+        state Held { }
+        transition a { from j to Driving }
+        transition b { from Driving to Held trigger obstacle })"),
+                IsEmpty());
+}
+
+// There the inner transition is silent: nobody can tell.
+TEST(OvertakenEvents, AreNotShownByTransitionsWithoutOutputs) {
+    EXPECT_THAT(overtaken_in(R"(
+        state Driving { }
+        state Held { }
+        transition a { from j to Driving }
+        transition b { from Driving to Held trigger obstacle })"),
+                IsEmpty());
+}
+
+}  // namespace
+}  // namespace robochart::conformance
