@@ -343,7 +343,18 @@ private:
             in.fields.push_back({each.source.path.text(), *scalar});
         }
         for (const ModelValue& value : values) require_all(element, value, used);
+        if (values.empty() && element.item->assignments.empty()) warn_unread(element);
         plan_.incoming.push_back(std::move(in));
+    }
+
+    /// An event without value is raised by every message, whatever its fields say.
+    void warn_unread(const Element& element) {
+        const MessageName& message = element.item->message;
+        const std::vector<std::string> fields = fields_of(message.text());
+        if (fields.empty()) return;
+        std::string some = fmt::format("'{}'", fields.front());
+        if (fields.size() > 1) some += fmt::format(" and {} more", fields.size() - 1);
+        diagnostics_.report(rules::not_asked, element.item->element.span, {message.text(), element.name, some});
     }
 
     void require_all(const Element& element, const ModelValue& value, const std::set<std::string>& used) {

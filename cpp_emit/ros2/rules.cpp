@@ -42,10 +42,15 @@ const Rule not_checked{"RC-R11", Severity::note, "the fields of {} are not known
                        "Fields and types of common messages are checked when code is generated; those of other "
                        "messages by the compiler, where the generated package is built."};
 
+const Rule not_asked{"RC-R12", Severity::warning, "every {} raises '{}', whatever is in {}",
+                     "An event without value is raised by each message that arrives, a `false` and a full battery "
+                     "too. Publish std_msgs/Empty when it happens, or give the event a value in the model "
+                     "and let its transitions ask for it."};
+
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
         &syntax,     &unknown_name, &said_twice,   &wrong_name, &unknown_field, &wrong_type,
-        &incomplete, &not_sent,     &shared_topic, &not_mapped, &not_checked,
+        &incomplete, &not_sent,     &shared_topic, &not_mapped, &not_checked,   &not_asked,
     };
     return table;
 }

@@ -18,6 +18,7 @@ extern const diagnostics::Rule not_sent;       ///< RC-R08
 extern const diagnostics::Rule shared_topic;   ///< RC-R09
 extern const diagnostics::Rule not_mapped;     ///< RC-R10
 extern const diagnostics::Rule not_checked;    ///< RC-R11
+extern const diagnostics::Rule not_asked;      ///< RC-R12
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
