@@ -86,7 +86,7 @@ public:
         if (scenario_.environment)
             for (const WorldAct& act : scenario_.environment->acts)
                 if (const auto fed = input_named(act.stimulus.event.text)) fed_[*fed] = true;
-        report_unfed();
+        report_unused(kind, plan_.effects);
         return std::move(plan_);
     }
 
@@ -96,7 +96,7 @@ public:
         for (std::uint32_t f = 0; f < environment.feeds.size(); ++f) bind_world_feed(environment.feeds[f], f, plan);
         plan.acts.resize(emission_.outputs.size());
         for (const WorldAct& act : environment.acts) bind_act(act, all, plan);
-        report_unfed();
+        report_unused(environment, plan.acts);
         return plan;
     }
 
@@ -132,10 +132,22 @@ private:
                (&emission_ != all.kinds.front() || std::any_of(all.kinds.begin(), all.kinds.end(), sends));
     }
 
-    void report_unfed() {
+    /// Events that nothing feeds, and operations that nothing answers to; `effects` has what each output does.
+    template <class Effects>
+    void report_unused(const Controlled& controlled, const std::vector<Effects>& effects) {
+        std::vector<Name> ignored = controlled.ignored;
+        const auto report = [&](const diagnostics::Rule& rule, const std::string& name) {
+            if (std::erase_if(ignored, [&](const Name& each) { return each.text == name; }) == 0)
+                diagnostics_.report(rule, component_.span, {name, component_.text});
+        };
         for (std::size_t i = 0; i < emission_.inputs.size(); ++i)
             if (!fed_[i] && emission_.inputs[i].kind == Port::Kind::event)
-                diagnostics_.report(rules::not_fed, component_.span, {emission_.inputs[i].name, component_.text});
+                report(rules::not_fed, emission_.inputs[i].name);
+        for (std::size_t i = 0; i < emission_.outputs.size(); ++i)
+            if (effects[i].empty() && emission_.outputs[i].kind == Port::Kind::call)
+                report(rules::not_done, emission_.outputs[i].name);
+        for (const Name& each : ignored)
+            unknown(each, "event that nothing feeds, or operation without effect, named", {});
     }
 
     void bind_world_feed(const WorldFeed& feed, std::uint32_t number, WorldPlan& plan) {

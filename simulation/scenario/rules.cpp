@@ -64,8 +64,8 @@ const Rule uneven_steps{
     "A control step consists of whole physics steps, and of whole time units of the model's clocks."};
 const Rule not_fed{
     "RC-M14", Severity::warning, "nothing feeds the event '{}' of '{}'",
-    "The controller waits for an event that the scenario never raises. Feed it from a sensor or a stimulus, or "
-    "be sure that it is not needed here."};
+    "The controller waits for an event that the scenario never raises. Feed it from a sensor or a stimulus, "
+    "or write `ignore EVENT`."};
 
 const Rule not_there{
     "RC-M15", Severity::error, "{} has no {}",
@@ -91,11 +91,16 @@ const Rule excluded{
     "By the timed semantics of the model no robots can do that between two states of the chain. The generated "
     "code then does not conform, or the proof is about less than what the code does."};
 
+const Rule not_done{"RC-M19", Severity::warning, "the operation '{}' of '{}' does nothing here",
+                    "The controller calls an operation, and nothing in the scenario answers: no `drive`, no `feed` and "
+                    "no command of the "
+                    "environment is `on` it. Add a `drive`, or write `ignore OPERATION`."};
+
 std::span<const Rule* const> all() {
     static constexpr std::array table = {&syntax,        &wrong_unit,   &out_of_range, &missing,  &said_twice,
                                          &unknown_part,  &unknown_name, &wrong_type,   &no_space, &no_controller,
                                          &not_compiled,  &stopped,      &uneven_steps, &not_fed,  &not_there,
-                                         &wrong_instant, &not_in_chain, &excluded};
+                                         &wrong_instant, &not_in_chain, &excluded,     &not_done};
     return table;
 }
 

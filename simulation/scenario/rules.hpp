@@ -25,6 +25,7 @@ extern const diagnostics::Rule not_there;      ///< RC-M15
 extern const diagnostics::Rule wrong_instant;  ///< RC-M16
 extern const diagnostics::Rule not_in_chain;   ///< RC-M17
 extern const diagnostics::Rule excluded;       ///< RC-M18
+extern const diagnostics::Rule not_done;       ///< RC-M19
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

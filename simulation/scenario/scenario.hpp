@@ -282,6 +282,7 @@ struct Controlled {
     std::string
         model;  ///< path of the model, relative to the scenario's folder; "": that of the scenario, or its folder
     std::vector<std::string> constants;  ///< NAME=VALUE
+    std::vector<Name> ignored;           ///< events and operations with which the scenario does nothing, on purpose
 };
 
 /// Where robots of another kind drive otherwise than those of the first; none: the same. All disks are of one size.

@@ -31,8 +31,8 @@ Scenario ScenarioReader::read() {
     return scenario_;
 }
 
-const std::array<ScenarioReader::ItemRow, 27>& ScenarioReader::items() {
-    static constexpr std::array<ItemRow, 27> table{{
+const std::array<ScenarioReader::ItemRow, 28>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 28> table{{
         {"model", true, &ScenarioReader::model},        {"step", true, &ScenarioReader::step},
         {"physics", true, &ScenarioReader::physics},    {"unit", true, &ScenarioReader::time_unit},
         {"duration", true, &ScenarioReader::duration},  {"trials", true, &ScenarioReader::trials},
@@ -46,7 +46,7 @@ const std::array<ScenarioReader::ItemRow, 27>& ScenarioReader::items() {
         {"record", true, &ScenarioReader::record},      {"vary", false, &ScenarioReader::vary},
         {"estimate", false, &ScenarioReader::estimate}, {"failure", false, &ScenarioReader::failure},
         {"obstacle", false, &ScenarioReader::obstacle}, {"obstacles", false, &ScenarioReader::obstacles},
-        {"abstract", true, &ScenarioReader::abstract},
+        {"abstract", true, &ScenarioReader::abstract},  {"ignore", false, &ScenarioReader::ignore},
     }};
     return table;
 }

@@ -91,10 +91,12 @@ void ScenarioReader::other_kind(RobotKind kind, diagnostics::Span begin) {
             stimulus();
         else if (in_.take("failure"))
             failure();
+        else if (in_.take("ignore"))
+            ignore();
         else
             in_.fail(
                 "'model', 'const', 'axle', 'wheel', 'noise', 'place', 'feed', 'drive', 'stimulus', "
-                "'failure' or '}'");
+                "'failure', 'ignore' or '}'");
     }
     kind_ = &scenario_;
     in_.expect("}");
@@ -114,6 +116,12 @@ void ScenarioReader::constant(Controlled& controlled) {
         text += in_.qualified_name("the value of a constant").text;
     }
     controlled.constants.push_back(std::move(text));
+}
+
+/// `ignore NAME, NAME ...`.
+void ScenarioReader::ignore_in(Controlled& controlled) {
+    do controlled.ignored.push_back(in_.name("an event or an operation of the component"));
+    while (in_.take(","));
 }
 
 std::size_t ScenarioReader::kind_of_measure(const Name& name) {
@@ -144,8 +152,10 @@ void ScenarioReader::environment() {
             world_stimulus();
         else if (in_.take("failure"))
             world_failure();
+        else if (in_.take("ignore"))
+            ignore_in(environment);
         else
-            in_.fail("'model', 'const', 'feed', 'drive', 'stimulus', 'failure' or '}'");
+            in_.fail("'model', 'const', 'feed', 'drive', 'stimulus', 'failure', 'ignore' or '}'");
     }
     in_.expect("}");
 }

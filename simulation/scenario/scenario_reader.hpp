@@ -40,7 +40,7 @@ private:
     };
 
     // scenario.cpp: times, the arena and who is in it
-    static const std::array<ItemRow, 27>& items();
+    static const std::array<ItemRow, 28>& items();
     void item();
     void model();
     void step();
@@ -69,6 +69,8 @@ private:
     /// `for COMPONENT { ... }`, behind the name of a further kind.
     void other_kind(RobotKind kind, diagnostics::Span begin);
     void constant(Controlled& controlled);
+    void ignore() { ignore_in(*kind_); }
+    void ignore_in(Controlled& controlled);
     void environment();
     void world_feed();
     void world_drive();

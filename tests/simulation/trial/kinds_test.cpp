@@ -178,7 +178,7 @@ TEST(Kinds, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(mixed, "robots 1 backers for Backer {", "robots 1 backers {")), "RC-M05 RC-M01");
     EXPECT_EQ(codes(replaced(mixed, "place at (0 cm, 100 cm) heading 0 deg\n\t\tdrive", "drive")), "RC-M04");
     EXPECT_EQ(codes(replaced(mixed, "of backers\n", "of barkers\n")), "RC-M06 RC-M06");
-    EXPECT_EQ(codes(replaced(mixed, "on halt", "on run")), "RC-M07 RC-U01") << "an operation of the other kind";
+    EXPECT_EQ(codes(replaced(mixed, "on halt", "on run")), "RC-M19 RC-M07 RC-U01") << "an operation of the other kind";
     EXPECT_EQ(codes(replaced(mixed, "robots 1 backers", "robots 1 runners")), "RC-M05 RC-M06 RC-M06");
 }
 
