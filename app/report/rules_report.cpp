@@ -37,9 +37,14 @@ std::string conflict_text(const RulesReport& report, const RuleConflict& conflic
     return text;
 }
 
-std::string redundant_text(const RulesReport& report, std::size_t rule, std::size_t by) {
-    return fmt::format("redundant: {}, which {} implies ({}, {})\n", report.rules[rule].name, report.rules[by].name,
-                       report.rules[rule].place, report.rules[by].place);
+std::string redundant_text(const RulesReport& report, const RedundantRule& found) {
+    const RuleName& rule = report.rules[found.rule];
+    if (!found.reason.empty())
+        return fmt::format("not decided: redundancy of {}: {} ({})\n", rule.name, found.reason, rule.place);
+    std::string places = rule.place;
+    for (const std::size_t each : found.by) places += ", " + report.rules[each].place;
+    return fmt::format("redundant: {}, which {} {} ({})\n", rule.name, names(report, found.by),
+                       found.by.size() == 1 ? "implies" : "together imply", places);
 }
 
 std::string property_text(const RulesReport& report, const RuleProperty& property) {
@@ -65,8 +70,8 @@ std::string pair_text(const RulesReport& report, const ComparedPair& pair) {
         text += fmt::format("conflict: {}: a deadline is missed\n", both);
     else if (pair.only_time_passes.value_or(false))
         text += fmt::format("conflict: {}: only time can pass\n", both);
-    if (pair.first_redundant.value_or(false)) text += redundant_text(report, pair.first, pair.second);
-    if (pair.second_redundant.value_or(false)) text += redundant_text(report, pair.second, pair.first);
+    if (pair.first_redundant.value_or(false)) text += redundant_text(report, {pair.first, {pair.second}});
+    if (pair.second_redundant.value_or(false)) text += redundant_text(report, {pair.second, {pair.first}});
     if (open(pair)) text += fmt::format("not decided: {}\n", both);
     return text;
 }
@@ -76,7 +81,8 @@ std::string number_of(std::size_t count, const char* noun) {
 }
 
 std::string closing_text(const RulesReport& report) {
-    std::size_t conflicts = 0, redundant = report.redundant.size(), undecided = 0;
+    std::size_t conflicts = 0, redundant = 0, undecided = 0;
+    for (const RedundantRule& each : report.redundant) ++(each.reason.empty() ? redundant : undecided);
     for (const RuleConflict& each : report.conflicts) ++(each.decided ? conflicts : undecided);
     for (const ComparedPair& each : report.pairs) {
         if (in_conflict(each)) ++conflicts;
@@ -135,6 +141,7 @@ std::string verdicts_text(const RulesReport& report, bool quiet) {
     for (const std::string& each : report.errors) text += fmt::format("error: {}\n", each);
     for (const std::string& each : report.time_stops) text += fmt::format("time can stop in {}\n", each);
     for (const std::string& each : report.time_open) text += fmt::format("not decided: {}\n", each);
+    if (!quiet) text += "an input counts as an event of the rules when the component takes it\n";
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     return text + fmt::format("{}: {} broken, {} not decided{}\n", number_of(report.verdicts.size(), "verdict"), broken,
                               undecided, errors == 0 ? "" : ", " + number_of(errors, "error"));
@@ -218,13 +225,20 @@ std::string rules_text(const RulesReport& report, const Options& options) {
     for (const std::string& each : report.not_read) text += fmt::format("not decided: {}\n", each);
     for (const RuleConflict& each : report.conflicts) text += conflict_text(report, each);
     for (const ComparedPair& each : report.pairs) text += pair_text(report, each);
-    for (const RedundantRule& each : report.redundant) text += redundant_text(report, each.rule, each.by);
+    for (const RedundantRule& each : report.redundant) text += redundant_text(report, each);
     for (const std::size_t rule : report.asking_nothing)
         text += fmt::format("asks for nothing: {}, whatever the measures are ({})\n", report.rules[rule].name,
                             report.rules[rule].place);
     for (const RuleProperty& each : report.properties) text += property_text(report, each);
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     return text + closing_text(report);
+}
+
+Json redundant_json(const RulesReport& report, const RedundantRule& found) {
+    Json json{{"rule", report.rules[found.rule].name}, {"decided", found.reason.empty()}, {"by", Json::array()}};
+    for (const std::size_t each : found.by) json["by"].push_back(report.rules[each].name);
+    if (!found.reason.empty()) json["reason"] = found.reason;
+    return json;
 }
 
 std::string rules_json(const RulesReport& report) {
@@ -239,6 +253,7 @@ std::string rules_json(const RulesReport& report) {
         for (const RuleVerdict& each : report.verdicts) json["verdicts"].push_back(verdict_json(report, each));
         json["timeStops"] = report.time_stops;
         if (!report.time_open.empty()) json["timeNotDecided"] = report.time_open;
+        json["inputsCount"] = "taken";
     } else if (report.as_sleec_tk) {
         json["numericValues"] = report.ranges;
         json["pairs"] = Json::array();
@@ -249,8 +264,7 @@ std::string rules_json(const RulesReport& report) {
         json["conflicts"] = Json::array();
         for (const RuleConflict& each : report.conflicts) json["conflicts"].push_back(conflict_json(report, each));
         json["redundant"] = Json::array();
-        for (const RedundantRule& each : report.redundant)
-            json["redundant"].push_back({{"rule", report.rules[each.rule].name}, {"by", report.rules[each.by].name}});
+        for (const RedundantRule& each : report.redundant) json["redundant"].push_back(redundant_json(report, each));
         json["askingNothing"] = Json::array();
         for (const std::size_t rule : report.asking_nothing) json["askingNothing"].push_back(report.rules[rule].name);
         json["concerns"] = report.concerns;

@@ -26,9 +26,11 @@ struct RuleConflict {
     std::uint64_t states = 0;
 };
 
-/// A rule that says nothing that another does not.
+/// A rule that says nothing that these do not, together; or of which it is not decided.
 struct RedundantRule {
-    std::size_t rule = 0, by = 0;
+    std::size_t rule = 0;
+    std::vector<std::size_t> by;
+    std::string reason = {};  ///< not decided: why
 };
 
 /// A concern that the rules allow, a purpose that they exclude, or one that is not decided.

@@ -181,6 +181,7 @@ void print_logs(const RuleLogReport& report) {
         for (const std::string& line : each.lines) print("  {}\n", line);
     }
     for (const std::string& each : report.errors) print_error("robochart-verify: {}\n", each);
+    print("an input counts as an event of the rules when it is raised, also if the controller misses it\n");
     print("{} in {}, {}: {} obey the rules, {} do not, {} inconclusive\n", counted(report.runs, "run"),
           counted(report.logs, "log"), counted(report.seconds, "second"), with_commas(report.accepted),
           with_commas(report.broken), with_commas(report.open));
@@ -194,6 +195,7 @@ void print_logs_json(const RuleLogReport& report) {
                            {"accepted", report.accepted},
                            {"broken", report.broken},
                            {"inconclusive", report.open},
+                           {"inputsCount", "raised"},
                            {"errors", report.errors},
                            {"exit", static_cast<int>(exit_of(report))}};
     diagnostics::Json& reported = json["reported"] = diagnostics::Json::array();

@@ -129,14 +129,25 @@ private:
                     report_->asking_nothing.push_back(i);
                     continue;
                 }
-                for (std::size_t k = 0; k < rules().rules.size(); ++k) {
-                    if (i == k || rules().rules[i].assumed || !sleec::redundant(rules(), i, k, analysis)) continue;
-                    const auto edit = options_.run->edit();
-                    report_->redundant.push_back({i, k});
-                }
+                if (!rules().rules[i].assumed) redundancies_of(i, analysis);
             } catch (const sleec::NotDecided&) {  // the question about conflicts of this rule has said so
             }
         }
+    }
+
+    /// Each rule that implies it alone; if there is none, whether the others together do.
+    void redundancies_of(std::size_t rule, const sleec::AnalysisOptions& analysis) {
+        bool alone = false;
+        for (std::size_t by = 0; by < rules().rules.size(); ++by) {
+            if (by == rule || !sleec::redundant(rules(), rule, by, analysis)) continue;
+            alone = true;
+            const auto edit = options_.run->edit();
+            report_->redundant.push_back({rule, {by}});
+        }
+        if (alone || rules().rules.size() < 3) return;
+        const sleec::Implication found = sleec::implied(rules(), rule, analysis);
+        const auto edit = options_.run->edit();
+        if (found.implied != sleec::Answer::no) report_->redundant.push_back({rule, found.by, found.reason});
     }
 
     // as SLEEC-TK has it

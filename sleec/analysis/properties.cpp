@@ -34,6 +34,7 @@ struct OpenDuty {
 struct State {
     bool awaited = true;  ///< the property's event is still to come
     bool during = false;  ///< so is that of `while`
+    std::optional<OpenDuty> to_break;
     std::vector<OpenDuty> open;
 
     friend auto operator<=>(const State&, const State&) = default;
@@ -60,10 +61,17 @@ CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& pro
     return result;
 }
 
+/// What becomes of the property's duty in the histories that are looked for.
+enum class Fate { kept, broken };
+
 class Histories {
 public:
-    Histories(const CheckedRules& rules, const CheckedProperty& property, const AnalysisOptions& options)
-        : rules_(with_property(rules, property)), property_(property), options_(options), first_(rules.rules.size()) {
+    Histories(const CheckedRules& rules, const CheckedProperty& property, Fate fate, const AnalysisOptions& options)
+        : rules_(with_property(rules, property)),
+          property_(property),
+          fate_(fate),
+          options_(options),
+          first_(rules.rules.size()) {
         reach();
     }
 
@@ -100,7 +108,7 @@ private:
                     if (obligation->any.size() > most_demands)
                         throw NotDecided("a rule has too many responses behind each other");
                     for (const Demand& each : obligation->any)
-                        if (!each.forbids) waiting.push_back(each.event);
+                        if (!each.forbids || fate_ == Fate::broken) waiting.push_back(each.event);
                     waiting.insert(waiting.end(), obligation->ended_by.begin(), obligation->ended_by.end());
                 }
         }
@@ -133,9 +141,14 @@ private:
         }
     }
 
-    /// An occurrence that the property waits for, or that may fulfil or end a duty.
+    /// An occurrence that the property waits for, or that may fulfil or end a duty, or break that of the property.
     [[nodiscard]] bool useful(const State& state, std::size_t event) const {
         if ((state.awaited && event == property_.trigger) || (state.during && event == *property_.during)) return true;
+        if (state.to_break) {
+            Progress progress = state.to_break->progress;
+            const Effect effect = take_event(obligations_[state.to_break->obligation], progress, event);
+            if (effect == Effect::broken || progress != state.to_break->progress) return true;
+        }
         return std::any_of(state.open.begin(), state.open.end(), [&](const OpenDuty& each) {
             Progress progress = each.progress;
             return take_event(obligations_[each.obligation], progress, event) == Effect::fulfilled;
@@ -151,14 +164,20 @@ private:
             if (effect == Effect::broken) return;
             if (effect == Effect::open) next.open.push_back(each);
         }
+        const auto by_event = [&](const Obligation& obligation, Progress& progress) {
+            return take_event(obligation, progress, event);
+        };
+        if (!break_on(next, by_event)) return;
         const std::vector<std::size_t>& triggered = triggered_[event];
         std::optional<OpenDuty> own;
         bool takes_part = false, also_during = false;
         for (std::size_t i = 0; i < triggered.size(); ++i) {
             if (!sample.obligations[i]) continue;
-            const OpenDuty opened{triggered[i], number_of(*sample.obligations[i]), {}};
+            OpenDuty opened{triggered[i], number_of(*sample.obligations[i]), {}};
             if (triggered[i] < first_) {
-                next.open.push_back(opened);
+                const Effect effect = begin(opened, event);
+                if (effect == Effect::broken) return;
+                if (effect == Effect::open) next.open.push_back(opened);
             } else if (triggered[i] == first_) {
                 takes_part = state.awaited;
                 own = opened;
@@ -169,7 +188,7 @@ private:
         const auto follow = [&](bool part, bool during) {
             State then = next;
             if (part) then.awaited = false;
-            if (part && property_.duty) then.open.push_back(*own);
+            if (part && property_.duty && !take_part(then, *own, event)) return;
             if (during) then.during = false;
             std::sort(then.open.begin(), then.open.end());
             then.open.erase(std::unique(then.open.begin(), then.open.end()), then.open.end());
@@ -180,9 +199,42 @@ private:
         follow(false, false);
     }
 
+    /// What the trigger itself does to the duty that it opens. As LEGOS reads rules, its own instant counts.
+    Effect begin(OpenDuty& opened, std::size_t event) const {
+        if (options_.without_limit != WithoutLimit::now) return Effect::open;
+        return take_event(obligations_[opened.obligation], opened.progress, event);
+    }
+
+    /// The property's duty is opened. False where its fate is decided against what is looked for.
+    bool take_part(State& state, OpenDuty own, std::size_t event) const {
+        const Effect effect = begin(own, event);
+        if (effect != Effect::open) return effect == (fate_ == Fate::kept ? Effect::fulfilled : Effect::broken);
+        if (fate_ == Fate::kept)
+            state.open.push_back(own);
+        else
+            state.to_break = own;
+        return true;
+    }
+
+    /// What happens to the duty that is to be broken. False where it is fulfilled.
+    template <class Happens>
+    bool break_on(State& state, const Happens& happens) const {
+        if (!state.to_break) return true;
+        const Effect effect = happens(obligations_[state.to_break->obligation], state.to_break->progress);
+        if (effect == Effect::broken) state.to_break.reset();
+        return effect != Effect::fulfilled;
+    }
+
+    /// Nothing of the property is still to come: a duty that is to be broken is, or it has no limit and is not
+    /// fulfilled if nothing comes.
+    [[nodiscard]] bool has_come(const State& state) const {
+        return !state.awaited && !state.during && (!state.to_break || without_limit(*state.to_break));
+    }
+
     void second(StateIndex at, const State& state) {
         State next = state;
         next.open.clear();
+        if (!break_on(next, take_tock)) return;
         for (OpenDuty each : state.open) {
             const Effect effect = take_tock(obligations_[each.obligation], each.progress);
             if (effect == Effect::broken) return;
@@ -211,8 +263,7 @@ private:
 
     /// Nothing more need come: of every duty that is open a prohibition can still hold.
     [[nodiscard]] bool is_quiet(const State& state) const {
-        return !state.awaited && !state.during &&
-               std::all_of(state.open.begin(), state.open.end(), [&](const OpenDuty& duty) {
+        return has_come(state) && std::all_of(state.open.begin(), state.open.end(), [&](const OpenDuty& duty) {
                    const Obligation& obligation = obligations_[duty.obligation];
                    for (std::size_t i = 0; i < obligation.any.size(); ++i)
                        if (obligation.any[i].forbids && (duty.progress.broken >> i & 1U) == 0) return true;
@@ -238,6 +289,7 @@ private:
     /// no duty stays open for ever. One does iff each of the steps leaves it as it is: then no run in here ends it.
     /// Another step may open the same duty anew where it ends one: it is in every state then, and yet fulfilled.
     [[nodiscard]] bool passes(std::span<const StateIndex> members) const {
+        if (!has_come(states_[members.front()])) return false;
         const std::set<StateIndex> inside(members.begin(), members.end());
         bool time = false;
         std::vector<OpenDuty> left;  // that no step yet has ended or changed
@@ -274,6 +326,7 @@ private:
 
     CheckedRules rules_;  ///< with the property behind them
     const CheckedProperty& property_;
+    Fate fate_;
     const AnalysisOptions& options_;
     std::size_t first_;  ///< the property's place
     std::map<std::size_t, std::vector<Sample>> samples_;
@@ -287,14 +340,60 @@ private:
     std::optional<StateIndex> quiet_;  ///< the first state found that is
 };
 
-}  // namespace
-
-PropertyAnswer possible(const CheckedRules& rules, const CheckedProperty& property, const AnalysisOptions& options) {
+PropertyAnswer search(const CheckedRules& rules, const CheckedProperty& property, Fate fate,
+                      const AnalysisOptions& options) {
     try {
-        return Histories(rules, property, options).search();
+        return Histories(rules, property, fate, options).search();
     } catch (const NotDecided& error) {
         return {Answer::not_decided, {}, error.what(), 0};
     }
+}
+
+/// The rules without one of them.
+CheckedRules without(const CheckedRules& rules, std::size_t rule) {
+    CheckedRules result = rules;
+    result.rules.erase(result.rules.begin() + static_cast<std::ptrdiff_t>(rule));
+    return result;
+}
+
+}  // namespace
+
+PropertyAnswer possible(const CheckedRules& rules, const CheckedProperty& property, const AnalysisOptions& options) {
+    return search(rules, property, Fate::kept, options);
+}
+
+Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
+    const CheckedRule& asked = rules.rules[rule];
+    CheckedProperty broken;
+    broken.trigger = asked.trigger;
+    broken.condition = asked.condition;
+    broken.duty = asked.duty;
+    CheckedProperty comes = broken;
+    comes.duty = nullptr;
+    comes.exists = true;
+
+    Implication result;
+    CheckedRules others = without(rules, rule);
+    const PropertyAnswer breaks = search(others, broken, Fate::broken, options);
+    const PropertyAnswer triggered = possible(others, comes, options);
+    if (breaks.possible == Answer::not_decided || triggered.possible == Answer::not_decided) {
+        result.implied = Answer::not_decided;
+        result.reason = breaks.reason.empty() ? triggered.reason : breaks.reason;
+        return result;
+    }
+    if (breaks.possible == Answer::yes || triggered.possible == Answer::no) return result;
+    result.implied = Answer::yes;
+    std::vector<std::size_t> left;  // of each of the others its number in the file
+    for (std::size_t i = 0; i < rules.rules.size(); ++i)
+        if (i != rule) left.push_back(i);
+    for (std::size_t i = left.size(); i-- > 0;) {
+        CheckedRules fewer = without(others, i);
+        if (search(fewer, broken, Fate::broken, options).possible != Answer::no) continue;
+        others = std::move(fewer);
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    result.by = std::move(left);
+    return result;
 }
 
 std::vector<std::size_t> excluding(const CheckedRules& rules, const CheckedProperty& property,

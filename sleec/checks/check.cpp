@@ -155,11 +155,24 @@ private:
     }
 
     void limit(const Limit& written, Duty& duty) {
-        const std::int64_t unit = seconds_of(written.unit);
-        duty.to = number(written.to) * unit;
-        if (!written.from) return;
-        duty.from = number(written.from) * unit;
-        if (*duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
+        duty.to = seconds(written.to, written.unit, duty);
+        if (written.from) duty.from = seconds(written.from, written.from_unit, duty);
+        if (!duty.measured && *duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
+    }
+
+    /// One end of a limit. What computes with measures has no value here.
+    std::int64_t seconds(const ExprPtr& expr, Unit unit, Duty& duty) {
+        if (!expr->bracketed) return number(expr) * seconds_of(unit);
+        const Typed value = typed(expr);
+        expect(value, Type::number, *expr);
+        duty.measured = duty.measured || has_measure(value.condition);
+        if (duty.measured || value.type != Type::number) return 0;
+        constexpr std::int64_t longest = 10'000'000'000;  // as a number may be that is written
+        return std::clamp(evaluate(value.condition, {}), -longest, longest) * seconds_of(unit);
+    }
+
+    static bool has_measure(const Condition& condition) {
+        return condition.op == Op::name || std::ranges::any_of(condition.parts, has_measure);
     }
 
     // conditions
@@ -244,13 +257,22 @@ private:
             place(right, left.condition.measure, *expr->parts[1]);
         else if (left.type == Type::literal && right.type == Type::scale)
             place(left, right.condition.measure, *expr->parts[0]);
-        else if ((left.type != Type::number || right.type != Type::number) && left.type != Type::wrong &&
-                 right.type != Type::wrong)
+        else if (!comparable(left.type, right.type))
             diagnostics_.report(
                 rules::wrong_type, expr->span,
                 {fmt::format("{} cannot be compared with {}", type_text(left.type), type_text(right.type))});
         result.condition.parts = {std::move(left.condition), std::move(right.condition)};
         return result;
+    }
+
+    /// Numbers; in LEGOS, whose scales are numbers from 0, also a scale with a number. What is wrong is reported
+    /// already.
+    [[nodiscard]] bool comparable(Type left, Type right) const {
+        const auto numeric = [&](Type type) {
+            return type == Type::number || (type == Type::scale && file_.dialect == Dialect::legos);
+        };
+        if (left == Type::wrong || right == Type::wrong) return true;
+        return numeric(left) && numeric(right) && (left == Type::number || right == Type::number);
     }
 
     /// The literal's place on the scale of that measure.

@@ -41,6 +41,7 @@ struct Duty {
     std::size_t event = 0;
     std::int64_t from = 0;           ///< seconds
     std::optional<std::int64_t> to;  ///< seconds, inclusive; nothing: no limit. Below `from`: the duty is empty
+    bool measured = false;           ///< a measure decides the limit: `from` and `to` are not known
     DutyPtr otherwise;               ///< null: none
     std::vector<CheckedDefeater> defeaters;
     const Response* written = nullptr;
@@ -58,7 +59,7 @@ struct CheckedProperty {
     bool exists = false;
     std::size_t trigger = 0;
     std::optional<Condition> condition;
-    DutyPtr duty;                       ///< null: exists
+    DutyPtr duty;                       ///< null: none is asked for
     std::optional<std::size_t> during;  ///< `while` this event
     std::optional<Condition> during_condition;
     const Property* written = nullptr;

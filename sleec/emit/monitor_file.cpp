@@ -148,6 +148,7 @@ private:
     }
 
     void ask(const Duty& duty, Way way) {
+        if (duty.measured) throw NotDecided("monitors have no limits that a measure decides");
         if (duty.to && *duty.to < duty.from) return;
         const bool open = !duty.to && without_ == WithoutLimit::eventually;
         const std::int64_t length = duty.to.value_or(0);

@@ -15,6 +15,7 @@ public:
         DutyPtr at = in_force(duty);
         std::int64_t begin = 0;
         while (at) {
+            if (at->measured) throw NotDecided("a measure decides a limit of time");
             if (at->to && *at->to < at->from) return std::nullopt;  // at least 0 seconds: nothing is asked
             const bool open = !at->to && without_ == WithoutLimit::eventually;
             const std::int64_t length = at->to.value_or(0);

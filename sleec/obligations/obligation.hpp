@@ -5,11 +5,18 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "sleec/checks/checked.hpp"
 
 namespace robochart::sleec {
+
+/// A question that is not decided, and why.
+class NotDecided : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 /// What a response without limit means.
 enum class WithoutLimit : std::uint8_t { eventually, now };
@@ -37,7 +44,8 @@ struct Obligation {
     friend bool operator==(const Obligation&, const Obligation&) = default;
 };
 
-/// The obligation that a trigger with these values opens. Nothing: the condition is false, or no duty is left.
+/// The obligation that a trigger with these values opens. Nothing: the condition is false, or no duty is left. Throws
+/// NotDecided where a measure decides a limit.
 [[nodiscard]] std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit);
 /// The same for a duty alone.
 [[nodiscard]] std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit);

@@ -2,19 +2,12 @@
 // are one sample; a valuation stands for each.
 #pragma once
 
-#include <stdexcept>
 #include <vector>
 
 #include "diagnostics/budget.hpp"
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {
-
-/// A question that is not decided, and why.
-class NotDecided : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
 
 /// One way in which the measures may be when an event occurs.
 struct Sample {

@@ -155,6 +155,7 @@ Tree Encoding::trigger(const CheckedRule& rule, const std::string& self) const {
 /// `E`: no limit. `E within d`: at 0 to d, then time stops. `not E within d`: d units in which all is refused. `E
 /// within d otherwise r`: before d units; at d the rule is r. Defeaters of a response inside a defeater are dropped.
 Tree Encoding::response(const DutyPtr& duty) const {
+    if (duty->measured) throw NotDecided("SLEEC-TK has no limits that a measure decides");
     if (duty->written->limit && duty->written->limit->from) throw NotDecided("SLEEC-TK has no intervals of time");
     if (duty->forbids) {
         if (!duty->to || duty->otherwise)

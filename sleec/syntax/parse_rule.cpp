@@ -55,7 +55,7 @@ Rule Parser::at_least_rule(Rule rule) {
     return rule;
 }
 
-/// `NAME when E and c then R` or `NAME exists E and c [while F and d]`.
+/// `NAME when E and c then R`, `NAME exists E and c [while F and d]` or `NAME exists E and c while R`.
 Property Parser::property(bool concern) {
     Property result;
     result.span = peek().span;
@@ -63,7 +63,13 @@ Property Parser::property(bool concern) {
     if (accept("exists")) {
         result.exists = true;
         result.trigger = trigger();
-        if (accept("while")) result.during = std::make_shared<const Trigger>(trigger());
+        if (accept("while")) {
+            const bool timed = at("not") || (at_name() && (at("eventually", 1) || at("within", 1)));
+            if (timed)
+                result.response = std::make_shared<const Response>(action());
+            else
+                result.during = std::make_shared<const Trigger>(trigger());
+        }
     } else {
         if (!at("when")) fail("'when' or 'exists'", {"when", "exists"});
         take();
@@ -146,20 +152,23 @@ Limit Parser::limit() {
     return duration(expect("within"));
 }
 
-/// `N unit` or `[A, B] unit`.
+/// `N unit`, `[A, B] unit` or `[A unit, B unit]`.
 Limit Parser::duration(Span from) {
     Limit result;
     if (at("[")) {
         const Span interval = take().span;
         result.from = time();
+        result.each_unit = !at(",");
+        if (result.each_unit) result.from_unit = unit();
         expect(",");
         result.to = time();
+        if (result.each_unit) result.unit = unit();
         expect("]");
         only_in(Dialect::legos, since(interval), "an interval of time");
     } else {
         result.to = time();
     }
-    result.unit = unit();
+    if (!result.each_unit) result.from_unit = result.unit = unit();
     result.span = since(from);
     return result;
 }
@@ -170,8 +179,13 @@ Unit Parser::unit() {
     fail("a unit of time ('seconds', 'minutes', 'hours' or 'days')", {"seconds", "minutes", "hours", "days"});
 }
 
-/// A number or the name of a constant.
+/// A number, the name of a constant, or in parentheses what computes with them and with measures.
 ExprPtr Parser::time() {
+    if (at("(")) {
+        const ExprPtr computed = primary();
+        only_in(Dialect::legos, computed->span, "a limit in parentheses");
+        return computed;
+    }
     Expr expr;
     expr.span = peek().span;
     if (peek().kind == Tok::number) {

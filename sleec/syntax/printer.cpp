@@ -26,9 +26,17 @@ bool left_bracketed(const Expr& outer, const Expr& left) {
            (is_comparison(outer.op) && is_comparison(left.op));
 }
 
+/// A number or a name, or an expression in parentheses.
+std::string time_text(const ExprPtr& time) {
+    return operand(time, !time->parts.empty() || time->braced);
+}
+
 std::string limit_text(const Limit& limit) {
-    const std::string to = print(limit.to);
-    if (limit.from) return fmt::format("[{}, {}] {}", print(limit.from), to, unit_name(limit.unit));
+    const std::string to = time_text(limit.to);
+    if (limit.each_unit)
+        return fmt::format("[{} {}, {} {}]", time_text(limit.from), unit_name(limit.from_unit), to,
+                           unit_name(limit.unit));
+    if (limit.from) return fmt::format("[{}, {}] {}", time_text(limit.from), to, unit_name(limit.unit));
     return fmt::format("{} {}", to, unit_name(limit.unit));
 }
 
@@ -80,6 +88,7 @@ public:
             return fmt::format("when {} then {}", trigger(property.trigger), response(*property.response));
         std::string text = "exists " + trigger(property.trigger);
         if (property.during) text += " while " + trigger(*property.during);
+        if (property.response) text += " while " + response(*property.response);
         return text;
     }
 

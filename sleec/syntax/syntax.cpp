@@ -17,7 +17,7 @@ bool same(const Trigger& a, const Trigger& b) {
 
 bool same_limit(const Limit* a, const Limit* b) {
     if (a == nullptr || b == nullptr) return a == b;
-    return a->unit == b->unit && same_expr(a->from, b->from) && same_expr(a->to, b->to);
+    return a->unit == b->unit && a->from_unit == b->from_unit && same_expr(a->from, b->from) && same_expr(a->to, b->to);
 }
 
 bool same_response(const ResponsePtr& a, const ResponsePtr& b);

@@ -68,11 +68,13 @@ enum class Unit : std::uint8_t { seconds, minutes, hours, days };
 /// How many seconds one has.
 [[nodiscard]] std::int64_t seconds_of(Unit unit);
 
-/// `within N unit`, in LEGOS also `within [A, B] unit`.
+/// `within N unit`, in LEGOS also `within [A, B] unit`, `within [A unit, B unit]` and `within (EXPRESSION) unit`.
 struct Limit {
     ExprPtr from;  ///< null: 0
     ExprPtr to;
     Unit unit = Unit::seconds;
+    Unit from_unit = Unit::seconds;  ///< that of `to`, unless each end has its own
+    bool each_unit = false;          ///< the units stand inside the brackets
     Span span;
 };
 
@@ -145,12 +147,13 @@ struct Rule {
 };
 
 /// LEGOS: what must be impossible (concern) or possible (purpose). `when E then R`: that E comes and R is kept;
-/// `exists E [while F]`: that E comes, at the instant of F where that is given.
+/// `exists E while R`, where R has `eventually` or a limit, says the same. `exists E [while F]`: that E comes, at the
+/// instant of F where that is given.
 struct Property {
     Name name;
     bool exists = false;
     Trigger trigger;
-    ResponsePtr response;                   ///< `when`: of it; else null
+    ResponsePtr response;                   ///< `when`, `while R`: of it; else null
     std::shared_ptr<const Trigger> during;  ///< `while`; null: none
     Span span;
 };

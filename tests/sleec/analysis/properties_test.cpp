@@ -124,5 +124,79 @@ TEST(SleecProperties, WhatIsNotDecidedIsSaid) {
     EXPECT_NE(found.reason, "");
 }
 
+// ---- the trigger's own instant
+
+/// To LEGOS an event that triggers a property occurs at the instant that the property begins with.
+TEST(SleecProperties, ReadAsLegosHasItTheTriggerItselfCounts) {
+    for (const char* concern :
+         {"when Go then not Go eventually", "when Go then not Go within 10 seconds", "when Go then not Go"}) {
+        EXPECT_EQ(ask("", concern, WithoutLimit::now).answer, Answer::no) << concern;
+        EXPECT_EQ(ask("", concern).answer, Answer::yes) << concern;
+    }
+    EXPECT_EQ(ask("", "when Go then Go within 3 seconds", WithoutLimit::now).answer, Answer::yes);
+    EXPECT_EQ(ask("A when Go then not Go within 3 seconds", "exists Go", WithoutLimit::now).answer, Answer::no);
+    EXPECT_EQ(ask("A when Go then not Go within 3 seconds", "exists Go").answer, Answer::yes);
+}
+
+// ---- `while` with a limit
+
+TEST(SleecProperties, WhileWithALimitAsksForTheEventBehindTheTrigger) {
+    const std::string late = "A when Go then not Stop within 5 seconds";
+    EXPECT_EQ(ask(late, "exists Go while Stop within 5 seconds").answer, Answer::no);
+    EXPECT_EQ(ask(late, "exists Go while Stop within 6 seconds").answer, Answer::yes);
+    EXPECT_EQ(ask(late, "exists Go and {near} while Stop eventually").answer, Answer::yes);
+    EXPECT_EQ(ask("A when Go then not Stop eventually", "exists Go while Stop eventually").answer, Answer::no);
+}
+
+// ---- rules that others imply together
+
+std::string implying(const std::string& rules, std::size_t rule, WithoutLimit without = WithoutLimit::eventually) {
+    Read read(with_definitions(rules));
+    EXPECT_TRUE(read.checked_too().checked) << read.report();
+    if (!read.checked) return "";
+    AnalysisOptions options;
+    options.without_limit = without;
+    const Implication found = implied(*read.checked, rule, options);
+    if (found.implied == Answer::not_decided) return found.reason;
+    std::string names = found.implied == Answer::yes ? "implied by" : "";
+    for (const std::size_t each : found.by) names += " " + read.checked->name(each);
+    return names;
+}
+
+TEST(SleecProperties, ARuleMayFollowFromTwoOthers) {
+    const std::string chain =
+        "A when Stop then Alarm\nB when Go and {near} then Stop\nC when Go and {near} then Alarm\nD when Halt then "
+        "Go\n";
+    EXPECT_EQ(implying(chain, 2), "implied by A B");
+    EXPECT_EQ(implying(chain, 0), "");
+    EXPECT_EQ(implying(chain, 1), "");
+    EXPECT_EQ(implying(chain, 3), "");
+}
+
+/// The limits add up: Alarm comes at second 5 at the latest, and may come then.
+TEST(SleecProperties, LimitsOfRulesThatImplyAnotherAddUp) {
+    const std::string chain = "A when Go then Stop within 2 seconds\nB when Stop then Alarm within 3 seconds\n";
+    EXPECT_EQ(implying(chain + "C when Go then Alarm within 5 seconds", 2), "implied by A B");
+    EXPECT_EQ(implying(chain + "C when Go then Alarm within 4 seconds", 2), "");
+    EXPECT_EQ(implying(chain + "C when Go and {near} then Alarm", 2), "implied by A B");
+}
+
+TEST(SleecProperties, ProhibitionsAreImpliedToo) {
+    const std::string split =
+        "A when Go then not Stop within 3 seconds\nB when Go then Alarm within 3 seconds\n"
+        "D when Alarm then not Stop within 5 seconds\n";
+    EXPECT_EQ(implying(split + "C when Go then not Stop within 4 seconds", 3), "implied by A B D");
+    EXPECT_EQ(implying(split + "C when Go then not Stop within 6 seconds", 3), "")
+        << "with an Alarm at second 0 the prohibition ends at second 5";
+}
+
+/// Go cannot come without breaking A or B. That is their conflict, and says nothing of C.
+TEST(SleecProperties, NothingFollowsFromAConflict) {
+    EXPECT_EQ(implying("A when Go then Stop within 2 seconds\nB when Go then not Stop within 5 seconds\n"
+                       "C when Go then Alarm within 9 seconds",
+                       2),
+              "");
+}
+
 }  // namespace
 }  // namespace robochart::sleec

@@ -70,6 +70,32 @@ TEST(SleecCheck, WorksOutConstantsAndTimes) {
     EXPECT_EQ(findings("R when Go then Stop within [3, 2] seconds"), "SLEEC-T07:7");
 }
 
+TEST(SleecCheck, WorksOutLimitsThatAreComputed) {
+    Read read(
+        with_definitions("R1 when Go then Stop within (2 * MAX - 1) minutes\n"
+                         "R2 when Go then Stop within [30 seconds, 2 minutes]\n"
+                         "R3 when Go then Stop within (60 - {level}) seconds"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    EXPECT_EQ(read.checked->rules[0].duty->to, 9 * 60);
+    EXPECT_EQ(read.checked->rules[1].duty->from, 30);
+    EXPECT_EQ(read.checked->rules[1].duty->to, 120);
+    EXPECT_FALSE(read.checked->rules[1].duty->measured);
+    EXPECT_TRUE(read.checked->rules[2].duty->measured);
+    EXPECT_EQ(findings("R when Go then Stop within (MAX - 9) seconds"), "SLEEC-T07:7") << "below 0";
+    EXPECT_EQ(findings("R when Go then Stop within [2 minutes, 30 seconds]"), "SLEEC-T07:7");
+    EXPECT_EQ(findings("R when Go then Stop within (60 - {near}) seconds"), "SLEEC-T04:7") << "a truth value";
+}
+
+/// Places on a scale are numbers from 0, to LEGOS alone.
+TEST(SleecCheck, ComparesScalesWithNumbersInLegosOnly) {
+    Read read(with_definitions("R when Go and ({load} > 1) then Stop"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, 0, 2}), 1) << "high";
+    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, 0, 1}), 0) << "mid";
+    EXPECT_EQ(findings("R when Go and load > 1 then Stop"), "SLEEC-T04:7");
+    EXPECT_EQ(findings("R when Go and ({load} > {near}) then Stop"), "SLEEC-T04:7");
+}
+
 /// At least 5 seconds after: not at 0 to 4.
 TEST(SleecCheck, AtLeastForbidsTheSecondsBefore) {
     Read read(with_definitions("R Stop at least 5 seconds after Go"));

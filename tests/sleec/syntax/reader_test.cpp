@@ -79,6 +79,33 @@ TEST(SleecReader, ReadsConcernsAndPurposes) {
     EXPECT_FALSE(read.file.concerns.at(0).exists);
 }
 
+/// `while E` is an occurrence at the same instant, `while E within N` a response.
+TEST(SleecReader, ReadsWhileWithALimitAsAResponse) {
+    const Read read(
+        "def_start event Go event Stop measure near : boolean def_end\nrule_start R when Go then not Stop rule_end\n"
+        "purpose_start p1 exists Go and {near} while Stop eventually p2 exists Go while Stop within 3 seconds "
+        "p3 exists Go while not Stop within 3 seconds purpose_end");
+    EXPECT_EQ(read.findings(), "");
+    ASSERT_EQ(read.file.purposes.size(), 3U);
+    for (const Property& purpose : read.file.purposes) {
+        EXPECT_TRUE(purpose.exists);
+        EXPECT_EQ(purpose.during, nullptr);
+        ASSERT_NE(purpose.response, nullptr);
+    }
+    EXPECT_TRUE(read.file.purposes[0].response->eventually);
+    EXPECT_EQ(read.file.purposes[1].response->limit->to->text, "3");
+    EXPECT_TRUE(read.file.purposes[2].response->negated);
+}
+
+TEST(SleecReader, ReadsLimitsThatLegosWrites) {
+    for (const std::string rule :
+         {"when Go then Stop within [1 seconds, 10 minutes]", "when Go then Stop within [1, 2] hours",
+          "when Go then Stop within (60 - {level}) seconds", "when Go then Stop within [(MAX + 1), (2 * MAX)] days"}) {
+        EXPECT_EQ(as_read(rule), rule);
+        EXPECT_EQ(Read(with_definitions("R " + rule)).file.dialect, Dialect::legos) << rule;
+    }
+}
+
 TEST(SleecReader, KnowsTheDialectByWhatOnlyOneHas) {
     EXPECT_EQ(Read(with_definitions("R when Go then Stop")).file.dialect, Dialect::sleec_tk);
     for (const std::string rule :
