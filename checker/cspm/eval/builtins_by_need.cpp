@@ -107,7 +107,7 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
             const Value pair = values_.forced(each);
             if (pair->kind != Kind::tuple || pair->items.size() != 2)
                 work_.fail("expected pairs, found " + text_(pair), span);
-            put(items, values_.share(pair->items[0]), pair->items[1]);
+            put(items, store_.part(values_.share(pair->items[0])), pair->items[1]);
         }
         return store_.compound(Kind::map, 0, std::move(items));
     };
@@ -125,7 +125,7 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
             pairs.push_back(store_.compound(Kind::tuple, 0, {items[i], items[i + 1]}));
         return store_.compound(Kind::sequence, 0, std::move(pairs));
     }
-    const Value key = values_.share(arguments[1]);
+    const Value key = store_.part(values_.share(arguments[1]));
     const std::size_t at = key_place(items, key);
     const bool found = at < items.size() && items[at] == key;
     switch (which) {

@@ -23,9 +23,14 @@ Evaluator::Evaluator(Program& program, ValueStore& store, process::EventTable& e
       builtins_(program, store, events, terms, work_, domains_, processes_),
       by_need_(*this, {program, store, work_, domains_, builtins_}),
       process_evaluator_(std::make_unique<ProcessEvaluator>(
-          *this, ProcessEvaluator::Tables{program, store, terms, work_, domains_, processes_, shape_})) {}
+          *this, ProcessEvaluator::Tables{program, store, terms, work_, domains_, processes_, shape_})) {
+    store_.list_sets_by(
+        [this](Value set) { return domains_.can_be_listed(set, {}) ? domains_.explicit_set(set, {}) : set; });
+}
 
-Evaluator::~Evaluator() = default;
+Evaluator::~Evaluator() {
+    store_.list_sets_by({});
+}
 
 std::string Evaluator::print(const Code& code, const Unit& unit) {
     std::string result;

@@ -239,6 +239,7 @@ Value Domains::maps(Value keys, Value values, Span span) {
 }
 
 bool Domains::member_of(Value value, Value set, Span span) {
+    value = store_.part(value);
     const auto all_in = [&](Value of) {
         return std::ranges::all_of(value->items, [&](Value item) { return member_of(item, of, span); });
     };
@@ -375,13 +376,22 @@ bool Domains::subset(Value a, Value b, Span span) {
     });
 }
 
-// Equality of sets that are written differently: a set of all sequences never equals a finite one.
+// Equality of sets that are written differently. Of two that are made alike and cannot be listed, what they are made of
+// decides; a set of all sequences never equals a finite one.
 bool Domains::same(Value a, Value b, Span span) {
     if (a == b) return true;
-    if (!is_set(a) || !is_set(b) || a->kind == b->kind) return false;
+    if (!is_set(a) || !is_set(b)) return false;
     const auto size = size_of(a, span);
-    if (!size || size != size_of(b, span)) return false;
-    return explicit_set(a, span) == explicit_set(b, span);
+    if (size != size_of(b, span)) return false;
+    if (can_be_listed(a, span) && can_be_listed(b, span)) return explicit_set(a, span) == explicit_set(b, span);
+    if (a->kind == b->kind) {
+        const bool composed =
+            a->kind == Kind::subsets_of || a->kind == Kind::sequences_over || a->kind == Kind::maps_over;
+        for (std::size_t i = 0; composed && i < a->items.size(); ++i)
+            if (!same(a->items[i], b->items[i], span)) return false;
+        return composed;
+    }
+    return size && explicit_set(a, span) == explicit_set(b, span);
 }
 
 }  // namespace robochart::cspm

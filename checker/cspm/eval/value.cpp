@@ -88,7 +88,13 @@ Value ValueStore::text(const std::string& characters) {
     return sequence(std::move(items));
 }
 
+Value ValueStore::part(Value value) const {
+    const bool unlisted = value->kind >= Kind::integers && value->kind <= Kind::united;
+    return unlisted && listed_ ? listed_(value) : value;
+}
+
 Value ValueStore::set(Values items) {
+    for (Value& item : items) item = part(item);
     constexpr std::uint32_t between_polls = 4096;
     std::uint32_t compared = 0;
     const auto less = [&](Value a, Value b) {
@@ -101,6 +107,9 @@ Value ValueStore::set(Values items) {
 }
 
 Value ValueStore::make(Kind kind, std::int64_t number, Values items, const Function* function, const Group* group) {
+    const bool data = kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map || kind == Kind::dot;
+    if (data)
+        for (Value& item : items) item = part(item);
     Object key{kind, true, static_cast<std::uint32_t>(index_.size()), number, function, group, std::move(items)};
     const auto found = index_.find(&key);
     if (found != index_.end()) return *found;

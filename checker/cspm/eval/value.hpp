@@ -87,6 +87,11 @@ public:
 
     /// Called now and then during long work; may throw to stop it. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Lists a set where it can be listed. Parts of values are so, since there equality is identity: `(Set({1}), 1)` and
+    /// `({{}, {1}}, 1)` are one object.
+    void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
+    /// The value as a part of another.
+    [[nodiscard]] Value part(Value value) const;
 
     [[nodiscard]] Value integer(std::int64_t number);
     [[nodiscard]] Value boolean(bool truth) const { return truth ? true_ : false_; }
@@ -96,7 +101,7 @@ public:
     [[nodiscard]] Value text(const std::string& characters);
     /// Sorts and drops repetitions.
     [[nodiscard]] Value set(Values items);
-    /// For items known to be ascending.
+    /// For items known to be ascending, which are elements of other sets.
     [[nodiscard]] Value sorted_set(Values items) { return make(Kind::set, 0, std::move(items)); }
     [[nodiscard]] Value dot(Values items) { return make(Kind::dot, 0, std::move(items)); }
     [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
@@ -129,6 +134,7 @@ private:
     std::deque<Thunk> thunks_;
     std::vector<Value> small_integers_;
     std::function<void()> poll_;
+    std::function<Value(Value)> listed_;
     Value true_ = nullptr;
     Value false_ = nullptr;
 };

@@ -173,5 +173,36 @@ TEST(DotPatterns, TwoPatternsForOnePart) {
     EXPECT_EQ(value("let f(x.(y @@ (a.b))) = (x, y, a, b) within f(1.2.3)"), "(1, 2.3, 2, 3)");
 }
 
+/// Equality of parts is identity, so a set is one value however it is written.
+TEST(SetsWrittenDifferently, AreOneValueAsPartsOfOthers) {
+    const std::string all = "Set({1})";
+    const std::string listed = "{{}, {1}}";
+    for (const std::string around : {"#", "(#, 1)", "<#>", "{#}", "{(#, <#>)}", "(| (#, 0) => # |)"}) {
+        const auto with = [&](const std::string& set) {
+            std::string text = around;
+            for (std::size_t at = text.find('#'); at != std::string::npos; at = text.find('#'))
+                text.replace(at, 1, set);
+            return text;
+        };
+        EXPECT_EQ(value(with(all) + " == " + with(listed)), "true") << around;
+        EXPECT_EQ(value(with(all) + " != " + with(listed)), "false") << around;
+        EXPECT_EQ(value("member(" + with(all) + ", {" + with(listed) + "})"), "true") << around;
+        EXPECT_EQ(value("card({" + with(all) + ", " + with(listed) + "})"), "1") << around;
+        EXPECT_EQ(value("elem(" + with(all) + ", <" + with(listed) + ">)"), "true") << around;
+    }
+    EXPECT_EQ(value("mapLookup((| Set({1}) => 5 |), {{}, {1}})"), "5");
+    EXPECT_EQ(value("mapMember((| (Set({1}), 0) => 5 |), ({{}, {1}}, 0))"), "true");
+    EXPECT_EQ(value("Set({1, 2}) == Set({2, 1})"), "true");
+    EXPECT_EQ(value("(Set({1, 2}), 1) == ({{}, {1}}, 1)"), "false");
+}
+
+TEST(SetsWrittenDifferently, OfOneKindAreComparedByTheirElements) {
+    EXPECT_EQ(value("Set({true, false}) == Set(Bool)"), "true");
+    EXPECT_EQ(value("Seq({true, false}) == Seq(Bool)"), "true");
+    EXPECT_EQ(value("Seq({true}) == Seq(Bool)"), "false");
+    EXPECT_EQ(value("Set(Int) == Set({0..})"), "false");
+    EXPECT_EQ(value("({0..}, 1) == ({1..}, 1)"), "false");
+}
+
 }  // namespace
 }  // namespace robochart::cspm::test
