@@ -15,8 +15,8 @@
 namespace robochart::ir {
 namespace {
 
-constexpr std::size_t most_values = 64;  // of one expression without variables
-constexpr int most_depth = 16;           // of constants defined by constants
+constexpr std::size_t most_of_expression = 64;  // of one expression without variables
+constexpr int most_depth = 16;                  // of constants defined by constants
 
 // ---------------------------------------------------------------- decimals
 
@@ -157,7 +157,7 @@ std::optional<Values> KnownValues::of(const Expr& expr, const Machine* machine, 
 std::optional<Values> KnownValues::combined(const Expr& expr, const Machine* machine, int depth,
                                             Operation operation) const {
     const auto left = of(*expr.args[0], machine, depth), right = of(*expr.args[1], machine, depth);
-    if (!left || !right || left->size() * right->size() > most_values) return std::nullopt;
+    if (!left || !right || left->size() * right->size() > most_of_expression) return std::nullopt;
     Values result;
     for (const Decimal& a : *left)
         for (const Decimal& b : *right)
@@ -208,7 +208,7 @@ Values KnownValues::values_of(const std::string& name, int depth) const {
     std::ranges::sort(values, less);
     const auto same = [](const Decimal& a, const Decimal& b) { return !less(a, b) && !less(b, a); };
     values.erase(std::unique(values.begin(), values.end(), same), values.end());
-    if (values.size() > most_values) values.resize(most_values);
+    if (values.size() > most_of_expression) values.resize(most_of_expression);
     return values;
 }
 

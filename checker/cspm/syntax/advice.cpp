@@ -70,18 +70,18 @@ constexpr std::array rows{
     Advice{"'<-'", "-> NAME @ ]]", "an event a becomes b in `P[[a <- b]]`"},
 };
 
-struct Symbol {
+struct ForeignSign {
     std::string_view character;
     std::string_view written;
 };
 
-constexpr std::array symbols{
-    Symbol{"→", "->"},  Symbol{"⟶", "->"}, Symbol{"←", "<-"},       Symbol{"↔", "<->"}, Symbol{"□", "[]"},
-    Symbol{"⊓", "|~|"}, Symbol{"∥", "||"}, Symbol{"⫴", "|||"},      Symbol{"△", "/\\"}, Symbol{"▷", "[>"},
-    Symbol{"≤", "<="},  Symbol{"≥", ">="}, Symbol{"≠", "!="},       Symbol{"∧", "and"}, Symbol{"∨", "or"},
-    Symbol{"¬", "not"}, Symbol{"⟨", "<"},  Symbol{"⟩", ">"},        Symbol{"×", "*"},   Symbol{"÷", "/"},
-    Symbol{"–", "-"},   Symbol{"−", "-"},  Symbol{"“", "\""},       Symbol{"”", "\""},  Symbol{"‘", "'"},
-    Symbol{"’", "'"},   Symbol{"∅", "{}"}, Symbol{"\xC2\xA0", " "},
+constexpr std::array foreign_signs{
+    ForeignSign{"→", "->"},  Symbol{"⟶", "->"}, Symbol{"←", "<-"},       ForeignSign{"↔", "<->"}, Symbol{"□", "[]"},
+    ForeignSign{"⊓", "|~|"}, Symbol{"∥", "||"}, Symbol{"⫴", "|||"},      ForeignSign{"△", "/\\"}, Symbol{"▷", "[>"},
+    ForeignSign{"≤", "<="},  Symbol{"≥", ">="}, Symbol{"≠", "!="},       ForeignSign{"∧", "and"}, Symbol{"∨", "or"},
+    ForeignSign{"¬", "not"}, Symbol{"⟨", "<"},  Symbol{"⟩", ">"},        ForeignSign{"×", "*"},   Symbol{"÷", "/"},
+    ForeignSign{"–", "-"},   Symbol{"−", "-"},  Symbol{"“", "\""},       ForeignSign{"”", "\""},  Symbol{"‘", "'"},
+    ForeignSign{"’", "'"},   Symbol{"∅", "{}"}, Symbol{"\xC2\xA0", " "},
 };
 
 /// The code of the character that a well-formed text begins with.
@@ -138,8 +138,8 @@ std::string in_plain_letters(std::string_view name) {
 }
 
 std::string_view written_for(std::string_view symbol) {
-    const auto* const found = std::ranges::find(symbols, symbol, &Symbol::character);
-    return found == symbols.end() ? std::string_view() : found->written;
+    const auto* const found = std::ranges::find(foreign_signs, symbol, &ForeignSign::character);
+    return found == foreign_signs.end() ? std::string_view() : found->written;
 }
 
 }  // namespace robochart::cspm
