@@ -89,16 +89,19 @@ private:
             out_ += fmt::format("{}state {} <<choice>>\n", indent, id);
             return;
         }
-        const std::string title = escaped(outline_.title(box));
-        const bool composite = !outline_.inside(box).empty();
-        out_ += fmt::format("{}state \"{}\" as {}{}\n", indent, title, id, composite ? " {" : "");
-        if (composite) {
-            write_level(box, indent + "  ");
-            out_ += indent + "}\n";
+        std::string title = escaped(outline_.title(box));
+        if (outline_.inside(box).empty()) {
+            out_ += fmt::format("{}state \"{}\" as {}\n", indent, title, id);
+            for (const std::string& row : outline_.rows(box))
+                out_ += fmt::format("{}{} : {}\n", indent, id, escaped(row));
+            return;
         }
-        for (const std::string& row : outline_.rows(box))
-            out_ += composite ? fmt::format("{}note right of {} : {}\n", indent, id, escaped(row))
-                              : fmt::format("{}{} : {}\n", indent, id, escaped(row));
+        // A description of a composite state would replace its title, and with a note Mermaid 12 draws it outside of
+        // the state around it.
+        for (const std::string& row : outline_.rows(box)) title += "<br/>" + escaped(row);
+        out_ += fmt::format("{}state \"{}\" as {} {{\n", indent, title, id);
+        write_level(box, indent + "  ");
+        out_ += indent + "}\n";
     }
 
     std::string write_components() {

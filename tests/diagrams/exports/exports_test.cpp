@@ -37,11 +37,10 @@ TEST(Mermaid, SaysWhatIsDrawn) {
               "  %% not shown: interfaces, variables, constants and clocks of the component\n"
               "  %% not shown: its events\n"
               "  state n4 <<choice>>\n"
-              "  state \"s\" as n6 {\n"
+              "  state \"s<br/>entry x = 1#59; wait(2)\" as n6 {\n"
               "    state \"t\" as n7\n"
               "    [*] --> n7\n"
               "  }\n"
-              "  note right of n6 : entry x = 1#59; wait(2)\n"
               "  [*] --> n6\n"
               "  n6 --> n4 : f?x[x #62; 1]\n"
               "  n4 --> [*]\n"
@@ -58,6 +57,18 @@ TEST(Mermaid, TextIsEscaped) {
     const std::string action = text.substr(begin, text.find('\n', begin) - begin);
     for (const char* sign : {"::", "\\", "%", "{", "}", "<", ">", "\""}) EXPECT_THAT(action, Not(HasSubstr(sign)));
     EXPECT_THAT(action, HasSubstr("a#59;b#58;#58;c#92;n"));
+}
+
+/// With a note on a nested composite state Mermaid 12 draws that outside of the state around it.
+TEST(Mermaid, ActionsOfNestedCompositesAreInTheirTitles) {
+    const std::string text =
+        exported(mermaid,
+                 "stm M { initial i state Outer { initial j state Inner { during wait(1) exit wait(2) initial k state "
+                 "Deep { entry wait(3) } transition c { from k to Deep } } transition b { from j to Inner } }\n"
+                 " transition a { from i to Outer } }\n");
+    EXPECT_THAT(text, HasSubstr("    state \"Inner<br/>during wait(1)<br/>exit wait(2)\" as "));
+    EXPECT_THAT(text, HasSubstr(" : entry wait(3)\n"));
+    EXPECT_THAT(text, Not(HasSubstr("note")));
 }
 
 TEST(Mermaid, ComponentsAreFlowcharts) {

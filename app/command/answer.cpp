@@ -1,0 +1,32 @@
+#include "app/command/answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/command/option_table.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rule_pages.hpp"
+#include "app/command/run.hpp"
+
+namespace robochart::app {
+
+void answer(const Options& options, const std::function<std::string(Format)>& document) {
+    if (options.format != Format::text) print_exact(document(options.format));
+    for (const auto& [format, path] : options.files) options.run->keep_for(path, document(format));
+}
+
+bool is_asked_for(const Options& options, Format format) {
+    return options.format == format || options.files.contains(format);
+}
+
+diagnostics::SarifRules about_log(const Options& options, const std::string& limit) {
+    const auto& verbs = verb_table();
+    const auto verb =
+        std::find_if(verbs.begin(), verbs.end(), [&](const VerbRow& row) { return row.verb == options.verb; });
+    return {program_version, fmt::format("{}/{}", full_name(*verb), fmt::join(options.inputs, " ")),
+            [](const diagnostics::Rule& rule) { return read_page(page_text(rule.code)).title; }, limit};
+}
+
+}  // namespace robochart::app
