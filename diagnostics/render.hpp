@@ -1,7 +1,9 @@
 // Draws diagnostics: for people (excerpt, caret, notes) and for programs (JSON).
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "diagnostics/diagnostic.hpp"
 
@@ -26,9 +28,15 @@ struct TextStyle {
 /// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
 /// docs/cli.md has the fields. `limit`: why not everything was looked at; "" if it was.
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
-/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places, fixes; with a limit, an
-/// invocation that did not succeed and says why.
-[[nodiscard]] std::string render_sarif(const SourceManager&, const Diagnostics&, std::string_view version,
-                                       std::string_view limit = "");
+/// What a log in SARIF says beside the findings.
+struct SarifRules {
+    std::string version;                            ///< of the program
+    std::string what;                               ///< verb and input
+    std::function<std::string(const Rule&)> title;  ///< what is wrong, as a phrase
+    std::string limit = {};                         ///< why not everything was looked at; "" if it was
+};
+/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places, fixes; findings without a
+/// place as notifications; with a limit, an invocation that did not succeed and says why.
+[[nodiscard]] std::string render_sarif(const SourceManager&, const Diagnostics&, const SarifRules&);
 
 }  // namespace robochart::diagnostics

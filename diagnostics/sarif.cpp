@@ -1,6 +1,10 @@
 // Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help, places with columns in code
 // points, fixes as replacements.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/escape.hpp"
@@ -25,7 +29,7 @@ Json region(const SourceManager& sources, Span span) {
 }
 
 Json artifact(const SourceManager& sources, Span span) {
-    return {{"uri", uri_of_path(sources.path(span.source))}};
+    return sarif_file(sources.path(span.source));
 }
 
 Json physical(const SourceManager& sources, Span span) {
@@ -38,6 +42,14 @@ Json fix_object(const SourceManager& sources, const FixIt& fix) {
                            {"insertedContent", sarif_text(fix.replacement)}};
     const Json change{{"artifactLocation", artifact(sources, fix.span)}, {"replacements", Json::array({replacement})}};
     return {{"description", sarif_text(fix.title)}, {"artifactChanges", Json::array({change})}};
+}
+
+/// The line that a finding begins in, without the space around it: it stays the same where lines are added above.
+std::string_view line_of(const SourceManager& sources, Span span) {
+    std::string_view line = sources.line(span.source, sources.position(span.source, span.begin).line);
+    constexpr std::string_view space = " \t\r";
+    line.remove_prefix(std::min(line.find_first_not_of(space), line.size()));
+    return line.substr(0, line.find_last_not_of(space) + 1);
 }
 
 /// Notes with a place are related locations, the others part of the message.
@@ -56,30 +68,55 @@ Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::siz
               {"ruleIndex", rule},
               {"level", level(diagnostic.rule->severity)},
               {"message", sarif_text(message)}};
-    if (diagnostic.span.known())
-        json["locations"] = Json::array({Json{{"physicalLocation", physical(sources, diagnostic.span)}}});
+    json["locations"] = Json::array({Json{{"physicalLocation", physical(sources, diagnostic.span)}}});
+    json["partialFingerprints"] = sarif_fingerprint(diagnostic.rule->code, line_of(sources, diagnostic.span));
     if (!related.empty()) json["relatedLocations"] = related;
     for (const FixIt& fix : diagnostic.fixes) json["fixes"].push_back(fix_object(sources, fix));
     return json;
 }
 
-Json described(const Rule& rule) {
-    return {{"id", rule.code},
-            {"shortDescription", sarif_text(rule.message)},
-            {"help", sarif_text(rule.explanation)},
-            {"defaultConfiguration", {{"level", level(rule.severity)}}}};
+/// SARIF 2.1.0, 3.20: a run that was cut short says so here, its results are not all; and what is no result.
+Json invocation(const SarifRun& run) {
+    Json notifications = Json::array();
+    if (!run.limit.empty()) notifications.push_back({{"level", "error"}, {"message", sarif_text(run.limit)}});
+    bool failed = !run.limit.empty();
+    for (const Json& each : run.notifications) {
+        notifications.push_back(each);
+        failed = failed || each.at("level") == "error";
+    }
+    return {{"executionSuccessful", !failed}, {"toolExecutionNotifications", notifications}};
 }
 
-/// SARIF 2.1.0, 3.20: a run that was cut short says so here; its results are not all.
-Json invocation(std::string_view limit) {
-    const Json notification{{"level", "error"}, {"message", sarif_text(limit)}};
-    return {{"executionSuccessful", false}, {"toolExecutionNotifications", Json::array({notification})}};
+/// "A state is never reached" as `AStateIsNeverReached`.
+std::string identifier(std::string_view title) {
+    std::string name;
+    bool begins = true;
+    for (const char c : title) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x80 || std::isalnum(byte) == 0) {
+            begins = true;
+            continue;
+        }
+        name += begins ? static_cast<char>(std::toupper(byte)) : c;
+        begins = false;
+    }
+    return name;
+}
+
+/// Ends with a full stop.
+std::string sentence(std::string_view text) {
+    return std::string(text) + (text.ends_with('.') ? "" : ".");
+}
+
+std::string capital(std::string_view text) {
+    std::string result(text);
+    if (!result.empty()) result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
+    return result;
 }
 
 }  // namespace
 
-std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, std::string_view version,
-                         std::string_view limit) {
+std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, const SarifRules& about) {
     const std::vector<Diagnostic> findings = diagnostics.sorted();
     // Rows that share a code are one rule to the readers of SARIF: the first row by place describes it.
     std::vector<const Rule*> rules;
@@ -89,34 +126,85 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
         if (same == rules.end()) return rules.push_back(d.rule), rules.size() - 1;
         return static_cast<std::size_t>(same - rules.begin());
     };
-    Json results = Json::array();
-    for (const Diagnostic& each : findings) results.push_back(result(sources, each, index(each)));
-    Json descriptions = Json::array();
-    for (const Rule* rule : rules) descriptions.push_back(described(*rule));
-    return sarif_log(
-        descriptions, results, version, limit,
-        {{"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}});
+    SarifRun run;
+    run.version = about.version;
+    run.what = about.what;
+    run.limit = about.limit;
+    for (const Diagnostic& each : findings) {
+        if (each.span.known())
+            run.results.push_back(result(sources, each, index(each)));
+        else
+            run.notifications.push_back(
+                sarif_notification(each.rule->code, level(each.rule->severity), each.message()));
+    }
+    for (const Rule* rule : rules)
+        run.rules.push_back(sarif_rule(rule->code, about.title(*rule), rule->explanation, level(rule->severity)));
+    run.properties = {
+        {"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}};
+    return sarif_log(run);
 }
 
 Json sarif_text(std::string_view message) {
     return {{"text", message}};
 }
 
-Json sarif_place(std::string_view path, Position begin, Position end) {
-    return {{"artifactLocation", {{"uri", uri_of_path(path)}}}, {"region", span_of_lines(begin, end)}};
+Json sarif_file(std::string_view path) {
+    namespace fs = std::filesystem;
+    fs::path file = fs::path(path).lexically_normal();
+    if (file.is_absolute()) {
+        std::error_code lost;
+        const fs::path relative = file.lexically_relative(fs::current_path(lost));
+        if (!lost && !relative.empty() && *relative.begin() != "..") file = relative;
+    }
+    if (file.is_absolute()) return {{"uri", uri_of_path(file.string())}};
+    return {{"uri", uri_of_path(file.string())}, {"uriBaseId", "%SRCROOT%"}};
 }
 
-std::string sarif_log(const Json& rules, const Json& results, std::string_view version, std::string_view limit,
-                      const Json& properties) {
-    const Json driver{{"name", "robochart-verify"}, {"version", version}, {"rules", rules}};
-    Json run{{"tool", {{"driver", driver}}}};
-    if (!limit.empty()) run["invocations"] = Json::array({invocation(limit)});
-    run["columnKind"] = "unicodeCodePoints";
-    run["results"] = results;
-    run["properties"] = properties;
+Json sarif_place(std::string_view path, Position begin, Position end) {
+    return {{"artifactLocation", sarif_file(path)}, {"region", span_of_lines(begin, end)}};
+}
+
+Json sarif_rule(std::string_view id, std::string_view title, std::string_view text, std::string_view level) {
+    const std::string full = sentence(capital(text.empty() ? title : text));
+    return {{"id", id},
+            {"name", identifier(title)},
+            {"shortDescription", sarif_text(sentence(capital(title)))},
+            {"fullDescription", sarif_text(full)},
+            {"help", sarif_text(full)},
+            {"defaultConfiguration", {{"level", level}}}};
+}
+
+/// FNV-1a with 64 bits: a log need not withstand whoever writes the model.
+Json sarif_fingerprint(std::string_view rule, std::string_view subject) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    const auto take = [&](std::string_view text) {
+        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    };
+    take(rule);
+    take("\n");
+    take(subject);
+    return {{"primaryLocationLineHash", fmt::format("{:016x}", hash)}};
+}
+
+Json sarif_notification(std::string_view rule, std::string_view level, std::string_view message) {
+    return {{"descriptor", {{"id", rule}}}, {"level", level}, {"message", sarif_text(message)}};
+}
+
+std::string sarif_log(const SarifRun& run) {
+    const Json driver{{"name", "robochart-verify"},
+                      {"version", run.version},
+                      {"semanticVersion", run.version},
+                      // The program has no address of its own; this is its language's.
+                      {"informationUri", "https://robostar.cs.york.ac.uk/"},
+                      {"rules", run.rules}};
+    Json json{{"tool", {{"driver", driver}}}, {"automationDetails", {{"id", run.what + "/"}}}};
+    if (!run.limit.empty() || !run.notifications.empty()) json["invocations"] = Json::array({invocation(run)});
+    json["columnKind"] = "unicodeCodePoints";
+    json["results"] = run.results;
+    json["properties"] = run.properties;
     return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                       {"version", "2.1.0"},
-                      {"runs", Json::array({run})}}) +
+                      {"runs", Json::array({json})}}) +
            "\n";
 }
 

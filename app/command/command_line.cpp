@@ -98,7 +98,10 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     if (first == "emit" && words.size() > 1 && !words[1].starts_with("-")) {
         const std::vector<std::string> known = emitted_things();
         if (std::find(known.begin(), known.end(), words[1]) != known.end()) return std::nullopt;
-        return wrong_usage(fmt::format("emit writes no '{}'{}", words[1], did_you_mean(words[1], known)), "emit");
+        const bool plus = words[1] == "c++" || words[1] == "cxx" || words[1] == "C++";
+        return wrong_usage(fmt::format("emit writes no '{}'{}", words[1],
+                                       plus ? "; did you mean 'cpp'?" : did_you_mean(words[1], known)),
+                           "emit");
     }
     const bool like_a_verb =
         !first.starts_with("-") && first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
@@ -161,15 +164,34 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
     return text + did_you_mean(name, known);
 }
 
+/// What the verb's option takes: "FILE"; "" if there is no such option.
+std::string argument_of(const std::string& option, const std::string& verb) {
+    const VerbRow* row = find_verb(verb);
+    for (const OptionRow* each : options_of(row == nullptr ? no_verb : of(row->verb)))
+        if (long_name(*each) == option || short_name(*each) == option) return each->argument.name;
+    return "";
+}
+
+/// An option without what it takes, or given twice: the parser counts words, people do not.
+std::string wrong_count(const CLI::ArgumentMismatch& error, const std::string& verb) {
+    const std::string message = error.what();
+    const std::string option = message.substr(0, message.find(':'));
+    if (message.find("At Most") != std::string::npos) return option + " is given twice";
+    const std::string wanted = argument_of(option, verb);
+    return wanted.empty() ? message : fmt::format("{} needs {}", option, wanted);
+}
+
 Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     const std::string verb = verb_reached(app);
     if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return said(version_text());
     if (error.get_exit_code() == 0) return help_of(verb);
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
-        for (const std::string& word : app.remaining(true))
-            if (word.starts_with("-") && word != "--") return wrong_usage(unknown_option(word, verb), verb);
+    // Whatever else is wrong, such as a model that was taken for what an unknown option takes.
+    for (const std::string& word : app.remaining(true))
+        if (word.starts_with("-") && word != "--" && word != "-") return wrong_usage(unknown_option(word, verb), verb);
+    if (const auto* count = dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+        return wrong_usage(wrong_count(*count, verb), verb);
     if (verb.empty()) return wrong_usage("a model or a verb is wanted");
-    if (verb == "emit") return wrong_usage("emit what? csp, cpp, monitor or tests", verb);
+    if (verb == "emit") return wrong_usage(fmt::format("emit what? {}", fmt::join(emitted_things(), ", ")), verb);
     return wrong_usage(error.what(), verb);
 }
 

@@ -16,10 +16,16 @@ refine::Limits limits(const Options& o, const std::string& subject) {
         result.undisturbed = [run = o.run] {
             return std::make_shared<std::unique_lock<std::recursive_mutex>>(run->edit());
         };
+        if (o.turn_ends && (!result.deadline || *o.turn_ends < *result.deadline)) result.deadline = o.turn_ends;
         if (refine::LevelStrategy* const kept = o.run->kept_searches(o)) result.by_levels = kept;
     }
     result.max_states = o.max_states;
     result.progress = progress_of(o, subject);
+    if (o.on_progress)
+        result.progress = [shown = result.progress, told = o.on_progress](const refine::Progress& progress) {
+            if (shown) shown(progress);
+            told(progress);
+        };
     result.threads = o.threads;
     result.reduction = o.reduction;
     return result;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "app/command/rules.hpp"
@@ -139,13 +140,19 @@ void take_choices(Options& o, const std::string&) {
     o.choices = true;
 }
 
-void take_assertion(Options& o, const std::string& word) {
-    o.claims.push_back(word);
-}
-
 void take_threads(Options& o, const std::string& word) {
     o.threads = static_cast<unsigned>(number(word));
 }
+
+/// A file that gets the answer in a format besides what --format prints.
+template <Format format>
+void take_file(Options& o, const std::string& path) {
+    for (const auto& [other, taken] : o.files)
+        if (taken == path) throw UsageError(path + " is to get the answer in two formats");
+    o.files[format] = path;
+}
+
+constexpr Argument answer_file{.kind = Kind::file, .name = "FILE"};
 
 constexpr Argument format_of(const char* choices) {
     return {.kind = Kind::choice, .name = "FORMAT", .usual = "text", .choices = choices};
@@ -156,11 +163,10 @@ constexpr Argument format_of(const char* choices) {
 // clang-format off
 const std::vector<OptionRow>& option_table() {
     static const std::vector<OptionRow> rows{
-        {"--assertion", Group::checking, checking, {.kind = Kind::name, .name = "NAME", .repeated = true},
-         "only the assertion of this name; with --swarm, the claim that is written so", take_assertion},
-        {"--assertion", Group::checking, of(Verb::cspm),
-         {.kind = Kind::whole, .name = "N", .repeated = true, .least = 1, .most = 1'000'000'000},
-         "only this assertion of each script, counted from 1", take_assertion},
+        {"--assertion", Group::checking, checking | of(Verb::cspm), {.kind = Kind::name, .name = "WHICH", .repeated = true},
+         "only these: a name, a number (from 1), numbers (3..5) or a pattern (Safe*); in scripts and swarms names are the "
+         "claims as they are written",
+         [](Options& o, const std::string& word) { o.claims.push_back(word); }},
         {"--timed", Group::checking, checking | of(Verb::emit_csp), {}, "only the timed semantics",
          [](Options& o, const std::string&) { o.times = Times::timed; }, "--untimed"},
         {"--untimed", Group::checking, checking | of(Verb::emit_csp) | of(Verb::step), {}, "only the untimed semantics",
@@ -392,6 +398,12 @@ const std::vector<OptionRow>& option_table() {
         {"--format", Group::output, of(Verb::prism), format_of("text,json,csv"), "how the result is printed",
          take_format},
         {"--format", Group::output, of(Verb::rules), format_of("text,json"), "how the result is printed", take_format},
+        {"--json", Group::output, emitting | checking | of(Verb::conform) | of(Verb::validate) | of(Verb::cspm) | of(Verb::prism) | of(Verb::rules) | of(Verb::simulate) | of(Verb::tune),
+         answer_file, "also write the result as --format json prints it", take_file<Format::json>},
+        {"--sarif", Group::output, checking | of(Verb::validate), answer_file,
+         "also write the result as --format sarif prints it", take_file<Format::sarif>},
+        {"--junit", Group::output, checking | of(Verb::conform) | of(Verb::cspm), answer_file,
+         "also write the result as --format junit prints it", take_file<Format::junit>},
         {"--html", Group::output, checking | of(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "also write the report as one page with diagrams, on which counterexamples are stepped through",
          [](Options& o, const std::string& word) { o.html = word; }},
@@ -454,6 +466,10 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time bound of the whole run in seconds; 0 for none",
          [](Options& o, const std::string& word) { o.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
+        {"--assertion-timeout", Group::limits, checking,
+         {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
+         "time bound of each assertion in seconds; 0 for none but the run's, in which each gets a turn",
+         [](Options& o, const std::string& word) { o.assertion_seconds = std::strtod(word.c_str(), nullptr); }},
         {"--threads", Group::limits, searching, {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "threads of a check at most, used where its state space is wide; 0 for one for each core", take_threads},
         {"--threads", Group::limits, of(Verb::simulate) | of(Verb::tune), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
@@ -529,7 +545,11 @@ std::size_t words_behind(const Argument& argument) {
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-    const std::string meant = diagnostics::nearest(word, known);
+    std::string meant = diagnostics::nearest(word, known);
+    std::set<std::string> begun;
+    for (const std::string& each : known)
+        if (word.size() > 1 && each.starts_with(word)) begun.insert(each);
+    if (meant.empty() && begun.size() == 1) meant = *begun.begin();
     return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
 }
 

@@ -2,7 +2,10 @@
 // written.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -86,6 +89,7 @@ struct Options {
     std::string out = "out";
     bool out_given = false;
     Format format = Format::text;
+    std::map<Format, std::string> files;  ///< that get the answer in other formats too
     Color color = Color::automatic;
     bool quiet = false;
     bool cache = true;           ///< take what earlier runs have worked out, and keep what this one does
@@ -103,7 +107,7 @@ struct Options {
     bool check = false;                   ///< format: write nothing, tell what would change
     bool diff = false;                    ///< format: write nothing, show what would change
     bool assertions = false;              ///< format: standard input is an assertion file
-    std::vector<std::string> claims;      ///< only these, by name or number in a script; empty: all
+    std::vector<std::string> claims;      ///< only these (claim_selection.hpp); empty: all
     bool typecheck = false;               ///< cspm: names and types only
     bool types = false;                   ///< cspm: print the types of the script's names and stop
     bool brief = false;                   ///< cspm: no counterexamples
@@ -158,6 +162,10 @@ struct Options {
     bool deny_warnings = false;      ///< a warning is as bad as an error
     std::uint64_t memory_bytes = 0;  ///< 0: what `default_memory` says
     double timeout_seconds = 0;      ///< of the whole run; 0: none
+    double assertion_seconds = 0;    ///< --assertion-timeout: of each claim; 0: none
+    /// When the turn of the claim that is decided ends; none: not before the run.
+    std::optional<std::chrono::steady_clock::time_point> turn_ends;
+    std::function<void(const refine::Progress&)> on_progress;  ///< is told how far a check has come; may be empty
     std::uint64_t max_states = 500'000'000;
     bool reduction = true;                       ///< states that confluent taus lead on from are left out
     unsigned threads = 0;                        ///< 0: one a core

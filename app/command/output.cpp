@@ -2,14 +2,18 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
-#include <cstdlib>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "diagnostics/escape.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::app {
 
@@ -72,6 +76,93 @@ void prepare_output() {
             (void)!open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     (void)::signal(SIGPIPE, SIG_IGN);
     (void)::signal(SIGXFSZ, SIG_IGN);
+}
+
+std::size_t line_width(int descriptor) {
+    constexpr std::size_t least = 20, most = 100'000;
+    if (const char* const columns = std::getenv("COLUMNS")) {
+        const std::string_view digits = columns;
+        std::size_t width = 0;
+        const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), width);
+        if (code == std::errc() && end == digits.data() + digits.size() && width > 0 && width <= most)
+            return std::max(least, width);
+    }
+    winsize size{};
+    if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 0;
+    return std::max<std::size_t>(least, size.ws_col);
+}
+
+namespace {
+
+/// A line without its end, and how its columns lie.
+class WideLine {
+public:
+    WideLine(std::string_view text, std::size_t width) : text_(text), width_(width) {
+        const std::size_t indent = std::min(text.find_first_not_of(' '), text.size());
+        further_ = std::min(indent + 2, width / 2);
+    }
+
+    std::string broken() {
+        std::string out;
+        std::size_t begin = 0;
+        for (std::size_t room = width_; begin < text_.size(); room = width_ - further_) {
+            const std::size_t end = break_after(begin, room);
+            out +=
+                (begin == 0 ? "" : "\n" + std::string(further_, ' ')) + std::string(text_.substr(begin, end - begin));
+            begin = std::min(text_.find_first_not_of(' ', end), text_.size());
+        }
+        return out;
+    }
+
+private:
+    /// Where the piece from `begin` on ends: before the last space that keeps it in its columns, or after a word that
+    /// is wider than they are.
+    [[nodiscard]] std::size_t break_after(std::size_t begin, std::size_t room) const {
+        std::size_t columns = 0, space = std::string_view::npos;
+        bool words = false;
+        for (std::size_t i = begin; i < text_.size(); ++i) {
+            if (text_[i] == '\x1b') {
+                i = std::min(text_.find('m', i), text_.size());
+                continue;
+            }
+            if (diagnostics::is_continuation(text_[i])) continue;
+            if (text_[i] == ' ' && words) {
+                if (columns > room) return space == std::string_view::npos ? i : space;
+                space = i;
+            }
+            words = words || text_[i] != ' ';
+            ++columns;
+        }
+        return columns <= room || space == std::string_view::npos ? text_.size() : space;
+    }
+
+    std::string_view text_;
+    std::size_t width_;
+    std::size_t further_ = 0;
+};
+
+}  // namespace
+
+std::string wrapped(std::string_view text, std::size_t width) {
+    if (width == 0) return std::string(text);
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        out += WideLine(text.substr(0, end), width).broken();
+        if (end == std::string_view::npos) break;
+        out += '\n';
+        text.remove_prefix(end + 1);
+    }
+    return out;
+}
+
+diagnostics::TextStyle findings_style(const Options& options) {
+    diagnostics::TextStyle style;
+    style.color = color_wanted(options.color, STDERR_FILENO);
+    constexpr std::size_t margin = 14;  // the number of the line, and the marks of what is cut
+    if (const std::size_t width = line_width(STDERR_FILENO); width > 0)
+        style.max_width = std::max(margin, width - std::min(width, margin));
+    return style;
 }
 
 bool color_wanted(Color color, int descriptor) {

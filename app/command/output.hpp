@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/command/options.hpp"
+#include "diagnostics/render.hpp"
 
 namespace robochart::app {
 
@@ -57,6 +58,14 @@ void finish_output();
 /// somebody closed; and writing to a reader that has gone, or beyond the largest file allowed, fails instead of ending
 /// the program.
 void prepare_output();
+
+/// Columns of a line there: those of COLUMNS, else the terminal's; 0 where there is neither, so that nothing is cut.
+[[nodiscard]] std::size_t line_width(int descriptor);
+/// The text with lines that are wider than that continued below, after a space, further to the right. Sequences of
+/// colours take no columns. 0: as it is.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t width);
+/// How findings are drawn on standard error.
+[[nodiscard]] diagnostics::TextStyle findings_style(const Options&);
 
 /// Are colours wanted on this file descriptor? By default if it is a terminal.
 [[nodiscard]] bool color_wanted(Color, int descriptor);

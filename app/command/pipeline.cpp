@@ -15,9 +15,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/base/claim_selection.hpp"
+#include "app/base/junit.hpp"
+#include "app/command/answer.hpp"
 #include "app/command/broken_claims.hpp"
 #include "app/command/command_line.hpp"
-#include "app/command/junit.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
@@ -107,7 +109,7 @@ double seconds_since(Time start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void check_names(const std::vector<Part>& parts, const Options& options);
+void check_component(const std::vector<Part>& parts, const Options& options);
 
 /// Names that components of one kind in several packages of the project have.
 void find_shared_names(Project& project) {
@@ -147,7 +149,7 @@ void complete(const std::vector<Part>& parts, const Options& options) {
         });
         all = make_finite(*part.project, options, wanted) && all;
     }
-    if (all) check_names(parts, options);
+    if (all) check_component(parts, options);
 }
 
 /// The file that names a unit: its first model, or the assertions that make it another one.
@@ -291,6 +293,74 @@ std::unique_ptr<Project> load(const Options& options) {
 
 namespace {
 
+/// "5x8".
+csp_emit::SwarmGrid grid_of(const std::string& text) {
+    constexpr std::uint32_t most = 64;
+    csp_emit::SwarmGrid grid;
+    const char* const end = text.data() + text.size();
+    const auto [middle, first] = std::from_chars(text.data(), end, grid.width);
+    const bool whole = first == std::errc() && middle != end && *middle == 'x' &&
+                       std::from_chars(middle + 1, end, grid.height).ptr == end;
+    const auto fits = [](std::uint32_t side) { return side >= 2 && side <= most; };
+    if (!whole || !fits(grid.width) || !fits(grid.height))
+        throw UsageError(fmt::format("--grid {}: two numbers from 2 to {} are wanted, as 5x8", text, most));
+    return grid;
+}
+
+/// The swarm that --swarm names, with what other options say of it.
+csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sources,
+                         diagnostics::Diagnostics& diagnostics) {
+    std::string error;
+    const auto source = load_input(sources, options.swarm, error);
+    if (!source) {
+        diagnostics.report(frontend::syntax::unreadable, {}, {options.swarm, error});
+        return {};
+    }
+    return csp_emit::read_swarm(
+        sources, *source, diagnostics,
+        {options.robots, options.grid.empty() ? std::nullopt : std::optional(grid_of(options.grid))});
+}
+
+/// The names of a project's claims, or the texts of a swarm's, in order, each once. They are what --assertion counts.
+std::vector<std::string> claim_names(const Project& whole, const Options& options) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    if (!options.swarm.empty()) {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics errors;  // reported where the swarm is composed
+        for (const csp_emit::SwarmClaim& each : swarm_of(options, sources, errors).claims) add(each.text);
+        return names;
+    }
+    for (const auto& file : whole.model->files) {
+        std::map<std::size_t, std::string> in_file;  // by place
+        for (const frontend::Assertion& each : file->assertions) in_file.emplace(each.span.begin, each.name);
+        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
+            in_file.emplace(each.span.begin, each.name);
+        for (const frontend::KeptPart& each : file->kept)
+            if (each.claims) in_file.emplace(each.span.begin, each.name);
+        for (const auto& [place, name] : in_file) add(name);
+    }
+    return names;
+}
+
+/// The words of --assertion become the names of the claims that they mean; of those that mean none the project says so.
+void name_claims(Project& whole, Options& options) {
+    if (options.claims.empty()) return;
+    const std::vector<std::string> names = claim_names(whole, options);
+    const ClaimSelection selection = select_claims(options.claims, names);
+    options.claims.clear();
+    for (const std::size_t place : selection.chosen) options.claims.push_back(names[place]);
+    const bool errors = !whole.diagnostics.ok();  // they may have hidden a claim
+    for (const std::string& word : selection.lost)
+        if (errors)
+            options.claims.push_back(word);
+        else
+            whole.diagnostics.report(rules::bad_option, {},
+                                     {fmt::format("--assertion {}: {}", word, why_lost(word, names, "the model"))});
+}
+
 /// Errors in the CSP blocks show when the script is made; it is kept, so it is made as it will be checked.
 void read_blocks(const Part& part, const Options& options) {
     Project& project = *part.project;
@@ -353,9 +423,11 @@ void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
 
 }  // namespace
 
-std::vector<Part> load_parts(const Options& options) {
+std::vector<Part> load_parts(Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    std::vector<Part> parts = apart(read(options), options, frontend::units);
+    std::unique_ptr<Project> whole = read(options);
+    name_claims(*whole, options);
+    std::vector<Part> parts = apart(std::move(whole), options, frontend::units);
     complete(parts, options);
     set_broken_claims_apart(parts, options);
     label(parts);
@@ -390,34 +462,6 @@ bool core_wanted(const Part& part, const Options& options) {
 }
 
 namespace {
-
-/// "5x8".
-csp_emit::SwarmGrid grid_of(const std::string& text) {
-    constexpr std::uint32_t most = 64;
-    csp_emit::SwarmGrid grid;
-    const char* const end = text.data() + text.size();
-    const auto [middle, first] = std::from_chars(text.data(), end, grid.width);
-    const bool whole = first == std::errc() && middle != end && *middle == 'x' &&
-                       std::from_chars(middle + 1, end, grid.height).ptr == end;
-    const auto fits = [](std::uint32_t side) { return side >= 2 && side <= most; };
-    if (!whole || !fits(grid.width) || !fits(grid.height))
-        throw UsageError(fmt::format("--grid {}: two numbers from 2 to {} are wanted, as 5x8", text, most));
-    return grid;
-}
-
-/// The swarm that --swarm names, with what other options say of it.
-csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sources,
-                         diagnostics::Diagnostics& diagnostics) {
-    std::string error;
-    const auto source = load_input(sources, options.swarm, error);
-    if (!source) {
-        diagnostics.report(frontend::syntax::unreadable, {}, {options.swarm, error});
-        return {};
-    }
-    return csp_emit::read_swarm(
-        sources, *source, diagnostics,
-        {options.robots, options.grid.empty() ? std::nullopt : std::optional(grid_of(options.grid))});
-}
 
 /// Whether an option of the form NAME=VALUE sets this name.
 bool is_set(const std::vector<std::string>& options, const std::string& name) {
@@ -494,6 +538,20 @@ std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager& sour
     return sources.add("standard input", std::move(text));
 }
 
+std::string files_inside(const std::string& folder, std::string_view ending) {
+    std::vector<std::string> names;
+    std::error_code code;
+    fs::directory_iterator at(folder, code);
+    for (const fs::directory_iterator end; !code && at != end; at.increment(code))
+        if (const std::string name = at->path().filename().string(); name.ends_with(ending)) names.push_back(name);
+    if (names.empty()) return "";
+    std::sort(names.begin(), names.end());
+    constexpr std::size_t few = 3;
+    const std::size_t more = names.size() > few ? names.size() - few : 0;
+    names.resize(names.size() - more);
+    return fmt::format("; it has {}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
 bool write_output(Project& project, const Options& options, const std::string& path, const std::string& text) {
     const std::string error = options.run->claim(path)
                                   ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())
@@ -516,48 +574,25 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
 
 namespace {
 
-/// What the options name exists in some part; else the first part says so.
-void check_names(const std::vector<Part>& parts, const Options& options) {
-    const auto unknown = [&](const char* option, const std::string& name, const char* what,
-                             std::vector<std::string> known) {
-        const std::string meant = diagnostics::nearest(name, known);
-        std::sort(known.begin(), known.end());
-        known.erase(std::unique(known.begin(), known.end()), known.end());
-        constexpr std::size_t few = 8;
-        const std::string help = !meant.empty()        ? fmt::format("; did you mean '{}'?", meant)
-                                 : known.empty()       ? "; it has none"
-                                 : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", "))
-                                                       : "";
-        parts.front().project->diagnostics.report(
-            rules::bad_option, {},
-            {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
-    };
-    std::vector<std::string> components, assertions;
-    bool found = options.component.empty();
+/// The component that the options name exists in some part; else the first part says so.
+void check_component(const std::vector<Part>& parts, const Options& options) {
+    std::vector<std::string> known;
     for (const Part& part : parts) {
-        const ir::System& system = part.project->system;
-        found = found || !code_components(system, options.component).empty();
-        for (const ir::ComponentRef& ref : all_components(system)) components.push_back(ref.path);
-        for (const ir::Property& property : system.properties) assertions.push_back(property.name);
-        for (const auto& file : part.project->model->files) {
-            for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
-                assertions.push_back(each.name);
-            for (const frontend::KeptPart& kept : file->kept)
-                if (kept.claims) assertions.push_back(kept.name);
-        }
+        if (options.component.empty() || !code_components(part.project->system, options.component).empty()) return;
+        for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
-    if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
-    if (!options.swarm.empty()) {
-        diagnostics::SourceManager sources;
-        diagnostics::Diagnostics errors;  // reported where the swarm is composed
-        assertions.clear();
-        for (const csp_emit::SwarmClaim& each : swarm_of(options, sources, errors).claims)
-            assertions.push_back(each.text);
-        if (!errors.ok()) return;
-    }
-    for (const std::string& name : options.claims)
-        if (std::find(assertions.begin(), assertions.end(), name) == assertions.end())
-            unknown("--assertion", name, "assertion", assertions);
+    const std::string meant = diagnostics::nearest(options.component, known);
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    constexpr std::size_t few = 8;
+    const std::string help = !meant.empty()        ? fmt::format("; did you mean '{}'?", meant)
+                             : known.empty()       ? "; it has none"
+                             : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", "))
+                                                   : "";
+    parts.front().project->diagnostics.report(
+        rules::bad_option, {},
+        {fmt::format("--component {}: the model has no module, controller or state machine of this name{}",
+                     options.component, help)});
 }
 
 }  // namespace
@@ -589,10 +624,10 @@ bool acceptable(const Project& project, const Options& options) {
 namespace {
 
 /// The diagnostics as the whole answer, in a format for programs.
-std::string refused_document(const Project& project, Format format) {
+std::string refused_document(const Project& project, const Options& options, Format format) {
     if (format == Format::json) return diagnostics::render_json(project.sources, project.diagnostics) + "\n";
     if (format == Format::sarif)
-        return diagnostics::render_sarif(project.sources, project.diagnostics, program_version);
+        return diagnostics::render_sarif(project.sources, project.diagnostics, about_log(options));
     const JunitCase refused{"model",
                             project.name,
                             JunitCase::Kind::error,
@@ -606,8 +641,7 @@ std::string refused_document(const Project& project, Format format) {
 
 void show_findings(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
-    diagnostics::TextStyle style;
-    style.color = color_wanted(options.color, STDERR_FILENO);
+    const diagnostics::TextStyle style = findings_style(options);
     if (options.quiet && good) {
         // Verdicts about a model whose numbers are not in it are not let stand without a word.
         diagnostics::Diagnostics kept;
@@ -623,10 +657,10 @@ void show_findings(const Project& project, const Options& options) {
 
 bool show_diagnostics(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
-    if (options.format != Format::text && !good) {
+    if (!good && (options.format != Format::text || !options.files.empty())) {
         // It is the run's answer: what a limit would have to say comes too late, and would be a second document.
         options.run->finish();
-        print_exact(refused_document(project, options.format));
+        answer(options, [&](Format format) { return refused_document(project, options, format); });
     }
     if (options.format != Format::json && (good || options.format == Format::text)) show_findings(project, options);
     return good;

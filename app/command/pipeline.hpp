@@ -48,16 +48,17 @@ struct Project {
 
 /// The inputs, part by part: what does not belong together is resolved and made finite apart
 /// (frontend/project/units.hpp), each part as if it were alone. One part where it all belongs together. A part with
-/// errors is not lowered or made finite; its diagnostics have them. What the options name has to be in some part.
+/// errors is not lowered or made finite; its diagnostics have them. What the options name has to be in some part. The
+/// words of --assertion become the names of the claims that they mean (claim_selection.hpp).
 struct Part {
     std::unique_ptr<Project> project;
     bool again = false;  ///< its components are in a part before it too
 };
-[[nodiscard]] std::vector<Part> load_parts(const Options&);
+[[nodiscard]] std::vector<Part> load_parts(Options&);
 /// The same as far as reading and resolving go, whatever the instantiations; errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const Options&);
 
-/// Whether the claim of this name, or number in a script, is to be decided: all are where none is named.
+/// Whether the claim of this name is to be decided: all are where none is named.
 [[nodiscard]] bool asked_for(const Options&, const std::string& claim);
 
 /// Whether the core properties of a part are checked: asked for, or because the model claims nothing and assertions are
@@ -81,6 +82,9 @@ struct Part {
 /// says why.
 [[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
                                                               std::string& error);
+
+/// "; it has patrol.scenario": what may have been meant where a folder is given for a file; "" if nothing.
+[[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
 /// Writes a file below `--out`; false with a diagnostic where it cannot, or where this run has already written one of
 /// that name.

@@ -20,6 +20,7 @@
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/storage_error.hpp"
 #include "diagnostics/ending.hpp"
+#include "diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
@@ -114,6 +115,23 @@ Exit Run::stopped(const std::string& why) {
     return last_word_(why);
 }
 
+void Run::keep_for(const std::string& path, const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    kept_[path] += text;
+}
+
+bool Run::write_kept() {
+    const std::lock_guard lock(mutex_);
+    bool all = true;
+    for (const auto& [path, text] : kept_) {
+        const std::string error = diagnostics::replace_file(path, text, &budget_);
+        if (!error.empty()) print_error("robochart-verify: {}\n", error);
+        all = all && error.empty();
+    }
+    kept_.clear();
+    return all;
+}
+
 /// A run goes on after a limit of memory if what has reached it gives enough back; after all others it ends. Where even
 /// this thread finds no memory, nobody else is left to say so. A verb that has its answer may take its time to print it
 /// after a limit; after a signal nobody waits for it that long.
@@ -167,6 +185,7 @@ void Run::say_and_end(const std::string& why) {
     Exit exit = Exit::inconclusive;
     try {
         exit = last_word_(why);
+        if (!write_kept()) exit = Exit::bad_input;
         finish_output();
     } catch (const OutputError& error) {
         exit = error.report();
@@ -220,7 +239,13 @@ Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const 
     if (options.verb == Verb::lsp) return verb(options);
     Run run(options);
     options.run = &run;
-    return run_within(run, options, verb);
+    try {
+        const Exit exit = run_within(run, options, verb);
+        return run.write_kept() ? exit : Exit::bad_input;
+    } catch (const OutputError&) {
+        (void)run.write_kept();
+        throw;
+    }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -58,6 +59,13 @@ public:
     [[nodiscard]] bool claim(const std::string& path) { return written_.insert(path).second; }
     /// The last word, said by the verb's own thread.
     Exit stopped(const std::string& why);
+    /// Whether it is the watching thread that asks: then what the verb's thread works on cannot be looked at.
+    [[nodiscard]] bool is_watching() const { return std::this_thread::get_id() == watcher_.get_id(); }
+
+    /// Adds to what the file of this path gets when the run ends, in whatever way.
+    void keep_for(const std::string& path, const std::string& text);
+    /// Writes these files. False, with a message, if one cannot be written.
+    [[nodiscard]] bool write_kept();
 
 private:
     void watch();
@@ -77,6 +85,7 @@ private:
     bool finishing_ = false;  ///< under mutex_
     LastWord last_word_;      ///< under mutex_
     std::set<std::string> written_;
+    std::map<std::string, std::string> kept_;  ///< texts by path; under mutex_
     std::thread watcher_;
 };
 

@@ -5,11 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
-#include "app/command/run.hpp"
 #include "app/pages/page.hpp"
 #include "app/pages/part_diagrams.hpp"
 #include "app/pages/value_plot.hpp"
@@ -93,11 +94,17 @@ std::string text_of(const Marks& marks) {
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
+/// The input as given; of `.` and `..` the folder's name.
+std::string name_of(const Report& report, const std::vector<Part>& parts) {
+    const bool says_nothing = report.model.find_first_not_of("./ ") == std::string::npos;
+    return says_nothing && !parts.empty() ? parts.front().project->name : report.model;
+}
+
 /// One page.
 class ReportPage {
 public:
-    ReportPage(const Report& report, const std::vector<Part>& parts, const Options& options)
-        : report_(report), diagrams_(parts, options.run->budget()) {}
+    ReportPage(const Report& report, const std::vector<Part>& parts, diagnostics::Budget& budget)
+        : report_(report), name_(name_of(report, parts)), diagrams_(parts, budget) {}
 
     std::string write() {
         head();
@@ -106,7 +113,7 @@ public:
             if (report_.assertions[i].run) claim(i, report_.assertions[i]);
         code();
         pictures();
-        return page_text({report_.model, "script.js", std::move(out_)});
+        return page_text({name_, "script.js", std::move(out_)});
     }
 
 private:
@@ -133,6 +140,7 @@ private:
                                      const std::vector<runs::Machine>& after) const;
 
     const Report& report_;
+    std::string name_;  ///< of what the page is about
     PartDiagrams diagrams_;
     std::vector<std::pair<std::string, std::string>> machines_;  ///< of the run shown: instance, definition
     bool timed_ = false;                                         ///< the run shown is
@@ -140,7 +148,7 @@ private:
 };
 
 void ReportPage::head() {
-    out_ += fmt::format("<h1>{}</h1>\n<p>{}", xml_text(report_.model), xml_text(report_.summary));
+    out_ += fmt::format("<h1>{}</h1>\n<p>{}", xml_text(name_), xml_text(report_.summary));
     for (const std::string& note : report_.notes) out_ += fmt::format("<br>{}", xml_text(note));
     std::vector<std::string> counts;
     if (!report_.assertions.empty())
@@ -152,7 +160,10 @@ void ReportPage::head() {
                                                        return each.result.outcome == conformance::Outcome::conforms;
                                                    }),
                                      code.size()));
-    if (!report_.limit.empty()) counts.push_back("ended early: " + xml_text(report_.limit));
+    if (!report_.limit.empty())
+        counts.push_back(fmt::format("ended early: {}{}", xml_text(report_.limit),
+                                     diagrams_.subjects().empty() ? "; the diagrams are left out" : ""));
+    if (const std::string advice = report_.advice(); !advice.empty()) counts.push_back(xml_text(advice));
     out_ += fmt::format("</p>\n<p>robochart-verify {}: {}</p>\n", program_version, fmt::join(counts, "; "));
 }
 
@@ -540,8 +551,26 @@ void ReportPage::pictures() {
 
 }  // namespace
 
-std::string render_html(const Report& report, const std::vector<Part>& parts, const Options& options) {
-    return ReportPage(report, parts, options).write();
+std::string render_html(const Report& report, const std::vector<Part>& parts, diagnostics::Budget& budget) {
+    return ReportPage(report, parts, budget).write();
+}
+
+std::string last_page(const std::vector<Part>& parts, bool may_draw,
+                      const std::function<std::string(const std::vector<Part>&, diagnostics::Budget&)>& page) {
+    constexpr std::chrono::milliseconds moment{200};
+    diagnostics::Limits limits;
+    limits.memory_bytes = std::numeric_limits<std::uint64_t>::max();
+    if (may_draw) {
+        limits.deadline = std::chrono::steady_clock::now() + moment;
+        diagnostics::Budget budget(limits);
+        try {
+            return page(parts, budget);
+        } catch (const diagnostics::LimitReached&) {
+            limits.deadline.reset();
+        }
+    }
+    diagnostics::Budget budget(limits);
+    return page({}, budget);
 }
 
 }  // namespace robochart::app

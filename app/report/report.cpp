@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "app/command/numbers.hpp"
+#include "app/base/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/report/probability_report.hpp"
 #include "conformance/model/rules.hpp"
@@ -342,6 +342,23 @@ bool Report::all_decided() const {
            });
 }
 
+std::string Report::advice() const {
+    const auto met = [&](std::string_view words) {
+        return limit.find(words) != std::string::npos ||
+               std::any_of(assertions.begin(), assertions.end(), [&](const AssertionReport& each) {
+                   return each.answer == Answer::inconclusive && each.reason.find(words) != std::string::npos;
+               });
+    };
+    std::vector<std::string> helps;
+    if (met("memory limit") || met("no more memory"))
+        helps.emplace_back("--disk DIR keeps states that memory does not hold");
+    if (met("time limit")) helps.emplace_back("--timeout gives more time, --threads uses more cores");
+    if (met(" states was reached")) helps.emplace_back("--max-states allows more");
+    if (helps.empty()) return "";
+    helps.emplace_back("a smaller --range makes fewer states");
+    return fmt::format("what may help: {}", fmt::join(helps, "; "));
+}
+
 Exit Report::exit() const {
     const auto any = [&](Answer answer) { return count(answer) > 0; };
     const auto code = [&](conformance::Outcome outcome) {
@@ -496,6 +513,8 @@ std::string render_text(const Report& report, const Options& options) {
         if (!options.quiet || c.result.outcome != conformance::Outcome::conforms)
             out += conformance_block(c, options, color);
     if (!options.quiet) out += shown_lines(files_text(report));
+    if (const std::string advice = report.advice(); !advice.empty())
+        out += fmt::format("{}{}\n", options.quiet ? "" : "\n", advice);
     if (const std::string last = closing(report); !last.empty())
         out += shown_lines(fmt::format("{}{}\n", options.quiet ? "" : "\n", last));
     return out;

@@ -57,9 +57,10 @@ struct ProbabilityReport {
 
 /// One assertion with its answer.
 struct AssertionReport {
-    std::string title;                             ///< "A1 [timed] AggregationFSM is deadlock-free"
-    std::string place;                             ///< "aggregation.assertions:12"
-    std::optional<runs::Place> region;             ///< the same with its end; a model's
+    std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;  ///< "aggregation.assertions:12"
+    /// The same with its end; of a core property without place the component's declaration.
+    std::optional<runs::Place> region;
     std::optional<CoreReport> core;                ///< none: the model's or the script's own
     std::optional<ProbabilityReport> probability;  ///< of probabilistic assertions
     Answer answer = Answer::inconclusive;
@@ -95,6 +96,7 @@ struct SizeReport {
 /// One component with the answer about its code.
 struct ConformanceReport {
     std::string component;
+    std::optional<runs::Place> region;  ///< where it is declared
     conformance::Result result;
     double seconds = 0;
 };
@@ -115,6 +117,7 @@ struct RefusedReport {
 /// All results of one command; text and JSON are made from it.
 struct Report {
     std::string model;    ///< the inputs as given
+    std::string file;     ///< the first text of the model; "" before it is read
     std::string summary;  ///< "1 state machine, 2 operations, …"
     double load_seconds = 0;
     std::vector<std::string> notes;  ///< scale of reals, carriers
@@ -131,6 +134,8 @@ struct Report {
     std::string limit;             ///< why the run ended before everything was looked at; "" if it did not
 
     [[nodiscard]] Exit exit() const;
+    /// What may help where a limit ended a claim or the run; "" where none did.
+    [[nodiscard]] std::string advice() const;
     /// Whether each assertion was looked at and has an answer: nothing was refused or left out at a limit.
     [[nodiscard]] bool all_decided() const;
     /// Assertions with this answer, without those that are information.
@@ -148,7 +153,7 @@ extern const std::string_view indent_of_runs;
 /// Schema "robochart-verify/report/1" (docs/cli.md).
 [[nodiscard]] std::string render_json(const Report&);
 /// SARIF 2.1.0: what does not hold or is not known, with its run as a code flow.
-[[nodiscard]] std::string render_sarif(const Report&);
+[[nodiscard]] std::string render_sarif(const Report&, const std::string& verb = "check");
 /// JUnit's XML: a case for each assertion and each component.
 [[nodiscard]] std::string render_junit(const Report&);
 

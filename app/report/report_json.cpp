@@ -145,6 +145,7 @@ std::string render_json(const Report& report) {
               {"exit", static_cast<int>(report.exit())}};
     if (!report.unclaimed.empty()) json["unclaimed"] = report.unclaimed;
     if (!report.limit.empty()) json["limit"] = report.limit;
+    if (const std::string advice = report.advice(); !advice.empty()) json["advice"] = advice;
     json["assertions"] = Json::array();
     for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion(a));
     json["bounds"] = Json::array();

@@ -1,7 +1,7 @@
 // The report for continuous integration servers. What is not known counts as an error: a skipped case would pass.
 #include <fmt/format.h>
 
-#include "app/command/junit.hpp"
+#include "app/base/junit.hpp"
 #include "app/report/report.hpp"
 
 namespace robochart::app {

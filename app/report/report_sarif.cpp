@@ -20,14 +20,18 @@ using diagnostics::sarif_text;
 enum class Rule : unsigned char { assertion, conformance };
 
 // Kinds of results.
-constexpr std::string_view failure = "fail", open = "open", informational = "informational";
+constexpr std::string_view failure = "fail", left_open = "open", informational = "informational";
 
 Json rules() {
-    const auto rule = [](const char* id, const char* text) {
-        return Json{{"id", id}, {"shortDescription", sarif_text(text)}, {"defaultConfiguration", {{"level", "error"}}}};
-    };
-    return Json::array({rule("assertion", "an assertion of the model does not hold"),
-                        rule("conformance", "the generated code does not do what the model says")});
+    return Json::array(
+        {diagnostics::sarif_rule("assertion", "an assertion of the model does not hold",
+                                 "A run of the model does what the assertion excludes, or it could not be decided "
+                                 "whether there is one. The steps of the run are its code flow.",
+                                 "error"),
+         diagnostics::sarif_rule("conformance", "the generated code does not do what the model says",
+                                 "In some control cycle the code that is generated of the component does what its "
+                                 "model excludes, or it could not be decided whether it does.",
+                                 "error")});
 }
 
 Json place_of(const runs::Place& place) {
@@ -52,14 +56,19 @@ Json flow(const runs::Run& run) {
     return Json::array({Json{{"threadFlows", Json::array({Json{{"locations", locations}}})}}});
 }
 
-Json result(Rule rule, std::string_view kind, const std::string& message) {
+/// `region`: none puts it at the beginning of `file`, since readers refuse results without a place.
+Json result(Rule rule, std::string_view kind, const std::string& message, const std::string& subject,
+            const std::optional<runs::Place>& region, const std::string& file) {
+    const runs::Place beginning{file, 1, 1, 1, 1};
     constexpr std::array<const char*, 2> ids{"assertion", "conformance"};
     const auto index = static_cast<std::size_t>(rule);
     return {{"ruleId", ids[index]},
             {"ruleIndex", index},
             {"kind", kind},
             {"level", kind == failure ? "error" : "none"},
-            {"message", sarif_text(message)}};
+            {"message", sarif_text(message)},
+            {"locations", Json::array({Json{{"physicalLocation", place_of(region.value_or(beginning))}}})},
+            {"partialFingerprints", diagnostics::sarif_fingerprint(ids[index], subject)}};
 }
 
 /// What the verdict rests on, behind its message and as locations.
@@ -76,9 +85,9 @@ void add_basis(const Basis& basis, std::string& message, Json& related) {
         if (!ground.remedy.empty() && remedies.insert(ground.remedy).second) message += "; " + ground.remedy;
 }
 
-std::string_view kind_of(Answer answer) {
+std::string_view kind_in_log(Answer answer) {
     if (answer == Answer::holds) return informational;
-    return answer == Answer::fails || answer == Answer::error ? failure : open;
+    return answer == Answer::fails || answer == Answer::error ? failure : left_open;
 }
 
 std::string_view words_of(Answer answer) {
@@ -86,28 +95,28 @@ std::string_view words_of(Answer answer) {
     return answer == Answer::error ? "cannot be evaluated" : "is not decided";
 }
 
-void add(const AssertionReport& a, Json& results) {
+void add(const AssertionReport& a, const std::string& file, Json& results) {
     if (a.answer == Answer::no_check || a.answer == Answer::computed) return;
     if (a.answer == Answer::holds && a.basis.empty()) return;
     const std::string why = !a.reason.empty() ? a.reason : a.run ? a.run->end.why : "";
     std::string message = fmt::format("{}: {}{}{}", a.title, words_of(a.answer), why.empty() ? "" : ": ", why);
     Json related = Json::array();
     add_basis(a.basis, message, related);
-    Json one = result(Rule::assertion, kind_of(a.answer), message);
+    Json one = result(Rule::assertion, kind_in_log(a.answer), message, a.title, a.region, file);
     if (!related.empty()) one["relatedLocations"] = related;
-    if (a.region) one["locations"] = Json::array({Json{{"physicalLocation", place_of(*a.region)}}});
     if (a.run)
         if (const Json steps = flow(*a.run); !steps.is_null()) one["codeFlows"] = steps;
     results.push_back(one);
 }
 
-void add(const ConformanceReport& c, Json& results) {
+void add(const ConformanceReport& c, const std::string& file, Json& results) {
     using conformance::Outcome;
     if (c.result.outcome == Outcome::conforms) return;
     const bool known = c.result.outcome == Outcome::differs || c.result.outcome == Outcome::not_schedulable;
-    results.push_back(result(Rule::conformance, known ? failure : open,
+    results.push_back(result(Rule::conformance, known ? failure : left_open,
                              fmt::format("the code of {} {}: {}", c.component,
-                                         known ? "does not conform" : "was not compared", c.result.reason)));
+                                         known ? "does not conform" : "was not compared", c.result.reason),
+                             c.component, c.region, file));
 }
 
 /// Why the results are not all that was asked for.
@@ -119,13 +128,18 @@ std::string incomplete(const Report& report) {
 
 }  // namespace
 
-std::string render_sarif(const Report& report) {
-    Json results = Json::array();
+std::string render_sarif(const Report& report, const std::string& verb) {
+    diagnostics::SarifRun run;
+    run.version = program_version;
+    run.what = fmt::format("{}/{}", verb, report.model);
+    run.rules = rules();
+    const std::string file = report.file.empty() ? report.model : report.file;
     for (const AssertionReport& each : report.assertions)
-        if (!each.core || !each.core->information) add(each, results);
-    for (const ConformanceReport& each : report.conformance) add(each, results);
-    return diagnostics::sarif_log(rules(), results, program_version, incomplete(report),
-                                  {{"model", report.model}, {"exit", static_cast<int>(report.exit())}});
+        if (!each.core || !each.core->information) add(each, file, run.results);
+    for (const ConformanceReport& each : report.conformance) add(each, file, run.results);
+    run.limit = incomplete(report);
+    run.properties = {{"model", report.model}, {"exit", static_cast<int>(report.exit())}};
+    return diagnostics::sarif_log(run);
 }
 
 }  // namespace robochart::app

@@ -44,7 +44,8 @@ void load_rules(const std::string& path, LoadedRules& loaded) {
     std::string error;
     const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
     if (!source) {
-        loaded.diagnostics.report(sleec::rules::unreadable, {}, {diagnostics::shown(path), error});
+        loaded.diagnostics.report(sleec::rules::unreadable, {},
+                                  {diagnostics::shown(path), error + files_inside(path, ".sleec")});
         return;
     }
     const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
@@ -52,9 +53,15 @@ void load_rules(const std::string& path, LoadedRules& loaded) {
 }
 
 void show_rule_findings(const LoadedRules& loaded, const Options& options) {
-    diagnostics::TextStyle style;
-    style.color = color_wanted(options.color, STDERR_FILENO);
-    print_error_styled(diagnostics::render_text(loaded.sources, loaded.diagnostics, style));
+    const diagnostics::TextStyle style = findings_style(options);
+    diagnostics::Diagnostics wrong;  // with --quiet
+    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
+        if (each.rule->severity == diagnostics::Severity::note) continue;
+        diagnostics::Diagnostic& kept = wrong.report(*each.rule, each.span, each.arguments);
+        kept.notes = each.notes;
+        kept.fixes = each.fixes;
+    }
+    print_error_styled(diagnostics::render_text(loaded.sources, options.quiet ? wrong : loaded.diagnostics, style));
 }
 
 RuleClaims::RuleClaims(const Project& project, const csp_emit::Emission& emission, const Options& options)
@@ -65,15 +72,15 @@ RuleClaims::~RuleClaims() = default;
 const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::files_beside(const std::string& assertions) {
     const std::filesystem::path path(assertions);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    const auto [at, fresh] = folders_.try_emplace(folder);
-    if (!fresh) return at->second;
+    if (const auto known = folders_.find(folder); known != folders_.end()) return known->second;
+    std::vector<std::unique_ptr<LoadedRules>> files;  // kept when all are read: a limit may come in between
     for (const std::string& each : sleec_files(folder)) {
         auto loaded = std::make_unique<LoadedRules>();
         loaded->diagnostics.within(&options_.run->budget());
         load_rules(std::filesystem::path(each).lexically_normal().string(), *loaded);
-        at->second.push_back(std::move(loaded));
+        files.push_back(std::move(loaded));
     }
-    return at->second;
+    return folders_.emplace(folder, std::move(files)).first->second;
 }
 
 /// Throws sleec::NotDecided, with the cause, where there is not exactly one rule of the name.
@@ -108,20 +115,21 @@ const csp_emit::ComponentProcesses* RuleClaims::component(const ir::Property& pr
     return nullptr;
 }
 
-const TimeStops& RuleClaims::time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file) {
-    const auto [at, fresh] = time_stops_.try_emplace(component.path);
-    if (fresh)
-        at->second = ModelRules({*file.rules, file.sources}, project_, emission_, component, options_).time_stops();
-    return at->second;
+TimeStops RuleClaims::time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file,
+                                 const Options& options) {
+    if (const auto known = time_stops_.find(component.path); known != time_stops_.end()) return known->second;
+    TimeStops stops = ModelRules({*file.rules, file.sources}, project_, emission_, component, options).time_stops();
+    if (stops.unknown.empty()) time_stops_.emplace(component.path, stops);
+    return stops;
 }
 
-void RuleClaims::decide(const ir::Property& property, AssertionReport& report) {
+void RuleClaims::decide(const ir::Property& property, const Options& options, AssertionReport& report) {
     report.answer = Answer::error;
     try {
         const Found found = find(property);
         const csp_emit::ComponentProcesses* const asked = component(property);
         if (asked == nullptr) throw sleec::NotDecided(property.subject.path + " was not emitted");
-        JudgedRule judged = ModelRules({*found.file->rules, found.file->sources}, project_, emission_, *asked, options_)
+        JudgedRule judged = ModelRules({*found.file->rules, found.file->sources}, project_, emission_, *asked, options)
                                 .judge(found.rule);
         report.statistics.states = judged.verdict.states;
         report.searched = true;
@@ -146,7 +154,7 @@ void RuleClaims::decide(const ir::Property& property, AssertionReport& report) {
         }
         report.answer = property.negated ? Answer::fails : Answer::holds;
         if (property.negated && report.reason.empty()) report.reason = "every run obeys the rule";
-        const TimeStops& time = time_stops(*asked, *found.file);
+        const TimeStops time = time_stops(*asked, *found.file, options);
         const std::string behind = report.reason.empty() ? "" : "; ";
         if (time.stops)
             report.reason += fmt::format("{}time can stop in {}, which breaks no rule", behind, asked->path);

@@ -37,7 +37,7 @@ public:
 
     /// The answer about a property of the kind `conforms`. A rule that cannot be asked of the component, or is in no
     /// file or in several, is an error.
-    void decide(const ir::Property& property, AssertionReport& report);
+    void decide(const ir::Property& property, const Options& options, AssertionReport& report);
 
 private:
     struct Found {
@@ -47,7 +47,8 @@ private:
     const std::vector<std::unique_ptr<LoadedRules>>& files_beside(const std::string& assertions);
     Found find(const ir::Property& property);
     const csp_emit::ComponentProcesses* component(const ir::Property& property) const;
-    const TimeStops& time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file);
+    TimeStops time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file,
+                         const Options& options);
 
     const Project& project_;
     const csp_emit::Emission& emission_;

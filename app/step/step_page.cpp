@@ -249,8 +249,10 @@ private:
 };
 
 std::string figure(std::size_t machine, const std::string& caption, const std::string& drawn) {
-    return fmt::format("<figure data-machine=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", machine,
-                       xml_text(caption), drawn);
+    return fmt::format(
+        "<figure data-machine=\"{}\" tabindex=\"0\" aria-label=\"diagram of {}\"><figcaption>{}</figcaption>\n"
+        "{}</figure>\n",
+        machine, xml_text(caption), xml_text(caption), drawn);
 }
 
 /// The machines' diagrams, each with those of the operations that it may be in.

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/command/numbers.hpp"
+#include "app/base/numbers.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/html.hpp"
 #include "app/step/step_files.hpp"
@@ -72,8 +72,10 @@ AssertionReport report_of(const ComparedLog& log) {
 
 }  // namespace
 
-std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts, const Options& options) {
+std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts, const Options& options,
+                       const std::string& limit) {
     Report report;
+    report.limit = limit;
     report.model = options.inputs.empty() ? "" : options.inputs.front();
     report.summary = fmt::format("{} compared with the model; the first run of each is stepped through",
                                  counted(logs.size(), "log"));
@@ -81,9 +83,12 @@ std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<P
     Replays replays(options);
     for (std::size_t i = 0; i < logs.size(); ++i) {
         report.assertions.push_back(report_of(logs[i]));
-        if (i < most_replayed) report.assertions.back().run = replays.of(logs[i]);
+        if (i < most_replayed && limit.empty()) report.assertions.back().run = replays.of(logs[i]);
     }
-    return render_html(report, parts, options);
+    if (limit.empty()) return render_html(report, parts, options.run->budget());
+    return last_page(parts, true, [&](const std::vector<Part>& drawn, diagnostics::Budget& budget) {
+        return render_html(report, drawn, budget);
+    });
 }
 
 }  // namespace robochart::app

@@ -19,9 +19,10 @@ struct ComparedLog {
     std::optional<conformance::RunReport> wrong;  ///< the first run that is not accepted
 };
 
-/// The page. A run is shown as far as the model can go its way; of many logs the first ones are stepped through. Polls
-/// the budget; throws what runs::Stepper throws.
+/// The page. `limit`: why not all logs were compared, and none is stepped through then; "" if all were. A run is shown
+/// as far as the model can go its way; of many logs the first ones are stepped through. Polls the budget; throws what
+/// runs::Stepper throws.
 [[nodiscard]] std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts,
-                                     const Options& options);
+                                     const Options& options, const std::string& limit);
 
 }  // namespace robochart::app

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
@@ -183,10 +184,10 @@ private:
         options_.run->finish();
         if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::bad_input;
         const Exit exit = result_.fails() ? Exit::failed : result_.complete() ? Exit::success : Exit::inconclusive;
-        if (options_.format == Format::json) {
-            print_exact(simulation::chain_json(scenario_, *states_, result_, files, static_cast<int>(exit)));
-            return exit;
-        }
+        app::answer(options_, [&](Format) {
+            return simulation::chain_json(scenario_, *states_, result_, files, static_cast<int>(exit));
+        });
+        if (options_.format == Format::json) return exit;
         show_diagnostics(project_, options_);
         print_text(files);
         return exit;

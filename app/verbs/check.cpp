@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <new>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/claims/turns.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "app/report/bounds.hpp"
@@ -111,6 +113,13 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
     }
 }
 
+/// Throws LimitReached where the run or the claim's turn is over.
+void poll_turn(const Options& turn) {
+    turn.run->budget().poll();
+    if (turn.turn_ends && std::chrono::steady_clock::now() >= *turn.turn_ends)
+        throw diagnostics::LimitReached("the time limit was reached");
+}
+
 /// A state of a term takes long beside one of a compiled machine.
 constexpr std::uint64_t most_states_for_firing = 20'000;
 
@@ -170,7 +179,7 @@ void decide_firing(const Context& context, const csp_emit::FiringQuestion& quest
     runs::StepReader reader(read_with);
     try {
         const auto found = runs::exercised(reader, context.session.process(question.process), most_states_for_firing,
-                                           [&] { context.options.run->budget().poll(); });
+                                           [&] { poll_turn(context.options); });
         report.statistics.states = found.states;
         report.searched = true;
         answer_firing(context.project, question, found, report);
@@ -232,12 +241,10 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 /// Premises of claims, each decided once.
 class Premises {
 public:
-    explicit Premises(const Context& context) : context_(context) {}
-
     /// Of a claim that is answered with "holds": not decided, with the run that shows it, where its premise is not so.
-    void apply(const csp_emit::Obligation& obligation, AssertionReport& report) {
+    void apply(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
         if (obligation.premise == nullptr || report.answer != Answer::holds) return;
-        const AssertionReport& premise = answer(obligation);
+        const AssertionReport premise = answer(context, obligation);
         if (premise.answer == Answer::holds) return;
         const csp_emit::Premise& asked = *obligation.premise;
         report.answer = premise.answer == Answer::error ? Answer::error : Answer::inconclusive;
@@ -248,12 +255,14 @@ public:
     }
 
 private:
-    const AssertionReport& answer(const csp_emit::Obligation& claim) {
+    AssertionReport answer(const Context& context, const csp_emit::Obligation& claim) {
         for (const auto& [premise, report] : decided_)
             if (premise == claim.premise) return report;
-        return decided_.emplace_back(claim.premise, decide_premise(claim)).second;
+        AssertionReport report = decide_premise(context, claim);
+        if (report.answer != Answer::inconclusive) decided_.emplace_back(claim.premise, report);
+        return report;
     }
-    AssertionReport decide_premise(const csp_emit::Obligation& claim) const {
+    static AssertionReport decide_premise(const Context& context, const csp_emit::Obligation& claim) {
         csp_emit::Obligation asked;
         asked.kind = ir::PropertyKind::timelock_free;
         asked.title = fmt::format("{}: {}", claim.title, claim.premise->text);
@@ -263,15 +272,14 @@ private:
         asked.assertions = claim.premise->assertions;
         AssertionReport report;
         report.answer = Answer::holds;
-        decide(context_, asked, report);
+        decide(context, asked, report);
         if (report.answer != Answer::holds) return report;
         asked.kind = ir::PropertyKind::refines;
         asked.recurrence = claim.premise->recurrence;
-        decide_recurrence(context_, asked, report);
+        decide_recurrence(context, asked, report);
         return report;
     }
 
-    const Context& context_;
     std::vector<std::pair<std::shared_ptr<const csp_emit::Premise>, AssertionReport>> decided_;
 };
 
@@ -294,6 +302,21 @@ std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     return result;
 }
 
+/// Where the component of a core property is declared: "state machine P::S".
+diagnostics::Span declaration(const ir::System& system, const std::string& component) {
+    const std::string name = component.substr(component.rfind(' ') + 1);
+    const auto is_it = [&](const std::string& package, const std::string& path) {
+        return name == (package.empty() ? path : package + "::" + path);
+    };
+    for (const ir::Module& each : system.modules)
+        if (is_it(each.package, each.name)) return each.origin.span;
+    for (const ir::Controller& each : system.controllers)
+        if (is_it(each.package, each.path)) return each.origin.span;
+    for (const ir::Machine& each : system.machines)
+        if (is_it(each.package, each.path)) return each.origin.span;
+    return {};
+}
+
 /// The report lists everything to be decided from the beginning, as not decided.
 void announce(const Context& context, Report& report) {
     const auto edit = context.options.run->edit();
@@ -308,6 +331,8 @@ void announce(const Context& context, Report& report) {
                                   obligation.information, elements_of(obligation)};
         }
         if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
+        if (one.core && !one.region)
+            one.region = region_of(context.project, declaration(context.project.system, obligation.component));
         const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
         const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
@@ -357,31 +382,72 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
     }
 }
 
-void check_time(Project& project, const Options& options, Time time, Report& report) {
-    const csp_emit::Emission& emission = emit_csp(project, options, time);
-    if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
-    const std::unique_ptr<cspm::Session> session = open(project, emission, time, options, report);
-    if (!session) return;
-    BoundWatch bounds(project, emission);
-    session->observe(bounds.observer());
-    ReachedBounds reached(project, emission, options);
-    const TakenGuards guards(project, emission, time);
-    const Context context{project, options, emission, *session, guards};
-    RuleClaims rules(project, emission, options);
-    Premises premises(context);
-    SecondLook second_look(project, emission, *session, options);
-    std::size_t at = report.assertions.size();
-    announce(context, report);
-    for (const csp_emit::Obligation& obligation : emission.obligations) {
-        if (!wanted(context, obligation)) continue;
-        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + obligation.title);
-        AssertionReport one = report.assertions[at];
+/// The claims in one semantics.
+class TimeClaims {
+public:
+    /// Lists them in the report.
+    TimeClaims(Project& project, const Options& options, Time time, Report& report)
+        : project_(project),
+          options_(options),
+          time_(time),
+          emission_(emit_csp(project, options, time)),
+          report_(report),
+          watch_(project, emission_),
+          reached_(project, emission_, options),
+          guards_(project, emission_, time),
+          rules_(project, emission_, options) {
+        if (!project.diagnostics.ok() || (emission_.obligations.empty() && !options.sizes)) return;
+        session_ = open(project, emission_, time, options, report);
+        if (!session_) return;
+        session_->observe(watch_.observer());
+        second_look_.emplace(project, emission_, *session_, options);
+        first_ = report.assertions.size();
+        announce({project, options, emission_, *session_, guards_}, report);
+        announced_.assign(report.assertions.begin() + static_cast<std::ptrdiff_t>(first_), report.assertions.end());
+    }
+
+    void add_to(std::vector<WaitingClaim>& claims) {
+        if (!session_) return;
+        const Context context{project_, options_, emission_, *session_, guards_};
+        std::size_t number = 0;
+        for (const csp_emit::Obligation& obligation : emission_.obligations)
+            if (wanted(context, obligation))
+                claims.push_back({obligation.title, [this, &obligation, at = number++](const Options& turn) {
+                                      return decide_in(turn, obligation, at);
+                                  }});
+    }
+
+    void measure() {
+        if (session_ && options_.sizes) measure_sizes(project_, *session_, emission_, time_, options_, report_);
+    }
+
+private:
+    bool decide_in(const Options& given, const csp_emit::Obligation& obligation, std::size_t at) {
+        Options turn = given;
+        turn.on_progress = [&](const refine::Progress& progress) { note(progress, at); };
+        AssertionReport one = announced_[at];
+        try {
+            decide_whole({project_, turn, emission_, *session_, guards_}, obligation, one);
+        } catch (const diagnostics::LimitReached& limit) {
+            if (!options_.run->budget().reached().empty()) throw;
+            one = announced_[at];
+            one.reason = limit.what();
+        }
+        const bool decided = one.answer != Answer::inconclusive;
+        if (!decided) one.reason = ended_turn(one.reason, turn);
+        const auto edit = options_.run->edit();
+        add_bounds(one.basis, time_, report_.bounds);
+        report_.assertions[first_ + at] = std::move(one);
+        return decided;
+    }
+
+    void decide_whole(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& one) {
         if (obligation.firing) {
             one.reason.clear();
             decide_firing(context, *obligation.firing, one);
         } else if (obligation.kind == ir::PropertyKind::conforms) {
             one.reason.clear();
-            rules.decide(project.system.properties[obligation.property], one);
+            rules_.decide(project_.system.properties[obligation.property], context.options, one);
         } else if (!obligation.assertions.empty()) {
             one.reason.clear();
             decide(context, obligation, one);
@@ -391,15 +457,38 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
             one.reason.clear();
             decide_recurrence(context, obligation, one);
         }
-        premises.apply(obligation, one);
-        second_look.add_to(obligation, one);
-        add_bounds(reached, bounds, obligation, one);
-        const auto edit = options.run->edit();
-        add_bounds(one.basis, time, report.bounds);
-        report.assertions[at++] = std::move(one);
+        premises_.apply(context, obligation, one);
+        second_look_->add_to(obligation, one);
+        add_bounds(reached_, watch_, obligation, one);
     }
-    if (options.sizes) measure_sizes(project, *session, emission, time, options, report);
-}
+
+    /// What is known of a claim if the run ends now.
+    void note(const refine::Progress& progress, std::size_t at) {
+        const auto edit = options_.run->edit();
+        AssertionReport& known = report_.assertions[first_ + at];
+        if (progress.phase != refine::Progress::Phase::searching || progress.states < known.statistics.states) return;
+        known.searched = true;
+        known.statistics.states = progress.states;
+        known.statistics.transitions = progress.transitions;
+        known.statistics.depth = progress.depth;
+        known.statistics.seconds = progress.seconds;
+    }
+
+    Project& project_;
+    const Options& options_;
+    Time time_;
+    const csp_emit::Emission& emission_;
+    Report& report_;
+    BoundWatch watch_;
+    ReachedBounds reached_;
+    TakenGuards guards_;
+    RuleClaims rules_;
+    Premises premises_;
+    std::unique_ptr<cspm::Session> session_;
+    std::optional<SecondLook> second_look_;
+    std::size_t first_ = 0;                   ///< place of the first claim in the report
+    std::vector<AssertionReport> announced_;  ///< each before anything is known of it
+};
 
 /// Claims of other tools: each is said, and none of them is a success.
 void report_unchecked(const Project& project, const Options& options, Report& report) {
@@ -423,19 +512,34 @@ void report_unchecked(const Project& project, const Options& options, Report& re
 
 void set_place(const Project& project, diagnostics::Span span, AssertionReport& report) {
     report.place = project.sources.place(span);
-    if (!span.known()) return;
+    report.region = region_of(project, span);
+}
+
+std::optional<runs::Place> region_of(const Project& project, diagnostics::Span span) {
+    if (!span.known()) return std::nullopt;
     const diagnostics::Position begin = project.sources.position(span.source, span.begin);
     const diagnostics::Position end = project.sources.position(span.source, span.end);
-    report.region = runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
+    return runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
 }
 
 void check_assertions(Project& project, const Options& options, Report& report) {
+    std::vector<WaitingClaim> claims;
+    std::unique_ptr<ProbabilityClaims> probabilities;
     if (options.swarm.empty()) {
-        check_probabilities(project, options, report);
+        probabilities = std::make_unique<ProbabilityClaims>(project, options, report);
         report_unchecked(project, options, report);
     }
-    if (options.times != Times::timed) check_time(project, options, Time::untimed, report);
-    if (options.times != Times::untimed && project.diagnostics.ok()) check_time(project, options, Time::timed, report);
+    std::vector<std::unique_ptr<TimeClaims>> times;
+    for (const Time time : {Time::untimed, Time::timed}) {
+        const bool left_out = options.times == (time == Time::timed ? Times::untimed : Times::timed);
+        if (left_out || !project.diagnostics.ok()) continue;
+        times.push_back(std::make_unique<TimeClaims>(project, options, time, report));
+        times.back()->add_to(claims);
+    }
+    if (probabilities) probabilities->add_to(claims);
+    if (!project.diagnostics.ok()) return;
+    decide_in_turns(claims, options);
+    for (const auto& time : times) time->measure();
 }
 
 }  // namespace robochart::app

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 
+#include "app/claims/turns.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"
@@ -87,14 +89,21 @@ bool robotools(const Options& options, const frontend::ProbabilisticAssertion& a
 
 class Decider {
 public:
-    Decider(Project& project, const Options& options) : project_(project), options_(options), all_(*project.model) {}
+    Decider(Project& project, const Options& options)
+        : project_(project), options_(options), all_(*project.model), budget_(limits_of_turn()) {}
 
-    void operator()(const Claim& claim, AssertionReport& report) {
+    /// Throws LimitReached where a limit of the run is reached.
+    void operator()(const Claim& claim, const Options& turn, AssertionReport& report) {
+        turn_ends_ = turn.turn_ends;
         try {
             const probability::Question question = this->question(claim);
             report.reason.clear();
-            probability::decide(*encoding_, question, how(), options_.run->budget(),
-                                [&](Row row) { take(std::move(row), report); });
+            probability::decide(*encoding_, question, how(), budget_, [&](Row row) { take(std::move(row), report); });
+        } catch (const diagnostics::LimitReached& limit) {
+            encoding_.reset();  // it may not have been finished
+            if (!options_.run->budget().reached().empty()) throw;
+            report.answer = Answer::inconclusive;
+            report.reason = is_over() ? "the time limit was reached" : limit.what();
         } catch (const NotExpressed& why) {
             report.answer = Answer::unchecked;
             report.reason = fmt::format("{}: not checked: {}", diagnostics::shown(report.place), why.what());
@@ -105,6 +114,14 @@ public:
     }
 
 private:
+    /// Encodings keep the budget, through the turns of several claims.
+    diagnostics::Limits limits_of_turn() {
+        diagnostics::Limits limits = options_.run->budget().limits();
+        limits.interrupted = [this] { return options_.run->budget().interrupted() || is_over(); };
+        return limits;
+    }
+    [[nodiscard]] bool is_over() const { return turn_ends_ && std::chrono::steady_clock::now() >= *turn_ends_; }
+
     probability::Question question(const Claim& claim) {
         const ir::ComponentRef subject =
             subject_of(project_, probability::subjects(all_, *claim.file, *claim.assertion));
@@ -136,7 +153,7 @@ private:
         wanted.constants = project_.asked.constants;
         wanted.max_states = options_.max_states;
         wanted.exact = options_.exact;
-        wanted.budget = &options_.run->budget();
+        wanted.budget = &budget_;
         return std::make_unique<probability::RoboToolEncoding>(
             project_.system, project_.system.modules[subject_.definition], wanted, functions);
     }
@@ -147,7 +164,7 @@ private:
         wanted.instantiation = project_.asked;
         wanted.max_states = options_.max_states;
         wanted.exact = options_.exact;
-        wanted.budget = &options_.run->budget();
+        wanted.budget = &budget_;
         return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, wanted);
     }
 
@@ -164,6 +181,8 @@ private:
     Project& project_;
     const Options& options_;
     probability::Assertions all_;
+    std::optional<std::chrono::steady_clock::time_point> turn_ends_;
+    diagnostics::Budget budget_;
     std::unique_ptr<probability::Encoding> encoding_;
     ir::ComponentRef subject_;
     bool chain_ = false;  ///< it is RoboTool's
@@ -172,34 +191,55 @@ private:
 
 }  // namespace
 
-void check_probabilities(Project& project, const Options& options, Report& report) {
-    const std::vector<Claim> claims = claims_of(project, options);
+struct ProbabilityClaims::Impl {
+    Impl(Project& project, const Options& given)
+        : options(given), claims(claims_of(project, given)), decide(project, given) {}
+
+    bool decide_in(const Options& turn, std::size_t number, Report& report) {
+        AssertionReport one = announced[number];
+        decide(claims[number], turn, one);
+        const bool decided = one.answer != Answer::inconclusive;
+        if (!decided) one.reason = ended_turn(one.reason, turn);
+        const auto edit = options.run->edit();
+        report.assertions[first + number] = std::move(one);
+        return decided;
+    }
+
+    const Options& options;
+    std::vector<Claim> claims;
+    Decider decide;
+    std::size_t first = 0;                   ///< place of the first claim in the report
+    std::vector<AssertionReport> announced;  ///< each before anything is known of it
+};
+
+ProbabilityClaims::ProbabilityClaims(Project& project, const Options& options, Report& report)
+    : impl_(std::make_unique<Impl>(project, options)), report_(report) {
+    const std::vector<Claim>& claims = impl_->claims;
     if (claims.empty()) return;
     const std::string scheduler = options.scheduler.empty() ? "any" : options.scheduler;
     if (options.encoding == "robotool" && scheduler != "any")
         throw UsageError("--scheduler is about decision processes: RoboTool's encoding has no choices");
-    std::size_t at = report.assertions.size();
-    {
-        const auto edit = options.run->edit();
-        for (const Claim& claim : claims) {
-            AssertionReport one;
-            one.title = fmt::format("{}{} {}", project.label, claim.assertion->name,
-                                    diagnostics::shown(frontend::claim(*claim.assertion)));
-            set_place(project, claim.assertion->span, one);
-            one.reason = undecided_at_limit;
-            const bool chain = robotools(options, *claim.assertion);
-            one.probability = ProbabilityReport{chain ? "robotool" : "csp", chain ? "" : scheduler, {}};
-            report.assertions.push_back(std::move(one));
-        }
-    }
-    Decider decide(project, options);
+    impl_->first = report.assertions.size();
+    const auto edit = options.run->edit();
     for (const Claim& claim : claims) {
-        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + claim.assertion->name);
-        AssertionReport one = report.assertions[at];
-        decide(claim, one);
-        const auto edit = options.run->edit();
-        report.assertions[at++] = std::move(one);
+        AssertionReport one;
+        one.title = fmt::format("{}{} {}", project.label, claim.assertion->name,
+                                diagnostics::shown(frontend::claim(*claim.assertion)));
+        set_place(project, claim.assertion->span, one);
+        one.reason = undecided_at_limit;
+        const bool chain = robotools(options, *claim.assertion);
+        one.probability = ProbabilityReport{chain ? "robotool" : "csp", chain ? "" : scheduler, {}};
+        impl_->announced.push_back(one);
+        report.assertions.push_back(std::move(one));
     }
+}
+
+ProbabilityClaims::~ProbabilityClaims() = default;
+
+void ProbabilityClaims::add_to(std::vector<WaitingClaim>& claims) {
+    for (std::size_t i = 0; i < impl_->claims.size(); ++i)
+        claims.push_back({impl_->claims[i].assertion->name,
+                          [this, i](const Options& turn) { return impl_->decide_in(turn, i, report_); }});
 }
 
 }  // namespace robochart::app

@@ -1,5 +1,6 @@
 // The verb `cspm`: any CSPM script's assertions, as FDR's `refines` would decide them.
 #include <fmt/format.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 #include <functional>
 #include <optional>
 
+#include "app/base/claim_selection.hpp"
+#include "app/command/answer.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
@@ -147,7 +150,14 @@ void print_answer(const std::string& text, const Options& options) {
     print_exact(text);
 }
 
+/// What the file of --json gets.
+void keep_json(const std::string& text, const Options& options) {
+    if (const auto file = options.files.find(Format::json); file != options.files.end())
+        options.run->keep_for(file->second, text);
+}
+
 void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
+    keep_json(types_json(path, loaded), options);
     if (options.format == Format::json) {
         print_answer(types_json(path, loaded), options);
     } else if (options.types) {
@@ -161,6 +171,7 @@ Exit check_types(const Options& options) {
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) {
         options.run->last_word([path, &options](const std::string& why) {
+            keep_json(types_json(path, {}, why), options);
             if (options.format == Format::json) print_exact(types_json(path, {}, why));
             print_error("robochart-verify: {}; the types of {} are not known\n", why, diagnostics::shown(path));
             return Exit::inconclusive;
@@ -242,29 +253,36 @@ void note_no_assertions(const LoadedScript& loaded, const Options& options, Scri
     if (text || options.format == Format::junit) print_error("{}\n", script.warnings.back());
 }
 
+/// Places of the assertions that --assertion means.
+std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions, const Options& options,
+                                   const std::string& path) {
+    std::vector<std::string> texts;
+    for (const cspm::DeclPtr& assertion : assertions) texts.push_back(text_of(*assertion));
+    ClaimSelection selection = select_claims(options.claims, texts);
+    if (!selection.lost.empty())
+        throw UsageError(
+            fmt::format("--assertion {}: {}", selection.lost.front(), why_lost(selection.lost.front(), texts, path)));
+    return selection.chosen;
+}
+
 /// Prints what has been decided at once, in the formats that allow it.
 void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script,
                 Report& report) {
     const auto assertions = session.assertions();
-    for (const std::string& number : options.claims)
-        if (std::stoull(number) > assertions.size())
-            throw UsageError(
-                fmt::format("there is no assertion {}: {} has {}", number, script.path, assertions.size()));
+    const std::vector<std::size_t> chosen = chosen_of(assertions, options, script.path);
     if (assertions.empty() && script.prints.empty()) note_no_assertions(loaded, options, script);
     std::size_t at = report.assertions.size();
     {
         const auto edit = options.run->edit();
         report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
-        for (std::size_t i = 0; i < assertions.size(); ++i)
-            if (asked_for(options, std::to_string(i + 1))) report.assertions.push_back(undecided(*assertions[i]));
+        for (const std::size_t i : chosen) report.assertions.push_back(undecided(*assertions[i]));
     }
     const auto note = [&](const refine::Progress& progress) {
         const auto edit = options.run->edit();
         note_progress(progress, report.assertions[at]);
     };
     Deciding deciding{options, loaded.sources, note};
-    for (std::size_t i = 0; i < assertions.size(); ++i) {
-        if (!asked_for(options, std::to_string(i + 1))) continue;
+    for (const std::size_t i : chosen) {
         ScriptAssertion decided = decide(session, *assertions[i], i + 1, deciding);
         {
             AssertionReport one = in_report(decided, session.event_table(), options);
@@ -275,11 +293,11 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         if (options.format == Format::plain) text = refines_plain(decided, session.event_table(), options);
         if (options.format == Format::framed_json) {
             ScriptReport frame = script;
-            frame.assertions.push_back(std::move(decided));
+            frame.assertions = {decided};
             text = refines_json(frame, session.event_table(), options);
-        } else {
-            script.assertions.push_back(std::move(decided));
         }
+        if (options.format != Format::framed_json || is_asked_for(options, Format::json))
+            script.assertions.push_back(std::move(decided));
         const auto edit = options.run->edit();  // the last word does not come in between
         if (options.format == Format::plain)
             print_text(text);
@@ -297,28 +315,43 @@ Exit worse(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
-/// The report over all scripts.
-void print_report(const Report& report, const Options& options) {
-    if (options.format == Format::junit)
-        print_exact(render_junit(report));
-    else
-        print_styled(render_text(report, options));
-}
-
-/// A script with errors is a case of its own for those who read cases.
-void note_refused(const ScriptReport& script, const Options& options, Report& report) {
-    if (options.format != Format::junit) return;
-    const auto edit = options.run->edit();
-    report.refused.push_back({script.path, "", fmt::format("{}", fmt::join(script.errors, "\n"))});
-}
-
 /// What the last word of the run may still have to print.
 struct Known {
     Report report;
-    std::string open;   ///< script whose object is not printed yet; "": none
-    bool last = false;  ///< it is the last one
-    bool asks = false;  ///< some script has assertions or prints
+    std::string open;                    ///< script whose object is not printed yet; "": none
+    bool last = false;                   ///< it is the last one
+    bool asks = false;                   ///< some script has assertions or prints
+    std::vector<RefusedReport> refused;  ///< scripts with errors, for those who read cases
 };
+
+/// The report with a case for each script that has errors.
+Report with_refused(const Known& known) {
+    Report report = known.report;
+    report.refused = known.refused;
+    return report;
+}
+
+/// What the files of --json and --junit get: of a script, and of the run.
+void keep_object(const ScriptReport& script, const process::EventTable& events, const Options& options) {
+    if (is_asked_for(options, Format::json)) keep_json(refines_json(script, events, options), options);
+}
+void keep_cases(const Known& known, const Options& options) {
+    if (const auto file = options.files.find(Format::junit); file != options.files.end())
+        options.run->keep_for(file->second, render_junit(with_refused(known)));
+}
+
+void note_refused(const ScriptReport& script, const Options& options, Known& known) {
+    const auto edit = options.run->edit();
+    known.refused.push_back({script.path, "", fmt::format("{}", fmt::join(script.errors, "\n"))});
+}
+
+/// The report over all scripts.
+void print_report(const Known& known, const Options& options) {
+    if (options.format == Format::junit)
+        print_exact(render_junit(with_refused(known)));
+    else
+        print_styled(wrapped(render_text(known.report, options), line_width(STDOUT_FILENO)));
+}
 
 /// The rest of what is printed of a script. It is printed whole, and the last word prints nothing more of it.
 void print_last(const std::string& text, const Options& options, Known& known) {
@@ -329,8 +362,15 @@ void print_last(const std::string& text, const Options& options, Known& known) {
     finish_output();
 }
 
+/// In a format of objects.
 void print_object(const ScriptReport& script, const process::EventTable& events, const Options& options, Known& known) {
-    print_last(refines_json(script, events, options), options, known);
+    keep_object(script, events, options);
+    {
+        const auto edit = options.run->edit();
+        known.open.clear();
+    }
+    const bool json = options.format == Format::json || options.format == Format::framed_json;
+    if (json) print_last(refines_json(script, events, options), options, known);
 }
 
 /// One script; its part of the report over all is added.
@@ -349,8 +389,8 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     const bool json = options.format == Format::json || options.format == Format::framed_json;
     const process::EventTable no_events;
     if (!loaded.diagnostics.ok()) {
-        if (json) print_object(script, no_events, options, known);
-        note_refused(script, options, report);
+        print_object(script, no_events, options, known);
+        note_refused(script, options, known);
         return Exit::bad_input;
     }
     bool stopped = false;
@@ -365,25 +405,27 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         known.asks = known.asks || !session.assertions().empty() || !script.prints.empty();
         // Frames are of assertions; a script that only prints has one of its own.
         const bool frame = options.format == Format::framed_json && session.assertions().empty();
-        if (frame || options.format == Format::json)
+        if (frame || !json || options.format == Format::json) {
             print_object(script, session.event_table(), options, known);
-        else if (json)
+        } else {
+            keep_object(script, session.event_table(), options);
             print_last("", options, known);
+        }
         if (known.last) options.run->finish();
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();
         script.errors.emplace_back(limit.what());
         report.limit = limit.what();
-        if (json) print_object(script, no_events, options, known);
+        print_object(script, no_events, options, known);
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
         script.errors.push_back(
             fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
-        if (json) print_object(script, no_events, options, known);
+        print_object(script, no_events, options, known);
     }
     for (const std::string& error : script.errors) print_error("{}\n", error);
     if (!script.errors.empty()) {
-        note_refused(script, options, report);
+        note_refused(script, options, known);
         return Exit::bad_input;
     }
     const bool failed = std::ranges::any_of(script.prints, [](const ScriptPrint& each) { return each.failed; });
@@ -424,6 +466,8 @@ void load_script(const std::string& path, LoadedScript& loaded) {
 void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
     const bool types_only = options.typecheck || options.types;
+    if (types_only && !loaded.diagnostics.ok())
+        keep_json(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
     if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
         print_answer(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
     } else {
@@ -432,7 +476,7 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 }
 
 Exit run_cspm(const Options& options) {
-    if ((options.typecheck || options.types) && options.format == Format::junit)
+    if ((options.typecheck || options.types) && is_asked_for(options, Format::junit))
         throw UsageError("--format junit is about assertions: of types there are text and json");
     if (options.typecheck || options.types) return check_types(options);
     if (!options.exported.empty()) return export_process(options);
@@ -449,8 +493,10 @@ Exit run_cspm(const Options& options) {
         script.errors.push_back(why);
         const process::EventTable no_events;
         const bool json = options.format == Format::json || options.format == Format::framed_json;
+        if (!known->open.empty()) keep_object(script, no_events, options);
+        keep_cases(*known, options);
         if (options.format == Format::text || options.format == Format::junit)
-            print_report(known->report, options);
+            print_report(*known, options);
         else if (!json)
             print_error("robochart-verify: {}\n", why);
         else if (!known->open.empty())
@@ -473,7 +519,8 @@ Exit run_cspm(const Options& options) {
         exit = Exit::inconclusive;
     }
     const bool some = exit != Exit::bad_input || !report.assertions.empty();
-    if (options.format == Format::junit || (options.format == Format::text && some)) print_report(report, options);
+    keep_cases(*known, options);
+    if (options.format == Format::junit || (options.format == Format::text && some)) print_report(*known, options);
     const Exit all = worse(exit, report.exit());
     if ((all == Exit::success || all == Exit::failed) && report.all_decided()) options.run->all_asked();
     return all;

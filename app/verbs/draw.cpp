@@ -7,7 +7,7 @@
 #include <iterator>
 #include <optional>
 
-#include "app/command/numbers.hpp"
+#include "app/base/numbers.hpp"
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"

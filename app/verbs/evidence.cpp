@@ -89,7 +89,7 @@ void decide_assertions_of(const Options& wanted, const std::vector<Part>& parts,
 void decide_assertions(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
     std::set<ModelRead> done;
     for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
-        const Options wanted = over_the_model(options, scenario, controller, Verb::check);
+        Options wanted = over_the_model(options, scenario, controller, Verb::check);
         const std::vector<Part> parts = load_parts(wanted);
         if (done.insert(model_read(wanted, parts)).second)
             decide_assertions_of(wanted, parts, in_front(scenario, controller), evidence);

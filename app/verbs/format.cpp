@@ -64,8 +64,7 @@ private:
 };
 
 void Formatting::show(const diagnostics::Diagnostics& diagnostics) const {
-    diagnostics::TextStyle style;
-    style.color = color_wanted(options_.color, STDERR_FILENO);
+    const diagnostics::TextStyle style = findings_style(options_);
     print_error_styled(diagnostics::render_text(sources_, diagnostics, style));
 }
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/base/numbers.hpp"
 #include "app/command/limits.hpp"
-#include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/command/places.hpp"
 #include "app/command/rules.hpp"

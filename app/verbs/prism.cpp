@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/prism/prism_model.hpp"
@@ -28,21 +29,13 @@ namespace robochart::app {
 namespace {
 
 void show_findings(const LoadedModel& loaded, const Options& options) {
-    diagnostics::TextStyle style;
-    style.color = color_wanted(options.color, STDERR_FILENO);
+    const diagnostics::TextStyle style = findings_style(options);
     print_error_styled(diagnostics::render_text(loaded.sources, loaded.diagnostics, style));
 }
 
-std::string output(const PrismReport& report, const Options& options) {
-    if (options.format == Format::json) return prism_json(report);
-    return options.format == Format::csv ? prism_csv(report) : prism_text(report, options);
-}
-
 void print_report(const PrismReport& report, const Options& options) {
-    if (options.format == Format::text)
-        print_text(output(report, options));
-    else
-        print_exact(output(report, options));
+    answer(options, [&](Format format) { return format == Format::csv ? prism_csv(report) : prism_json(report); });
+    if (options.format == Format::text) print_text(prism_text(report, options));
 }
 
 NamedValues named(const prism::Values& values) {
@@ -112,7 +105,7 @@ private:
         show_findings(loaded_, options_);
         note_errors();
         note_kind();
-        if (options_.format == Format::json) print_exact(prism_json(*report_));
+        answer(options_, [&](Format format) { return format == Format::csv ? "" : prism_json(*report_); });
         return Exit::bad_input;
     }
 

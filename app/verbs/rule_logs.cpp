@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/command/numbers.hpp"
+#include "app/base/numbers.hpp"
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/rules/rule_claims.hpp"
@@ -187,7 +188,7 @@ void print_logs(const RuleLogReport& report) {
           with_commas(report.broken), with_commas(report.open));
 }
 
-void print_logs_json(const RuleLogReport& report) {
+std::string logs_json(const RuleLogReport& report) {
     diagnostics::Json json{{"schema", "robochart-verify/rule-traces/1"},
                            {"logs", report.logs},
                            {"runs", report.runs},
@@ -205,7 +206,7 @@ void print_logs_json(const RuleLogReport& report) {
                             {"run", each.run},
                             {"verdict", each.broken ? "broken" : "inconclusive"},
                             {"lines", each.lines}});
-    print_exact(diagnostics::json_text(json) + "\n");
+    return diagnostics::json_text(json) + "\n";
 }
 
 }  // namespace
@@ -229,10 +230,8 @@ Exit conform_rules(const Options& options) {
         }
     }
     options.run->finish();
-    if (options.format == Format::json)
-        print_logs_json(report);
-    else
-        print_logs(report);
+    answer(options, [&](Format) { return logs_json(report); });
+    if (options.format == Format::text) print_logs(report);
     return exit_of(report);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/command/answer.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
 #include "app/command/pipeline.hpp"
@@ -23,10 +24,8 @@ namespace robochart::app {
 namespace {
 
 void print_report(const RulesReport& report, const Options& options) {
-    if (options.format == Format::json)
-        print_exact(rules_json(report));
-    else
-        print_text(rules_text(report, options));
+    answer(options, [&](Format) { return rules_json(report); });
+    if (options.format == Format::text) print_text(rules_text(report, options));
 }
 
 /// Decides everything, and keeps the report up to date for the last word.
@@ -62,7 +61,7 @@ private:
             if (each.rule->severity != diagnostics::Severity::note)
                 report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.place(each.span),
                                                       each.span.known() ? ": " : "", each.message()));
-        if (options_.format == Format::json) print_exact(rules_json(*report_));
+        answer(options_, [&](Format) { return rules_json(*report_); });
         return Exit::bad_input;
     }
 

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <set>
 
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
@@ -36,7 +37,8 @@ simulation::Scenario read_scenario_of(Project& project, const Options& options) 
     std::string error;
     const auto source = project.sources.load(options.inputs.front(), error);
     if (!source) {
-        project.diagnostics.report(frontend::syntax::unreadable, {}, {options.inputs.front(), error});
+        project.diagnostics.report(frontend::syntax::unreadable, {},
+                                   {options.inputs.front(), error + files_inside(options.inputs.front(), ".scenario")});
         return {};
     }
     simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
@@ -201,17 +203,19 @@ Exit exit_of(const simulation::RunResult& result) {
 
 Exit before_trials(const Options& options, const std::string& why) {
     const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
+    const diagnostics::Json none = diagnostics::Json::array();
+    answer(options, [&](Format) {
+        return diagnostics::json_text({{"schema", "robochart-verify/simulation/1"},
+                                       {"scenario", options.inputs.front()},
+                                       {"trials", none},
+                                       {"interrupted", true},
+                                       {"limit", why},
+                                       {"bands", none},
+                                       {"files", none},
+                                       {"exit", static_cast<int>(Exit::inconclusive)}}) +
+               "\n";
+    });
     if (options.format == Format::json) {
-        const diagnostics::Json none = diagnostics::Json::array();
-        print_exact(diagnostics::json_text({{"schema", "robochart-verify/simulation/1"},
-                                            {"scenario", options.inputs.front()},
-                                            {"trials", none},
-                                            {"interrupted", true},
-                                            {"limit", why},
-                                            {"bands", none},
-                                            {"files", none},
-                                            {"exit", static_cast<int>(Exit::inconclusive)}}) +
-                    "\n");
         print_error_text(text);
     } else {
         app::print_text(text);
@@ -410,13 +414,14 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     // Errors by now are trials that stopped and files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.stopped();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
-    if (options.format == Format::json) {
-        if (unwritable) return show_diagnostics(project, options), exit;
-        print_exact(simulation::result_json(simulation->scenario, result,
-                                            simulation::guard_json(monitors.get(), result.watched), files,
-                                            static_cast<int>(exit)));
-        return exit;
-    }
+    if (unwritable && options.format == Format::json) return show_diagnostics(project, options), exit;
+    if (!unwritable)
+        answer(options, [&](Format) {
+            return simulation::result_json(simulation->scenario, result,
+                                           simulation::guard_json(monitors.get(), result.watched), files,
+                                           static_cast<int>(exit));
+        });
+    if (options.format == Format::json) return exit;
     show_all_diagnostics(*simulation, options);
     print_text(*simulation, result, options, stage, files, notes);
     return exit;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
@@ -221,12 +222,12 @@ private:
         options_.run->finish();
         if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
         const Exit exit = exit_code();
-        if (options_.format == Format::json)
-            print_exact(simulation::sweep_json(scenario_, result_, simulation::comparison_json(scenario_, compared_),
-                                               simulation::guard_json(prepared_.monitors.get(), result_.watched), files,
-                                               static_cast<int>(exit)));
-        else
-            print_text(files);
+        answer(options_, [&](Format) {
+            return simulation::sweep_json(scenario_, result_, simulation::comparison_json(scenario_, compared_),
+                                          simulation::guard_json(prepared_.monitors.get(), result_.watched), files,
+                                          static_cast<int>(exit));
+        });
+        if (options_.format == Format::text) print_text(files);
         return exit;
     }
 

@@ -11,8 +11,9 @@
 #include <optional>
 #include <tuple>
 
+#include "app/base/numbers.hpp"
+#include "app/command/answer.hpp"
 #include "app/command/limits.hpp"
-#include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/command/places.hpp"
 #include "app/command/rules.hpp"
@@ -282,7 +283,7 @@ diagnostics::Json run_json(const ReportedRun& reported) {
             {"elements", run.elements}};
 }
 
-void print_json(const Totals& totals, Exit exit) {
+std::string totals_json(const Totals& totals, Exit exit) {
     diagnostics::Json json{{"schema", "robochart-verify/traces/1"},
                            {"logs", totals.logs},
                            {"runs", totals.runs},
@@ -296,7 +297,7 @@ void print_json(const Totals& totals, Exit exit) {
                            {"exit", static_cast<int>(exit)}};
     diagnostics::Json& runs = json["told"] = diagnostics::Json::array();
     for (const ReportedRun& reported : totals.reported) runs.push_back(run_json(reported));
-    print_exact(diagnostics::json_text(json) + "\n");
+    return diagnostics::json_text(json) + "\n";
 }
 
 }  // namespace
@@ -321,13 +322,11 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     Project& project = *parts.front().project;  // takes what is found of the logs; texts are those of all parts
     Totals totals;
-    options.run->last_word([&options](const std::string& why) {
+    options.run->last_word([options](const std::string& why) {
         Totals none;
         none.limit = why;
-        if (options.format == Format::json)
-            print_json(none, Exit::inconclusive);
-        else
-            print_totals(none, options);
+        answer(options, [&](Format) { return totals_json(none, Exit::inconclusive); });
+        if (options.format == Format::text) print_totals(none, options);
         return Exit::inconclusive;
     });
     const std::vector<std::string> paths = logs(options, project.diagnostics);
@@ -335,7 +334,7 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     try {
         Checkers checkers(parts, options);
         for (const std::string& path : paths) check_log(path, project, checkers, totals);
-        if (!options.html.empty()) page = trace_page(totals.compared, parts, options);
+        if (!options.html.empty()) page = trace_page(totals.compared, parts, options, "");
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
@@ -356,17 +355,11 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
             wrong == nullptr)
             wrong = part.project.get();
     if (options.format == Format::json && wrong != nullptr) return refusal(*wrong);
-    Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
-    if (page && wrong == nullptr)
-        if (const std::string error = diagnostics::replace_file(options.html, *page, &options.run->budget());
-            !error.empty()) {
-            print_error("robochart-verify: {}\n", error);
-            exit = Exit::bad_input;
-        }
-    if (options.format == Format::json)
-        print_json(totals, exit);
-    else
-        print_totals(totals, options);
+    const Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
+    if (!options.html.empty() && !page) page = trace_page(totals.compared, parts, options, totals.limit);
+    if (page && wrong == nullptr) options.run->keep_for(options.html, *page);
+    if (wrong == nullptr) answer(options, [&](Format) { return totals_json(totals, exit); });
+    if (options.format == Format::text) print_totals(totals, options);
     return exit;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
@@ -404,7 +405,8 @@ private:
 
     /// What is known of a search that did not end.
     Exit interrupted(const simulation::Race& race) const {
-        if (options_.format == Format::json) return print_json(race, "", Exit::inconclusive);
+        print_json(race, "", Exit::inconclusive);
+        if (options_.format == Format::json) return Exit::inconclusive;
         print("{}: not finished; the same command goes on where it was\n", limit_);
         for (const std::size_t each : race.elites()) print("  {}\n", entry_text(race.entries()[each]));
         return Exit::inconclusive;
@@ -413,13 +415,15 @@ private:
     Exit without_winner(const simulation::Race& race, const Subject& subject) const {
         options_.run->finish();
         const bool some = race.trials() > 0;
-        if (options_.format == Format::json) return print_json(race, "", some ? Exit::failed : Exit::bad_input);
+        const Exit exit = some ? Exit::failed : Exit::bad_input;
+        print_json(race, "", exit);
+        if (options_.format == Format::json) return exit;
         if (!subject.refused().empty()) print("refused: {}\n", subject.refused());
         if (!subject.unusable().empty()) print("unusable: {}\n", subject.unusable());
         print("{}\n", some                         ? "no values were found with which the model's assertions hold"
                       : subject.unusable().empty() ? "the trials do not suffice for a search: --budget takes more"
                                                    : "no values were found with which the scenario can be run");
-        return some ? Exit::failed : Exit::bad_input;
+        return exit;
     }
 
     Exit finish(const simulation::Race& race, const Subject& subject) {
@@ -430,7 +434,8 @@ private:
         options_.run->finish();
         if (!project_->diagnostics.ok()) return refused();
         const Exit exit = exit_of(certificate_.evidence);
-        if (options_.format == Format::json) return print_json(race, options_.out + "/" + path, exit);
+        print_json(race, options_.out + "/" + path, exit);
+        if (options_.format == Format::json) return exit;
         if (!options_.quiet) {
             print("\nwinner: {}\n", with_constants(certificate_.constants));
             if (subject.earlier_trials() > 0)
@@ -470,7 +475,7 @@ private:
     }
 
     /// Schema "robochart-verify/tuning/1" (docs/cli.md).
-    Exit print_json(const simulation::Race& race, const std::string& certificate, Exit exit) const {
+    void print_json(const simulation::Race& race, const std::string& certificate, Exit exit) const {
         using diagnostics::Json;
         Json elites = Json::array();
         for (const std::size_t each : race.elites()) {
@@ -489,18 +494,19 @@ private:
                                   {"left", each.left},
                                   {"refused", each.refused}});
         const Json decided = certificate.empty() ? Json() : Json::parse(certificate_text(certificate_));
-        print_exact(diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
-                                            {"scenario", scenario_.name.text},
-                                            {"trials", race.trials()},
-                                            {"seeds", race.seeds()},
-                                            {"iterations", iterations},
-                                            {"elites", elites},
-                                            {"limit", limit_},
-                                            {"file", certificate},
-                                            {"certificate", decided},
-                                            {"exit", static_cast<int>(exit)}}) +
-                    "\n");
-        return exit;
+        answer(options_, [&](Format) {
+            return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
+                                           {"scenario", scenario_.name.text},
+                                           {"trials", race.trials()},
+                                           {"seeds", race.seeds()},
+                                           {"iterations", iterations},
+                                           {"elites", elites},
+                                           {"limit", limit_},
+                                           {"file", certificate},
+                                           {"certificate", decided},
+                                           {"exit", static_cast<int>(exit)}}) +
+                   "\n";
+        });
     }
 
     // ------------------------------------------------------------ --verify-certificate
@@ -531,20 +537,20 @@ private:
     Exit print_comparison(const Certificate& certified) const {
         const std::vector<std::string> lines = differences(certified.evidence, certificate_.evidence);
         const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
-        if (options_.format == Format::json) {
+        answer(options_, [&](Format) {
             diagnostics::Json constants = diagnostics::Json::array();
             for (const auto& [name, value] : certified.constants)
                 constants.push_back({{"name", name}, {"value", value}});
-            print_exact(diagnostics::json_text({{"schema", "robochart-verify/certified/1"},
-                                                {"scenario", scenario_.name.text},
-                                                {"program", certified.program},
-                                                {"constants", constants},
-                                                {"ranges", certified.ranges},
-                                                {"differences", lines},
-                                                {"exit", static_cast<int>(exit)}}) +
-                        "\n");
-            return exit;
-        }
+            return diagnostics::json_text({{"schema", "robochart-verify/certified/1"},
+                                           {"scenario", scenario_.name.text},
+                                           {"program", certified.program},
+                                           {"constants", constants},
+                                           {"ranges", certified.ranges},
+                                           {"differences", lines},
+                                           {"exit", static_cast<int>(exit)}}) +
+                   "\n";
+        });
+        if (options_.format == Format::json) return exit;
         if (!options_.quiet) {
             print("certificate of {}: {}\n", scenario_.name.text, with_constants(certified.constants));
             print("  ranges: {}\n  search: as recorded, not repeated\n",
@@ -577,13 +583,13 @@ private:
 
 Exit run_tune(const Options& options) {
     options.run->last_word([&options](const std::string& why) {
-        if (options.format == Format::json)
-            print_exact(diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
-                                                {"limit", why},
-                                                {"exit", static_cast<int>(Exit::inconclusive)}}) +
-                        "\n");
-        else
-            print_text(why + "\n");
+        answer(options, [&](Format) {
+            return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
+                                           {"limit", why},
+                                           {"exit", static_cast<int>(Exit::inconclusive)}}) +
+                   "\n";
+        });
+        if (options.format == Format::text) print_text(why + "\n");
         return Exit::inconclusive;
     });
     try {

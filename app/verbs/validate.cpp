@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
@@ -82,13 +83,12 @@ bool valid(const diagnostics::Diagnostics& findings, const Options& options) {
 /// `limit`: why not everything was looked at; "" if it was.
 void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings, const std::string& limit,
           const Options& options) {
-    if (options.format == Format::json) {
-        print_exact(diagnostics::render_json(sources, findings, limit));
-    } else if (options.format == Format::sarif) {
-        print_exact(diagnostics::render_sarif(sources, findings, program_version, limit));
-    } else {
-        diagnostics::TextStyle style;
-        style.color = color_wanted(options.color, STDERR_FILENO);
+    answer(options, [&](Format format) {
+        return format == Format::json ? diagnostics::render_json(sources, findings, limit)
+                                      : diagnostics::render_sarif(sources, findings, about_log(options, limit));
+    });
+    if (options.format == Format::text) {
+        const diagnostics::TextStyle style = findings_style(options);
         print_error_styled(diagnostics::render_text(sources, findings, style));
         if (!options.quiet && limit.empty() && valid(findings, options)) print("valid\n");
     }

@@ -1,8 +1,11 @@
 // One function for each verb, using only the public headers of the components. Each returns the exit code.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "app/claims/turns.hpp"
 #include "app/command/options.hpp"
 #include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
@@ -30,8 +33,25 @@ Exit run_lsp();                 ///< serves an editor on stdin and stdout until 
 
 /// Decides the model's assertions in the times asked for.
 void check_assertions(Project&, const Options&, Report&);
-/// Decides the probabilistic ones.
-void check_probabilities(Project&, const Options&, Report&);
+/// A span with its end; nothing where it is unknown.
+[[nodiscard]] std::optional<runs::Place> region_of(const Project&, diagnostics::Span);
+/// The probabilistic claims of a model, on the Markov models that the options ask for.
+class ProbabilityClaims {
+public:
+    /// Lists them in the report. Refers to all that it is given.
+    ProbabilityClaims(Project&, const Options&, Report&);
+    ~ProbabilityClaims();
+    ProbabilityClaims(const ProbabilityClaims&) = delete;
+    ProbabilityClaims& operator=(const ProbabilityClaims&) = delete;
+
+    void add_to(std::vector<WaitingClaim>& claims);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+    Report& report_;
+};
+
 /// Sets the place of what is claimed there.
 void set_place(const Project&, diagnostics::Span, AssertionReport&);
 /// The ranges of RoboTool's encoding; nothing, with a finding, where they cannot be read.

@@ -1,6 +1,7 @@
 // The verbs over models: read, then check, write and conform as asked, one report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "app/command/answer.hpp"
 #include "app/command/broken_claims.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
@@ -171,25 +173,32 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
                              : cpp_emit::Strategy::automatic;
 }
 
+/// The path of the first text that is no library; "" if there is none.
+std::string first_file(const Part& part) {
+    if (!part.project->model) return "";
+    const auto& files = part.project->model->files;
+    const auto file = std::find_if(files.begin(), files.end(), [](const auto& each) { return !each->is_library; });
+    return file == files.end() ? "" : part.project->sources.path((*file)->source);
+}
+
 /// What the report begins with: of parts that are all refused, which may not have been lowered, the model's name alone.
 void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto edit = options.run->edit();
     const auto accepted = [](const Part& part) { return part.project->diagnostics.ok(); };
     if (std::ranges::any_of(parts, accepted)) report.summary = summary(parts);
+    report.file = first_file(parts.front());
     report.load_seconds = parts.front().project->seconds;
     if (options.preferences.empty()) report.notes = notes(parts);  // else the ranges are those of the file
 }
 
 /// The report so far.
 Exit print_report(const Report& report, const Options& options) {
-    if (options.format == Format::json)
-        print_exact(render_json(report));
-    else if (options.format == Format::sarif)
-        print_exact(render_sarif(report));
-    else if (options.format == Format::junit)
-        print_exact(render_junit(report));
-    else
-        print_styled(render_text(report, options));
+    answer(options, [&](Format format) {
+        if (format == Format::json) return render_json(report);
+        return format == Format::sarif ? render_sarif(report, options.verb == Verb::verify ? "verify" : "check")
+                                       : render_junit(report);
+    });
+    if (options.format == Format::text) print_styled(wrapped(render_text(report, options), line_width(STDOUT_FILENO)));
     return report.exit();
 }
 
@@ -363,6 +372,20 @@ bool write_prism(Project& project, const Options& options, Report& report) {
     return project.diagnostics.ok();
 }
 
+namespace {
+
+/// Where a component is declared.
+std::optional<runs::Place> declared(const Project& project, const ir::ComponentRef& component) {
+    const ir::System& system = project.system;
+    const ir::Origin& origin = component.kind == ir::ComponentKind::module ? system.modules[component.definition].origin
+                               : component.kind == ir::ComponentKind::controller
+                                   ? system.controllers[component.definition].origin
+                                   : system.machines[component.definition].origin;
+    return region_of(project, origin.span);
+}
+
+}  // namespace
+
 void check_conformance(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty())
@@ -373,7 +396,8 @@ void check_conformance(Project& project, const Options& options, Report& report)
     {
         const auto edit = options.run->edit();
         for (const ir::ComponentRef& component : components) {
-            report.conformance.push_back({project.label + ir::qualified(component), {}, 0});
+            report.conformance.push_back(
+                {project.label + ir::qualified(component), declared(project, component), {}, 0});
             report.conformance.back().result.reason = undecided_at_limit;
         }
     }
@@ -394,6 +418,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified(component);
+        one.region = declared(project, component);
         if (!model) {
             model =
                 conformance::timed_model(project.system, project.instantiation, project.sources, project.diagnostics);
@@ -491,13 +516,18 @@ void report_broken_claims(const Project& project, const Options& options, Report
     }
 }
 
-/// `--html`. False, with a message, where it cannot be written.
-bool write_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
-    if (options.html.empty()) return true;
-    const std::string error =
-        diagnostics::replace_file(options.html, render_html(report, parts, options), &options.run->budget());
-    if (!error.empty()) print_error("robochart-verify: {}\n", error);
-    return error.empty();
+/// `--html`.
+void keep_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
+    if (!options.html.empty()) options.run->keep_for(options.html, render_html(report, parts, options.run->budget()));
+}
+
+/// `--html` of a run that has ended early.
+void keep_last_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
+    if (options.html.empty()) return;
+    options.run->keep_for(options.html, last_page(parts, !options.run->is_watching(),
+                                                  [&](const std::vector<Part>& drawn, diagnostics::Budget& budget) {
+                                                      return render_html(report, drawn, budget);
+                                                  }));
 }
 
 /// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
@@ -527,11 +557,11 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
     }
     note_refused(parts, options, report);
     note_nothing(options, report);
-    const bool written = write_page(parts, options, report);
+    keep_page(parts, options, report);
     const bool accepted = show_all(parts, options);
     if (accepted && report.all_decided()) options.run->all_asked();
     const Exit exit = print_report(report, options);
-    return accepted && written ? exit : Exit::bad_input;
+    return accepted ? exit : Exit::bad_input;
 }
 
 /// The phase asked for by --print, added to the text.
@@ -585,12 +615,13 @@ Options with_buffers(Options options) {
     return options;
 }
 
-Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
-    parts = load_parts(options.verb == Verb::emit_prism ? with_buffers(options) : options);
+Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
+    Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
+    parts = load_parts(options);
     if (!options.print.empty()) return print_phases(parts, options);
     if (!options.mapping.empty() && options.target != "ros2")
         throw UsageError("--mapping is about messages of ROS 2: it needs --target ros2");
-    if (!options.traces.empty() && options.format == Format::junit)
+    if (!options.traces.empty() && is_asked_for(options, Format::junit))
         throw UsageError("--format junit is about generated code: of logs (--traces) there are text and json");
     if (!options.traces.empty()) return compare_traces(parts, options, report);
     if (const Project* const stopped = hopeless(parts, options)) {
@@ -608,9 +639,15 @@ Exit run_model(const Options& given) {
                                    [](const std::string& each) { return each.ends_with(".sleec"); });
     if (options.verb == Verb::conform && !options.traces.empty() && rules) return conform_rules(options);
     const auto report = std::make_shared<Report>();
+    const auto parts = std::make_shared<std::vector<Part>>();
     report->model = fmt::format("{}", fmt::join(options.inputs, " "));
-    options.run->last_word([report, &options](const std::string& why) {
+    // It outlives this function: what it says may be asked for by whoever called it.
+    options.run->last_word([report, parts, options](const std::string& why) {
         report->limit = why;
+        for (AssertionReport& each : report->assertions)
+            if (each.answer == Answer::inconclusive && each.reason == undecided_at_limit)
+                each.reason = "not decided: " + why;
+        keep_last_page(*parts, options, *report);
         return print_report(*report, options);
     });
     if (options.verb == Verb::emit_monitor && rules) {
@@ -619,13 +656,12 @@ Exit run_model(const Options& given) {
         const Exit exit = print_report(*report, options);
         return written ? exit : Exit::bad_input;
     }
-    std::vector<Part> parts;
     try {
-        return run_verb(options, *report, parts);
+        return run_verb(options, *report, *parts);
     } catch (const diagnostics::LimitReached&) {
         options.run->finish();
         if (options.format == Format::text)
-            for (const Part& part : parts) show_diagnostics(*part.project, options);
+            for (const Part& part : *parts) show_findings(*part.project, options);
         throw;
     }
 }

@@ -7,23 +7,23 @@ _robochart_verify_warnings='CSPM-T21 Cn11 PJ3 PRISM-E08 PRISM-E12 PT2 RC-A05 RC-
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --json --sarif --junit --html --color -q --quiet --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
-    'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --swarm --robots --grid --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
-    'emit csp') echo '--timed --untimed --core --swarm --robots --grid --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
-    'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
-    'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'validate') echo '--allow --deny-warnings --fix --format --json --sarif --color -q --quiet --memory --timeout -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --swarm --robots --grid --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --json --sarif --junit --html --color -q --quiet --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
+    'emit csp') echo '--timed --untimed --core --swarm --robots --grid --const --range --print --allow --deny-warnings -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --json --junit --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'cspm') echo '--assertion --typecheck --types --format --json --junit --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
+    'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --json --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
+    'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
-    'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
-    'tune') echo '--const --range --allow --deny-warnings --budget --seed --test --verify-certificate -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --json --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
+    'tune') echo '--const --range --allow --deny-warnings --budget --seed --test --verify-certificate -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
     'explain') echo '--color -h --help' ;;
     'lsp') echo '--stdio -h --help' ;;
@@ -36,8 +36,7 @@ _robochart_verify_options() {
 # What a verb's option takes: its choices, or of which kind it is; nothing if it takes no word.
 _robochart_verify_argument() {
   case "$1 $2" in
-    'verify --assertion' | 'check --assertion') echo '<value>' ;;
-    'cspm --assertion') echo '<value>' ;;
+    'verify --assertion' | 'check --assertion' | 'cspm --assertion') echo '<value>' ;;
     'check --swarm' | 'emit csp --swarm') echo '<file>' ;;
     'check --robots' | 'emit csp --robots') echo '<value>' ;;
     'check --grid' | 'emit csp --grid') echo '<value>' ;;
@@ -85,6 +84,9 @@ _robochart_verify_argument() {
     'cspm --format') echo 'text plain json framed_json junit' ;;
     'prism --format') echo 'text json csv' ;;
     'rules --format') echo 'text json' ;;
+    'verify --json' | 'validate --json' | 'check --json' | 'emit csp --json' | 'emit cpp --json' | 'emit prism --json' | 'emit monitor --json' | 'emit tests --json' | 'conform --json' | 'cspm --json' | 'prism --json' | 'rules --json' | 'simulate --json' | 'tune --json') echo '<file>' ;;
+    'verify --sarif' | 'validate --sarif' | 'check --sarif') echo '<file>' ;;
+    'verify --junit' | 'check --junit' | 'conform --junit' | 'cspm --junit') echo '<file>' ;;
     'verify --html' | 'check --html' | 'conform --html') echo '<file>' ;;
     'step --html') echo '<file>' ;;
     'simulate --html') echo '<file>' ;;
@@ -96,6 +98,7 @@ _robochart_verify_argument() {
     'help --generate') echo 'man bash zsh fish' ;;
     'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'rules --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'tune --memory' | 'format --memory') echo '<value>' ;;
     'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'rules --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'tune --timeout' | 'format --timeout') echo '<value>' ;;
+    'verify --assertion-timeout' | 'check --assertion-timeout') echo '<value>' ;;
     'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads' | 'rules --threads') echo '<value>' ;;
     'simulate --threads' | 'tune --threads') echo '<value>' ;;
     'prism --threads') echo '<value>' ;;

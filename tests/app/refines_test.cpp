@@ -425,7 +425,7 @@ TEST(Refines, AnAssertionThatIsNotThereIsSaid) {
     const TemporaryFile script("failing.csp", failing);
     const Ran ran = run({"cspm", script.path(), "--assertion", "7"});
     EXPECT_EQ(ran.exit, 4);
-    EXPECT_THAT(ran.err, HasSubstr("there is no assertion 7"));
+    EXPECT_THAT(ran.err, HasSubstr("--assertion 7: " + script.path() + " has 6 assertions"));
     EXPECT_EQ(run({"cspm", script.path(), "--assertion", "first"}).exit, 4);
 }
 

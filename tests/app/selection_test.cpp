@@ -35,6 +35,7 @@ printf 'robochart-trace 1\ncomponent Sitter\ncycle 1\n' > logs/none.trace
 cp -r claimed checks
 cp -r plain blocks; printf 'csp Instantiations csp-begin\nf(x) = x\ncsp-end\n' > blocks/m.assertions
 mkfifo pipe.rct; mkdir piped; mkfifo piped/m.rct
+mkdir patrols; touch patrols/patrol.scenario patrols/duties.sleec
 )";
 
 class Selection : public ::testing::TestWithParam<Row> {};
@@ -58,9 +59,19 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"MisspeltAssertionOfAll", "claimed --assertion Movs", 4, "did you mean 'Moves'?"},
         Row{"UnknownAssertionOfAll", "claimed --assertion nothing_like_it", 4,
             "the model has no assertion of this name; there are"},
-        Row{"AssertionOfAModelWithout", "check plain --assertion A", 4, "it has none"},
+        Row{"AssertionOfAModelWithout", "check plain --assertion A", 4, "the model has no assertions"},
         Row{"EmptyAssertion", "check claimed --assertion ''", 4, "the name is empty"},
         Row{"AssertionOfTheOtherTime", "check claimed --untimed --assertion MovesInTime", 2, "nothing is claimed"},
+        Row{"AssertionByNumber", "check claimed --timed --assertion 2", 0, "1 of 1 checks hold"},
+        Row{"AssertionsByNumbers", "check claimed --assertion 1..2", 0, "3 of 3 checks hold"},
+        Row{"AssertionsByPattern", "check claimed --assertion 'Mov?s*'", 0, "3 of 3 checks hold"},
+        Row{"AssertionsByPatternOfTheEnd", "check claimed --assertion '*Time'", 0, "1 of 1 checks hold"},
+        Row{"NumberOfNoAssertion", "check claimed --assertion 3", 4, "--assertion 3: the model has 2 assertions"},
+        Row{"NumbersOfNoAssertion", "check claimed --assertion 2..1", 4, "2..1: the model has 2 assertions"},
+        Row{"PatternOfNoAssertion", "check claimed --assertion 'Sits*'", 4, "no assertion that fits this pattern"},
+        Row{"ScriptsAssertionByPattern", "cspm --assertion '*deadlock*' s.csp", 0, "1 of 1 checks hold"},
+        Row{"ScriptsAssertionByText", "cspm --assertion 'P :[deadlock free [F]]' s.csp", 0, "1 of 1 checks hold"},
+        Row{"ScriptsPatternOfNone", "cspm --assertion 'Q*' s.csp", 4, "s.csp has no assertion that fits"},
         Row{"UnknownComponentOfConform", "conform claimed --component Q", 4, "--component Q"},
         Row{"MisspeltComponentOfConform", "conform claimed --component Walkr", 4, "did you mean 'Walker'?"},
         Row{"UnknownComponentOfEmit", "emit cpp claimed --component Walkr", 4, "did you mean 'Walker'?"},
@@ -98,12 +109,20 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"NoVerbAndNoFile", "overview claimed", 4, "there is no verb, file or folder 'overview'"},
         Row{"MisspeltFolder", "claimd", 4, "did you mean 'claimed'?"}, Row{"NoFile", "Overview.rct", 2, "RC-F01"},
         Row{"MisspeltThingToEmit", "emit cp claimed", 4, "did you mean 'csp'?"},
-        Row{"NothingToEmit", "emit", 4, "csp, cpp, monitor or tests"},
+        Row{"NothingToEmit", "emit", 4, "emit what? csp, cpp, prism, monitor, tests"},
         Row{"MisspeltVerbOfHelp", "help conforn", 4, "did you mean 'conform'?"},
+        Row{"EmitInAnotherSpelling", "emit c++ claimed", 4, "did you mean 'cpp'?"},
+        Row{"BeginningOfAVerbOfHelp", "help sim", 4, "did you mean 'simulate'?"},
+        Row{"UnknownOptionBeforeTheModel", "check --bogus claimed", 4, "`check` has no option --bogus"},
+        Row{"UnknownOptionWithoutAModel", "check --bogus", 4, "`check` has no option --bogus"},
+        Row{"OptionWithoutItsFile", "check claimed --html", 4, "--html needs FILE"},
+        Row{"OptionGivenTwice", "check claimed --timeout 5 --timeout 6", 4, "--timeout is given twice"},
+        Row{"FolderForAScenario", "simulate patrols", 2, "it has patrol.scenario"},
+        Row{"FolderForRules", "rules patrols", 2, "it has duties.sleec"},
         Row{"FolderCalledAlmostLikeAVerb", "checks", 0, "checks hold"}, Row{"NoModel", "check", 4, "MODEL is required"},
         Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "none of aut, dot, csp"},
-        Row{"AssertionOutOfRange", "cspm --assertion 7 s.csp", 4, "there is no assertion 7"},
-        Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "there is no assertion 7"},
+        Row{"AssertionOutOfRange", "cspm --assertion 7 s.csp", 4, "s.csp has 1 assertion"},
+        Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "s.csp has 1 assertion"},
         // Nothing to do.
         Row{"NoAssertions", "check plain", 1, "2 of 3 checks hold"},
         Row{"BlocksWithoutAssertions", "check blocks", 1, "2 of 3 checks hold"},

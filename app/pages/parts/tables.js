@@ -1,5 +1,5 @@
 "use strict";
-// Tables of the class "sortable": their headings become buttons that sort by their column, upwards, then downwards, then
+// What all pages have. Tables of the class "sortable": their headings become buttons that sort by their column, upwards, then downwards, then
 // as written.
 (function () {
   const text = (row, column) => (row.cells[column] ? row.cells[column].textContent.trim() : "");
@@ -32,5 +32,13 @@
         table.tBodies[0].append(...written.slice().sort((one, other) => sign * compare(text(one, column), text(other, column))));
       });
     });
+  }
+})();
+// Pictures shrink to their place, but not so far that their text cannot be read: then the figure around them scrolls.
+(function () {
+  const least = 0.6;
+  for (const svg of document.querySelectorAll(".drawn svg")) {
+    const width = svg.width.baseVal.value;
+    if (width > 0) svg.style.minWidth = Math.round(width * least) + "px";
   }
 })();

@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "app/command/junit.hpp"
+#include "app/base/junit.hpp"
 #include "tests/app/command.hpp"
 
 namespace robochart::app::testing {

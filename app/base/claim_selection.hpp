@@ -19,8 +19,8 @@ struct ClaimSelection {
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 
-/// Why such a word means no claim of the subject: "the model has 3 assertions", "s.csp has no assertion of this name; did
-/// you mean 'Safe'?".
+/// Why such a word means no claim of the subject: "the model has 3 assertions", "s.csp has no assertion of this name;
+/// did you mean 'Safe'?".
 [[nodiscard]] std::string why_lost(std::string_view word, const std::vector<std::string>& names,
                                    std::string_view subject);
 

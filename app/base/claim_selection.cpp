@@ -1,4 +1,4 @@
-#include "app/command/claim_selection.hpp"
+#include "app/base/claim_selection.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/command/numbers.hpp"
+#include "app/base/numbers.hpp"
 
 #include <fmt/format.h>
 

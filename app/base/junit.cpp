@@ -1,4 +1,4 @@
-#include "app/command/junit.hpp"
+#include "app/base/junit.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,73 @@
+#include "app/claims/turns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+#include <utility>
+
+#include "app/command/run.hpp"
+
+namespace robochart::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds of the first turn: a part of what the run has, so that the last claim has one as well.
+double first_turn(const Options& options) {
+    constexpr double usual = 10, parts = 10;
+    return options.timeout_seconds > 0 ? std::min(usual, options.timeout_seconds / parts) : usual;
+}
+
+/// What is begun anew in a turn is lost in it: each is so much longer that this is little.
+constexpr double longer = 8;
+
+bool is_kept(const Options& options) {
+    return options.by_levels != nullptr || !options.checkpoint.empty() || !options.resume.empty() ||
+           !options.disk.empty();
+}
+
+bool is_over(const Options& options) {
+    return options.turn_ends && Clock::now() >= *options.turn_ends;
+}
+
+/// Options with which the turn of a claim ends after so many seconds; 0: with the run.
+Options with_turn(const Options& options, double seconds) {
+    Options result = options;
+    constexpr double for_ever = 1e9;
+    if (seconds > 0 && seconds < for_ever)
+        result.turn_ends =
+            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    return result;
+}
+
+}  // namespace
+
+void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options) {
+    const double most = options.assertion_seconds;
+    std::vector<const WaitingClaim*> waiting;
+    for (const WaitingClaim& claim : claims) waiting.push_back(&claim);
+    for (double seconds = first_turn(options); !waiting.empty(); seconds *= longer) {
+        std::vector<const WaitingClaim*> open;
+        for (const WaitingClaim* const claim : waiting) {
+            const bool alone = open.empty() && claim == waiting.back();
+            const bool last = alone || (most > 0 && seconds >= most) || is_kept(options);
+            const Options turn = with_turn(options, last ? most : seconds);
+            const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + claim->title);
+            const bool decided = claim->decide(turn);
+            options.run->budget().check();
+            if (!decided && !last && is_over(turn)) open.push_back(claim);
+        }
+        waiting = std::move(open);
+    }
+}
+
+std::string ended_turn(const std::string& reason, const Options& turn) {
+    constexpr std::string_view limit = "the time limit was reached";
+    if (!is_over(turn) || turn.assertion_seconds <= 0 || !reason.starts_with(limit)) return reason;
+    return fmt::format("its time limit was reached (--assertion-timeout {}){}", turn.assertion_seconds,
+                       reason.substr(limit.size()));
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,114 @@
+// Turns of claims: none waits for one that is not decided.
+#include "app/claims/turns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "app/command/run.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// Claims that note who had a turn; `slow` is never decided before its turn ends.
+class Turns {
+public:
+    explicit Turns(Options options) : options_(std::move(options)), run_(options_) { options_.run = &run_; }
+
+    WaitingClaim decided(const std::string& title) {
+        return {title, [this, title](const Options&) {
+                    order.push_back(title);
+                    return true;
+                }};
+    }
+    /// Decided in a turn without end.
+    WaitingClaim slow(const std::string& title) {
+        return {title, [this, title](const Options& turn) {
+                    order.push_back(title);
+                    if (!turn.turn_ends) return true;
+                    std::this_thread::sleep_until(*turn.turn_ends);
+                    return false;
+                }};
+    }
+    /// A limit of its own, such as --max-states, leaves it open.
+    WaitingClaim limited(const std::string& title) {
+        return {title, [this, title](const Options&) {
+                    order.push_back(title);
+                    return false;
+                }};
+    }
+    void decide(const std::vector<WaitingClaim>& claims) { decide_in_turns(claims, options_); }
+
+    std::vector<std::string> order;
+
+private:
+    Options options_;
+    Run run_;
+};
+
+Options within(double seconds, double of_each = 0) {
+    Options options;
+    options.cache = false;
+    options.timeout_seconds = seconds;
+    options.assertion_seconds = of_each;
+    return options;
+}
+
+using Order = std::vector<std::string>;
+
+TEST(Turns, OneThatIsNotDecidedWaitsForTheOthers) {
+    Turns turns(within(0.5));
+    turns.decide({turns.slow("a"), turns.decided("b"), turns.decided("c")});
+    EXPECT_EQ(turns.order, (Order{"a", "b", "c", "a"}));
+}
+
+TEST(Turns, ALoneClaimHasOneTurnWithoutEnd) {
+    Turns turns(within(0.5));
+    turns.decide({turns.decided("a"), turns.slow("b")});
+    EXPECT_EQ(turns.order, (Order{"a", "b"}));
+}
+
+TEST(Turns, ALimitOfItsOwnIsNotTriedAgain) {
+    Turns turns(within(0.5));
+    turns.decide({turns.limited("a"), turns.decided("b")});
+    EXPECT_EQ(turns.order, (Order{"a", "b"}));
+}
+
+TEST(Turns, EndWithTheTimeOfAnAssertion) {
+    Turns turns(within(0, 0.02));
+    turns.decide({turns.slow("a"), turns.slow("b")});
+    EXPECT_EQ(turns.order, (Order{"a", "b"}));
+}
+
+TEST(Turns, KeptSearchesHaveOneTurn) {
+    Options options = within(0.5);
+    options.disk = "kept";
+    Turns turns(options);
+    turns.decide({turns.slow("a"), turns.decided("b")});
+    EXPECT_EQ(turns.order, (Order{"a", "b"}));
+}
+
+TEST(Turns, ALimitOfTheRunNamesTheClaim) {
+    Turns turns(within(0.01));
+    try {
+        turns.decide({turns.slow("a"), turns.slow("b"), turns.slow("c"), turns.slow("d"), turns.slow("e"),
+                      turns.slow("f"), turns.slow("g"), turns.slow("h"), turns.slow("i"), turns.slow("k"),
+                      turns.slow("l"), turns.slow("m")});
+        FAIL() << "it has no more time";
+    } catch (const diagnostics::LimitReached& limit) {
+        EXPECT_TRUE(std::string(limit.what()).starts_with("the time limit was reached while deciding "));
+    }
+}
+
+TEST(Turns, WhoseTimeHasEndedIsSaid) {
+    Options turn = within(0, 5);
+    turn.turn_ends = std::chrono::steady_clock::now();
+    EXPECT_EQ(ended_turn("the time limit was reached while compiling", turn),
+              "its time limit was reached (--assertion-timeout 5) while compiling");
+    EXPECT_EQ(ended_turn("the limit of 5 states was reached", turn), "the limit of 5 states was reached");
+    turn.turn_ends.reset();
+    EXPECT_EQ(ended_turn("the time limit was reached", turn), "the time limit was reached");
+}
+
+}  // namespace
+}  // namespace robochart::app
