@@ -76,12 +76,13 @@ struct ForeignSign {
 };
 
 constexpr std::array foreign_signs{
-    ForeignSign{"→", "->"},  Symbol{"⟶", "->"}, Symbol{"←", "<-"},       ForeignSign{"↔", "<->"}, Symbol{"□", "[]"},
-    ForeignSign{"⊓", "|~|"}, Symbol{"∥", "||"}, Symbol{"⫴", "|||"},      ForeignSign{"△", "/\\"}, Symbol{"▷", "[>"},
-    ForeignSign{"≤", "<="},  Symbol{"≥", ">="}, Symbol{"≠", "!="},       ForeignSign{"∧", "and"}, Symbol{"∨", "or"},
-    ForeignSign{"¬", "not"}, Symbol{"⟨", "<"},  Symbol{"⟩", ">"},        ForeignSign{"×", "*"},   Symbol{"÷", "/"},
-    ForeignSign{"–", "-"},   Symbol{"−", "-"},  Symbol{"“", "\""},       ForeignSign{"”", "\""},  Symbol{"‘", "'"},
-    ForeignSign{"’", "'"},   Symbol{"∅", "{}"}, Symbol{"\xC2\xA0", " "},
+    ForeignSign{"→", "->"},  ForeignSign{"⟶", "->"},  ForeignSign{"←", "<-"}, ForeignSign{"↔", "<->"},
+    ForeignSign{"□", "[]"},  ForeignSign{"⊓", "|~|"}, ForeignSign{"∥", "||"}, ForeignSign{"⫴", "|||"},
+    ForeignSign{"△", "/\\"}, ForeignSign{"▷", "[>"},  ForeignSign{"≤", "<="}, ForeignSign{"≥", ">="},
+    ForeignSign{"≠", "!="},  ForeignSign{"∧", "and"}, ForeignSign{"∨", "or"}, ForeignSign{"¬", "not"},
+    ForeignSign{"⟨", "<"},   ForeignSign{"⟩", ">"},   ForeignSign{"×", "*"},  ForeignSign{"÷", "/"},
+    ForeignSign{"–", "-"},   ForeignSign{"−", "-"},   ForeignSign{"“", "\""}, ForeignSign{"”", "\""},
+    ForeignSign{"‘", "'"},   ForeignSign{"’", "'"},   ForeignSign{"∅", "{}"}, ForeignSign{"\xC2\xA0", " "},
 };
 
 /// The code of the character that a well-formed text begins with.
