@@ -17,7 +17,7 @@ namespace robochart::csp_emit {
 namespace {
 
 using cspm::ExprKind;
-using Definitions = std::map<std::string, std::vector<BlockDefinition>>;
+using DefinitionsByName = std::map<std::string, std::vector<BlockDefinition>>;
 
 /// What a definition of a constant says, as far as it is known without evaluating a script.
 struct Value {
@@ -27,7 +27,7 @@ struct Value {
 
 class Values {
 public:
-    explicit Values(const Definitions& definitions) : definitions_(definitions) {}
+    explicit Values(const DefinitionsByName& definitions) : definitions_(definitions) {}
 
     /// The expression behind `name = expression`; null where no block defines it so.
     [[nodiscard]] cspm::ExprPtr body(const std::string& name) const {
@@ -73,7 +73,7 @@ private:
                                                : ir::checked_multiply(*left, *right);
     }
 
-    const Definitions& definitions_;
+    const DefinitionsByName& definitions_;
 };
 
 /// The script of the other time has been looked at before, with the same findings.
@@ -85,7 +85,7 @@ bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics
 
 }  // namespace
 
-std::set<std::string> check_names_of_constants(const Project& project, const Definitions& definitions) {
+std::set<std::string> check_names_of_constants(const Project& project, const DefinitionsByName& definitions) {
     std::set<std::string> result;
     const Values values(definitions);
     std::map<std::string, const ir::NamedConstant*> first_part;  // by the machine's own name
