@@ -71,9 +71,12 @@ TEST(Explained, EventsThatComeSecondChangeNoExitCode) {
     EXPECT_THAT(text.out, HasSubstr("event stop comes second in a cycle: after go, in M::A::B (m.rct:7) [RC-K10]\n"));
     const Ran data = run({"conform", model.path(), "--format", "json"});
     const auto overtaken = nlohmann::json::parse(data.out).at("conformance").at(0).at("overtakenEvents");
-    EXPECT_EQ(overtaken, nlohmann::json::parse(R"([{"event": "stop", "code": "RC-K10", "by": ["go"], "due": false,
-                                                    "places": ["M::A::B (m.rct:7)"]
-}])"));
+    ASSERT_EQ(overtaken.size(), 1U);
+    EXPECT_EQ(overtaken[0].at("event"), "stop");
+    EXPECT_EQ(overtaken[0].at("code"), "RC-K10");
+    EXPECT_EQ(overtaken[0].at("by"), (nlohmann::json{"go"}));
+    EXPECT_EQ(overtaken[0].at("due"), false);
+    EXPECT_EQ(overtaken[0].at("places"), (nlohmann::json{"M::A::B (m.rct:7)"}));
 }
 
 TEST(Explained, EachCodeHasAPage) {
