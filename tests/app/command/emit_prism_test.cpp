@@ -62,7 +62,9 @@ TEST_F(EmitPrism, AValueOutOfItsRangeSaysWhatSetsTheRange) {
 }
 
 TEST_F(EmitPrism, SettingsThatAreNotFollowedAreNamed) {
-    const Folder more({{"all.prefs", "INT_MAX=7\nMAX_SEQ_INS=3\nTYPE_OVERRIDE=a\nDBG_OPTION=true\n"}});
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"all.prefs", "INT_MAX=7\nMAX_SEQ_INS=3\nTYPE_OVERRIDE=a\nDBG_OPTION=true\n"}};
+    const Folder more(files);
     const Ran ran = emit({"--prefs", more / "all.prefs"});
     EXPECT_EQ(ran.exit, 0);
     EXPECT_THAT(ran.err, HasSubstr("warning[RC-E08]"));
