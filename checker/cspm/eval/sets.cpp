@@ -91,6 +91,7 @@ std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
             const Running running(global.running);
             std::uint64_t sum = 0;
             for (const int head : global.heads) {
+                if (program_.heads[static_cast<std::size_t>(head)].running) return std::nullopt;  // being declared
                 std::uint64_t product = 1;
                 bool endless = false;
                 for (const Value field : fields_of(head)) {

@@ -107,8 +107,9 @@ Value ValueStore::set(Values items) {
 }
 
 Value ValueStore::make(Kind kind, std::int64_t number, Values items, const Function* function, const Group* group) {
-    const bool data = kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map || kind == Kind::dot;
-    if (data)
+    // A dot without a channel or constructor is a type, A.B: its sets stay as they are.
+    const bool named = kind == Kind::dot && !items.empty() && items[0]->kind == Kind::head;
+    if (named || kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map)
         for (Value& item : items) item = part(item);
     Object key{kind, true, static_cast<std::uint32_t>(index_.size()), number, function, group, std::move(items)};
     const auto found = index_.find(&key);
