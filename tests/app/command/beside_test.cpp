@@ -87,14 +87,14 @@ TEST(Beside, OneFileTakesOneFormat) {
 }
 
 TEST(Beside, WhatCannotBeWrittenIsAnError) {
-    const Ran ran = gate("check gate --json none/r.json");
+    const Ran ran = gate("check gate --json /dev/null/r.json");
     EXPECT_EQ(ran.exit, 2);
-    EXPECT_THAT(ran.err, HasSubstr("none/r.json"));
+    EXPECT_THAT(ran.err, HasSubstr("/dev/null/r.json"));
 }
 
 TEST(Beside, OtherVerbsHaveThemToo) {
     const Ran ran = run_shell(
-        "printf 'dtmc\\nmodule m s : [0..1]; [] s=0 -> (s\\x27=1); endmodule\\n' > m.prism\n"
+        "printf 'dtmc\\nmodule m s : [0..1]; [] s=0 -> (s\\047=1); endmodule\\n' > m.prism\n"
         "\"$verify\" prism m.prism --property 'P=? [ F s=1 ]' --json r.json > shown; echo \"exit $?\"; echo '== "
         "r.json'; cat r.json");
     EXPECT_THAT(ran.out, HasSubstr("exit 0\n")) << ran.err;
