@@ -66,11 +66,12 @@ private:
 
     /// Events that the machine uses and nobody declares.
     const std::set<std::string>& unknown_events(const Context& component) {
-        const auto [found, fresh] = unknown_.try_emplace(&component);
+        const auto entry = unknown_.try_emplace(&component);
+        std::set<std::string>& found = entry.first->second;
         const auto* machine = dynamic_cast<const Machine*>(&component);
-        if (!fresh || machine == nullptr) return found->second;
+        if (!entry.second || machine == nullptr) return found;
         const auto add = [&](const Communication& communication) {
-            if (communication.event_target == nullptr) found->second.insert(communication.event.parts.back());
+            if (communication.event_target == nullptr) found.insert(communication.event.parts.back());
         };
         walk(*machine, [&](const NodeContainer& container) {
             for (const auto& transition : container.transitions)
@@ -81,7 +82,7 @@ private:
                 if (statement.kind == StmtKind::communication) add(*statement.communication);
             });
         });
-        return found->second;
+        return found;
     }
 
     const Names& names_;

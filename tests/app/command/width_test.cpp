@@ -34,10 +34,10 @@ TEST(Width, ColoursAndBytesOfOneCharacterTakeNoColumns) {
 // The width comes from COLUMNS or the terminal; a pipe has none.
 TEST(Width, IsThatOfColumns) {
     constexpr const char* model =
-        "echo 'stm M { event a event b initial i state AStateWithARatherLongNameForATerminal { } state "
-        "AnotherStateWithARatherLongNameForATerminal { } transition t0 { from i to "
-        "AStateWithARatherLongNameForATerminal } transition t1 { from AStateWithARatherLongNameForATerminal to "
-        "AnotherStateWithARatherLongNameForATerminal trigger a } }' > m.rct; ";
+        "echo 'stm M { event a event b initial i state AStateWithARatherLongNameForOne { } state "
+        "AnotherStateWithARatherLongNameForOne { } transition t0 { from i to "
+        "AStateWithARatherLongNameForOne } transition t1 { from AStateWithARatherLongNameForOne to "
+        "AnotherStateWithARatherLongNameForOne trigger a } }' > m.rct; ";
     const auto widest = [](const std::string& text) {
         std::size_t most = 0, column = 0;
         for (const char c : text) most = std::max(most, column = c == '\n' ? 0 : column + 1);
