@@ -279,7 +279,8 @@ private:
         const bool draws = generation_.component.probabilistic;
         if (draws)
             out_.line(
-                "Actions(::rc_actions& actions, robochart::Draws& draws) noexcept : actions_(actions), draws_(draws) {}");
+                "Actions(::rc_actions& actions, robochart::Draws& draws) noexcept : actions_(actions), draws_(draws) "
+                "{}");
         else
             out_.line("explicit Actions(::rc_actions& actions) noexcept : actions_(actions) {}");
         out_.gap();

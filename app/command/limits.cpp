@@ -22,9 +22,9 @@ refine::Limits limits(const Options& o, const std::string& subject) {
     result.max_states = o.max_states;
     result.progress = progress_of(o, subject);
     if (o.on_progress)
-        result.progress = [shown = result.progress, told = o.on_progress](const refine::Progress& progress) {
+        result.progress = [shown = result.progress, also = o.on_progress](const refine::Progress& progress) {
             if (shown) shown(progress);
-            told(progress);
+            also(progress);
         };
     result.threads = o.threads;
     result.reduction = o.reduction;

@@ -165,7 +165,7 @@ struct Options {
     double assertion_seconds = 0;    ///< --assertion-timeout: of each claim; 0: none
     /// When the turn of the claim that is decided ends; none: not before the run.
     std::optional<std::chrono::steady_clock::time_point> turn_ends;
-    std::function<void(const refine::Progress&)> on_progress;  ///< is told how far a check has come; may be empty
+    std::function<void(const refine::Progress&)> on_progress;  ///< called with how far a check has come; may be empty
     std::uint64_t max_states = 500'000'000;
     bool reduction = true;                       ///< states that confluent taus lead on from are left out
     unsigned threads = 0;                        ///< 0: one a core

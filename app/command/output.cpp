@@ -105,8 +105,8 @@ public:
     std::string broken() {
         std::string out;
         std::size_t begin = 0;
-        for (std::size_t room = width_; begin < text_.size(); room = width_ - further_) {
-            const std::size_t end = break_after(begin, room);
+        for (std::size_t columns_left = width_; begin < text_.size(); columns_left = width_ - further_) {
+            const std::size_t end = break_after(begin, columns_left);
             out +=
                 (begin == 0 ? "" : "\n" + std::string(further_, ' ')) + std::string(text_.substr(begin, end - begin));
             begin = std::min(text_.find_first_not_of(' ', end), text_.size());
@@ -117,7 +117,7 @@ public:
 private:
     /// Where the piece from `begin` on ends: before the last space that keeps it in its columns, or after a word that
     /// is wider than they are.
-    [[nodiscard]] std::size_t break_after(std::size_t begin, std::size_t room) const {
+    [[nodiscard]] std::size_t break_after(std::size_t begin, std::size_t columns_left) const {
         std::size_t columns = 0, space = std::string_view::npos;
         bool words = false;
         for (std::size_t i = begin; i < text_.size(); ++i) {
@@ -127,13 +127,13 @@ private:
             }
             if (diagnostics::is_continuation(text_[i])) continue;
             if (text_[i] == ' ' && words) {
-                if (columns > room) return space == std::string_view::npos ? i : space;
+                if (columns > columns_left) return space == std::string_view::npos ? i : space;
                 space = i;
             }
             words = words || text_[i] != ' ';
             ++columns;
         }
-        return columns <= room || space == std::string_view::npos ? text_.size() : space;
+        return columns <= columns_left || space == std::string_view::npos ? text_.size() : space;
     }
 
     std::string_view text_;

@@ -368,60 +368,6 @@ ExprPtr Parser::probabilistic_atom() {
     return at_word("Exists") ? path_quantifier(ExprKind::some_path) : nullptr;
 }
 
-/// `P=? [ F p ]`, `Rmax<=3 [ ... ]`: as PRISM writes it. Reported as a whole; the rest of the claim is not read.
-void Parser::prism_query() {
-    constexpr std::array<std::string_view, 6> words = {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax"};
-    const Token word = peek();
-    if (word.kind != TokenKind::identifier || std::find(words.begin(), words.end(), word.text) == words.end()) return;
-    std::size_t next = 1;
-    if (word.text.starts_with("R") && peek(next).is("{") && peek(next + 2).is("}")) next += 3;
-    const bool asks = peek(next).is("=") && peek(next + 1).is("?");
-    const bool compares = std::any_of(relations.begin(), relations.end(),
-                                      [&](std::string_view relation) { return peek(next).is(relation); }) &&
-                          peek(next + 2).is("[");
-    if (!asks && !compares) return;
-    const std::size_t bracket = next + 2;
-    const std::size_t behind = peek(bracket).is("[") ? behind_brackets(bracket).value_or(0) : 0;
-    const bool probability = word.text.starts_with("P");
-    const Span span = diagnostics::join(word.span, peek(bracket - 1).span);
-    const std::string_view text = sources_.text(source_);
-    diagnostics::Diagnostic* const finding = report(
-        syntax::other_notation, span,
-        {shorten(text.substr(span.begin, span.end - span.begin)),
-         probability ? "a probability is asked for by `Prob=? of [Finally ...]` or bounded by `Prob>=0.9 of [...]`"
-                     : "a reward is asked for by `Reward {r} =? of [Reachable ...]`"});
-    if (finding != nullptr && behind > 0 && probability) {
-        const std::string bound = word.text.size() > 1 ? " " + std::string(word.text.substr(1)) : "";
-        const std::string operation(text.substr(peek(1).span.begin, peek(bracket - 1).span.end - peek(1).span.begin));
-        finding->fixes.push_back({diagnostics::join(word.span, peek(behind - 1).span),
-                                  fmt::format("Prob{}{} of [{}]", bound, operation, prism_path(bracket, behind - 1)),
-                                  "write"});
-    }
-    throw SyntaxError{};
-}
-
-/// What stands between two words of the text, with PRISM's operators on paths as they are written here.
-std::string Parser::prism_path(std::size_t begin, std::size_t end) const {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words = {{{"F", "Finally"},
-                                                                                     {"G", "Globally"},
-                                                                                     {"X", "Next"},
-                                                                                     {"U", "Until"},
-                                                                                     {"W", "Weak Until"},
-                                                                                     {"&", "/\\"},
-                                                                                     {"|", "\\/"},
-                                                                                     {"!", "not "}}};
-    const std::string_view text = sources_.text(source_);
-    std::string result;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-        const Token token = peek(i);
-        result += text.substr(peek(i - 1).span.end, token.span.begin - peek(i - 1).span.end);
-        const auto* const word =
-            std::find_if(words.begin(), words.end(), [&](const auto& each) { return each.first == token.text; });
-        result += word != words.end() ? word->second : text.substr(token.span.begin, token.span.end - token.span.begin);
-    }
-    return result.append(text.substr(peek(end - 1).span.end, peek(end).span.begin - peek(end - 1).span.end));
-}
-
 bool Parser::at_path_prefix() const {
     return at_word("Finally") || at_word("Globally") || at_word("Next") || at_word("Release") ||
            (at_word("Weak") && at_word("Until", 1));

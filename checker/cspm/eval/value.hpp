@@ -87,7 +87,8 @@ public:
 
     /// Called now and then during long work; may throw to stop it. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
-    /// Lists a set where it can be listed. Parts of values are so, since there equality is identity: `(Set({1}), 1)` and
+    /// Lists a set where it can be listed. Parts of values are so, since there equality is identity: `(Set({1}), 1)`
+    /// and
     /// `({{}, {1}}, 1)` are one object.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
     /// The value as a part of another.

@@ -80,8 +80,7 @@ public:
     /// There are more states than asked for.
     struct TooLarge {};
 
-    Powerset(lts::TransitionSystem& system, Budget& budget,
-             std::size_t most = std::numeric_limits<std::size_t>::max())
+    Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most = std::numeric_limits<std::size_t>::max())
         : system_(system), budget_(budget), most_(most) {
         states_.insert(initial_of(system));
         close();
@@ -216,8 +215,8 @@ void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Even
     const std::vector<Event> prefix = run.trace();
     require(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
             "the run is not a beginning of the trace");
-    // That no run goes on is no matter of one run: where there are many, the search has to be believed, as it is where a
-    // refinement holds.
+    // That no run goes on is no matter of one run: where there are many, the search has to be believed, as it is where
+    // a refinement holds.
     constexpr std::size_t most_states = 20'000;
     try {
         Powerset states(system, budget, most_states);
