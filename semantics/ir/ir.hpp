@@ -303,7 +303,7 @@ struct Transition {
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
     ExprPtr guard;             ///< null: true. `condition else` is already the negation of its siblings
-    bool guard_timed = false;  ///< mentions since/sinceEntry: `true` as a whole in the untimed semantics
+    bool guard_timed = false;  ///< mentions since/sinceEntry: untimed semantics takes what it does not know for true
     ExprPtr deadline;
     ExprPtr probability;
     StmtPtr action;  ///< null if none
