@@ -352,7 +352,10 @@ std::string Report::advice() const {
     std::vector<std::string> helps;
     if (met("memory limit") || met("no more memory"))
         helps.emplace_back("--disk DIR keeps states that memory does not hold");
-    if (met("time limit")) helps.emplace_back("--timeout gives more time, --threads uses more cores");
+    if (met("--assertion-timeout"))
+        helps.emplace_back("--assertion-timeout gives each assertion more time, --threads uses more cores");
+    else if (met("time limit"))
+        helps.emplace_back("--timeout gives more time, --threads uses more cores");
     if (met(" states was reached")) helps.emplace_back("--max-states allows more");
     if (helps.empty()) return "";
     helps.emplace_back("a smaller --range makes fewer states");

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/command/run.hpp"
+#include "app/report/report.hpp"
 
 namespace robochart::app {
 namespace {
@@ -108,6 +109,20 @@ TEST(Turns, WhoseTimeHasEndedIsSaid) {
     EXPECT_EQ(ended_turn("the limit of 5 states was reached", turn), "the limit of 5 states was reached");
     turn.turn_ends.reset();
     EXPECT_EQ(ended_turn("the time limit was reached", turn), "the time limit was reached");
+}
+
+// What helps against the end of an assertion's time is not the run's.
+TEST(Turns, AdviceNamesTheLimitThatWasMet) {
+    const auto advice = [](const std::string& reason) {
+        Report report;
+        report.assertions.emplace_back().reason = reason;
+        return report.advice();
+    };
+    EXPECT_TRUE(advice("its time limit was reached (--assertion-timeout 5)")
+                    .starts_with("what may help: --assertion-timeout gives each"));
+    EXPECT_TRUE(advice("the time limit was reached").starts_with("what may help: --timeout gives more"));
+    EXPECT_TRUE(advice("the memory limit of 4 MiB was reached").starts_with("what may help: --disk DIR"));
+    EXPECT_EQ(advice("the run was interrupted"), "");
 }
 
 }  // namespace
