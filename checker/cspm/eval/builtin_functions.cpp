@@ -116,7 +116,7 @@ Value BuiltinFunctions::with_text(Value value, Span span) {
         default:
             break;
     }
-    if (is_set(value) && domains_.can_be_listed(value, span)) value = domains_.explicit_set(value, span);
+    value = store_.part(value);
     Values items;
     for (const Value item : value->items) items.push_back(with_text(item, span));
     if (value->kind == Kind::set) return store_.set(std::move(items));
