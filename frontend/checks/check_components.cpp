@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// One interface clause with its interface.
+/// An interface clause of a component and the interface that it names.
 struct Clause {
     const Context& owner;
     const InterfaceClause& written;
@@ -41,7 +41,7 @@ void check_controller_clause(const Clause& clause, Diagnostics& out) {
     if (clause.written.use == InterfaceUse::requires_) clause.report(rules::c11, out);
 }
 
-/// I1 and I2: which kind of interface goes with which word.
+/// I1, I2: which members an interface may declare depends on the keyword of the clause that names it.
 void check_clause_contents(const Clause& clause, Diagnostics& out) {
     const auto i1 = [&](std::string_view verb, std::string_view what) {
         out.report(rules::i1, clause.written.name.span,
@@ -74,7 +74,7 @@ void check_clauses(const Context& context, Diagnostics& out) {
     }
 }
 
-/// Members that the grammar lets in everywhere but that belong elsewhere.
+/// Members that the grammar accepts in every component, but that rules allow only in some.
 void check_misplaced_members(const Context& context, Diagnostics& out) {
     for (const auto& signature : context.signatures) {
         if (context.kind == DeclKind::state_machine || context.kind == DeclKind::operation)
@@ -106,7 +106,7 @@ void check_controller(const Component& controller, Diagnostics& out) {
     }
 }
 
-/// M1, pointing at the platforms after the first.
+/// Reports M1 at each platform after the first.
 void report_platforms(const Component& module, std::size_t platforms, Diagnostics& out) {
     auto& finding =
         out.report(rules::m1, module.name_span, {module.name, platforms == 0 ? "no" : std::to_string(platforms)});

@@ -1,4 +1,4 @@
-// Rules about single connections and their number (language reference 2: Cn2, Cn4, Cn11, types, C6, M3).
+// Rules about single connections and about their number (language reference 2: Cn2, Cn4, Cn11, types, C6, M3).
 #include <fmt/format.h>
 
 #include <map>
@@ -17,7 +17,7 @@ std::string carries(const Event& event) {
     return event.type_expr ? "values of type " + to_string(event.type) : "no value";
 }
 
-/// Cn4: broadcast goes with broadcast, and from one level to another.
+/// Cn4: a broadcast event connects only to a broadcast event, and not to a component of the same kind.
 void check_broadcast(const Connection& connection, const Event& from, const Event& to, Diagnostics& out) {
     const Event& plain = from.broadcast ? to : from;
     if (from.broadcast != to.broadcast) {
@@ -60,7 +60,7 @@ void check_asynchrony(const Component& component, const Connection& connection, 
     if (machines && connection.async) out.report(rules::cn11, connection.span);
 }
 
-/// C6, M3: each event is at most once the beginning and at most once the end of a connection.
+/// C6, M3: an event is the source of at most one connection and the target of at most one.
 class Uses {
 public:
     Uses(const Component& component, Diagnostics& out) : component_(component), out_(out) {}

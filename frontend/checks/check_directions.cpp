@@ -1,6 +1,6 @@
 // Directions of connections (language reference 2: Cn5 to Cn9). A trigger and an input statement receive; the
-// statements `e`, `e!v`, `e.v` send. Called operations that the controller defines count as part of the machine,
-// statements in parentheses too (where RoboTool forgets them).
+// statements `e`, `e!v` and `e.v` send. An operation that the controller defines counts as part of the machine that
+// calls it. Statements in parentheses count too (RoboTool ignores them).
 #include <fmt/format.h>
 
 #include <map>
@@ -17,7 +17,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Events of a machine by name, with " via the operation …" where a call brings them.
+/// The events that a machine receives and sends, by name. " via the operation …" is added if a called operation uses
+/// the event.
 struct Traffic {
     std::map<std::string_view, std::string> receives, sends;
 };
@@ -28,7 +29,7 @@ public:
         for (const Machine* defined : defined_operations(controller)) operations_[defined->name].push_back(defined);
     }
 
-    /// Each machine is read once, however many connections it has.
+    /// Reads each machine once and caches the result, because it may have many connections.
     const Traffic& read(const Machine& machine) {
         const auto [known, fresh] = read_.try_emplace(&machine);
         if (!fresh) return known->second;
@@ -64,12 +65,12 @@ private:
     }
 
     std::map<std::string_view, std::vector<const Machine*>> operations_;
-    std::map<const Machine*, Traffic> read_;  // looked up only, never walked
+    std::map<const Machine*, Traffic> read_;  // for lookup only; the order of pointers is never used
     std::set<const Machine*> seen_;
     Traffic traffic_;
 };
 
-/// Cn9, Cn8: one-way connections of machines have the direction in which the machines communicate.
+/// Cn8, Cn9: the direction of a one-way connection is that in which the machine communicates.
 void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
                        Diagnostics& out) {
     const auto* machine = followed<Machine>(end.node_target);
@@ -82,14 +83,14 @@ void check_machine_end(TrafficReader& reader, const Connection& connection, cons
                {end.event.text(), end.node.text(), machine->name, found->second});
 }
 
-/// The connections inside a controller that end, begin or run both ways at one of its own events.
+/// Connections inside a controller that end at, begin at, or are bidirectional at one of its own events.
 struct Inside {
     const Connection* from = nullptr;
     const Connection* to = nullptr;
     const Connection* both = nullptr;
 };
 
-/// What is inside the controllers of a module, each looked through once.
+/// The connections inside the controllers of a module; each controller is read once.
 class Insides {
 public:
     Inside of(const Component& controller, const std::string& event) {
@@ -112,10 +113,10 @@ private:
         events[end.event.text()].*(connection.multiple ? &Inside::both : way) = &connection;
     }
 
-    std::map<const Component*, Events> controllers_;  // looked up only, never walked
+    std::map<const Component*, Events> controllers_;  // for lookup only; the order of pointers is never used
 };
 
-/// Cn5 to Cn7: what a module connects to a controller goes on inside in the same way.
+/// Cn5 to Cn7: a connection of a module to a controller continues inside the controller in the same direction.
 void check_controller_end(Insides& insides, const Connection& connection, const Connection::End& end, bool beginning,
                           Diagnostics& out) {
     const auto* controller = followed<Component>(end.node_target);

@@ -1,5 +1,6 @@
-// Cn10 (language reference 2): what is connected is an event of the component at that end. One forgotten interface
-// clause takes away all events of the interface: it is one mistake, however many connections need it.
+// Cn10 (language reference 2): the component at each end of a connection has the connected event. If an interface
+// clause is missing, all events of the interface are missing; this is reported once, even if several connections need
+// the events.
 #include <fmt/format.h>
 
 #include <map>
@@ -53,7 +54,7 @@ private:
                                                    interface->name, event, names_.full_name(interface), behind->name)});
     }
 
-    /// Whether what is missing here has been reported: by a use in the machine itself, or for another event of the
+    /// True if the missing event has been reported already: at its use in the machine, or with another event of the
     /// interface.
     bool is_reported(const Context& behind, const std::string& event, const Context* interface) {
         const std::set<std::string>& used = unknown_events(behind);
@@ -64,7 +65,7 @@ private:
         return !reported_.emplace(&behind, interface).second;
     }
 
-    /// Events that the machine uses and nobody declares.
+    /// Events that the machine uses and that are declared nowhere.
     const std::set<std::string>& unknown_events(const Context& component) {
         const auto entry = unknown_.try_emplace(&component);
         std::set<std::string>& found = entry.first->second;
@@ -87,8 +88,8 @@ private:
 
     const Names& names_;
     Diagnostics& out_;
-    std::map<const Context*, std::set<std::string>> unknown_;       ///< looked up, never walked through
-    std::set<std::pair<const Context*, const Context*>> reported_;  ///< likewise
+    std::map<const Context*, std::set<std::string>> unknown_;  ///< for lookup only; the order of pointers is never used
+    std::set<std::pair<const Context*, const Context*>> reported_;  ///< for lookup only, too
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Imports that bring nothing (RC-N04; language reference 1.3: RoboTool passes over them in silence): the package, or
-// the one declaration in it, is neither of the project nor of a toolkit.
+// Imports of packages or declarations that neither the project nor a toolkit declares (RC-N04; language reference 1.3).
+// RoboTool ignores such imports silently.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ private:
 }  // namespace
 
 void check_imports(const Model& model, const Names& names, Diagnostics& out) {
-    // Where a file's package is not known for a mistake of syntax, nothing is known to be absent.
+    // If a syntax error hides the package name of one file, any import could refer to that file, so none is reported.
     for (const auto& file : model.files)
         if (file->has_syntax_errors && file->package.empty()) return;
     Imports imports(names, out);

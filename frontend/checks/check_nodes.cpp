@@ -20,7 +20,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The transitions of a container by their ends, read once: containers may be large. Looked up only, never walked.
+/// The transitions of a container, indexed by source and target. Built once, because containers may be large. Used for
+/// lookup only, so the order of pointers never matters.
 struct Ways {
     explicit Ways(const NodeContainer& container) {
         for (const auto& transition : container.transitions) {
@@ -67,8 +68,8 @@ void check_final(const State& state, Diagnostics& out) {
 
 // ---------------------------------------------------------------- probabilities
 
-/// The value of an expression over literals and constants with such values. Constants may refer to each other in a
-/// circle, so only so many are followed.
+/// The value of an expression over literals and constants that have values. At most `constants` references are
+/// followed, because constants may refer to each other cyclically.
 std::optional<double> constant_value(const Expr& expr, int constants = 20) {
     const auto arg = [&](std::size_t i) { return constant_value(*expr.args[i], constants); };
     if (expr.kind == ExprKind::parenthesised) return arg(0);
@@ -115,9 +116,9 @@ void check_probability(const Transition& transition, Diagnostics& out) {
         out.report(rules::pt2, transition.probability->span, {to_text(*transition.probability)});
 }
 
-/// A product of variables and constants without a known value, in the order of their pointers: looked up only.
+/// A product of variables and constants without a known value, sorted by pointer. Used for lookup only.
 using Product = std::vector<const Declaration*>;
-/// Products with their factors; the empty product is 1.
+/// A polynomial: each product with its coefficient. The empty product is the constant term.
 using Polynomial = std::map<Product, double>;
 
 Polynomial sum(Polynomial left, const Polynomial& right, double factor) {
@@ -126,7 +127,7 @@ Polynomial sum(Polynomial left, const Polynomial& right, double factor) {
 }
 
 std::optional<Polynomial> product(const Polynomial& left, const Polynomial& right) {
-    constexpr std::size_t most = 64;  // those of a junction have a few
+    constexpr std::size_t most = 64;  // more terms than any real junction has
     if (left.size() * right.size() > most) return std::nullopt;
     Polynomial result;
     for (const auto& [a, factor_a] : left)
@@ -139,8 +140,9 @@ std::optional<Polynomial> product(const Polynomial& left, const Polynomial& righ
     return result;
 }
 
-/// An expression of names, numbers, `+`, `-`, `*` and divisions by numbers as a polynomial over what the model gives no
-/// value. All names stand for the values at one instant. Every constant may name others twice, so few are followed.
+/// Reads an expression of names, numbers, `+`, `-`, `*` and division by numbers as a polynomial over the names without
+/// a value in the model. All names are read at the same instant. At most `constants` nested definitions are followed,
+/// because the size can double with each of them.
 std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
     const auto arg = [&](std::size_t i) { return polynomial(*expr.args[i], constants); };
     if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real)
@@ -176,12 +178,12 @@ std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
     }
 }
 
-/// A sum that is 1 whatever the values of its names are, such as that of `p` and `1 - p`, is 1; one that is another
-/// number is wrong.
+/// The sum of the probabilities must be 1 for all values of the names in it. `p` and `1 - p` add up to 1 for every `p`.
+/// A constant sum other than 1 is an error.
 void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
     std::optional<Polynomial> total = Polynomial{};
     for (const Transition* transition : outgoing(ways, node)) {
-        if (!transition->probability) return;  // PJ1
+        if (!transition->probability) return;  // reported by PJ1
         const auto number = constant_value(*transition->probability);
         const auto way = number ? std::optional(Polynomial{{{}, *number}}) : polynomial(*transition->probability);
         total = total && way ? std::optional(sum(std::move(*total), *way, 1)) : std::nullopt;
@@ -239,7 +241,7 @@ void check_transition(const Transition& transition, Diagnostics& out) {
     check_probability(transition, out);
 }
 
-/// STM3: points at the initial junctions after the first.
+/// STM3: reports each initial junction after the first.
 void wrong_initials(const NodeContainer& container, const Rule& rule, const Declaration& owner,
                     std::vector<std::string> arguments, Diagnostics& out) {
     auto& finding = out.report(rule, owner.name_span, std::move(arguments));

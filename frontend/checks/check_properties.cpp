@@ -1,4 +1,5 @@
-// What a probabilistic property may be: true or false, or a query; not a number, and not a formula about one path.
+// The form of a probabilistic property: a condition or a query. A number is not allowed, nor is a path formula without
+// a quantifier.
 #include "frontend/checks/checks.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/lexer.hpp"
@@ -34,7 +35,7 @@ bool is_number(const Expr& expr) {
     }
 }
 
-/// The formula about a path that no quantifier is around; null if there is none.
+/// The path formula that is not inside a quantifier; null if there is none.
 const Expr* bare_path(const Expr& expr) {
     const Expr& bare = strip(expr);
     if (bare.kind == ExprKind::path) return &bare;

@@ -1,4 +1,4 @@
-// Rules about what parts require and their surroundings provide (language reference 2: C3, C4, M2, STM8 to STM10).
+// Rules about what components require and their context provides (language reference 2: C3, C4, M2, STM8 to STM10).
 // Variables match by name and compatible type.
 #include <fmt/format.h>
 
@@ -17,8 +17,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Declarations by name; those of one name in their order. Models have hundreds of operations and of parts that require
-/// them: nothing here looks through a list for a name.
+/// Declarations indexed by name; those of one name stay in textual order. Models have hundreds of operations and of
+/// components that require them, so a linear search for a name would be too slow.
 template <class Item>
 class Named {
 public:
@@ -37,7 +37,7 @@ public:
         const auto [begin, end] = items_.equal_range(name);
         for (auto at = begin; at != end; ++at) use(*at->second);
     }
-    /// The first of the name; null if there is none.
+    /// The first declaration of this name; null if there is none.
     [[nodiscard]] const Item* first(std::string_view name) const {
         const auto found = items_.lower_bound(name);
         return found == items_.end() || found->first != name ? nullptr : found->second;
@@ -49,7 +49,7 @@ private:
 
 using Variables = Named<Variable>;
 
-/// Same name, and what is written by the side that requires it fits: compat(required, provided).
+/// True if the name is the same and the types fit the direction of writing: compat(required, provided).
 bool provides(const Variables& provided, const Variable& wanted, bool same_kind) {
     return provided.any(wanted.name, [&](const Variable& v) {
         return (!same_kind || v.kind == wanted.kind) && compatible(wanted.type, v.type);
@@ -67,7 +67,7 @@ std::string s(const Missing& missing) {
     return missing.size() == 1 ? "" : "s";
 }
 
-/// Points at what is required, and at what has the name but does not fit.
+/// Adds notes that point at the missing declaration, and at a declaration of that name that does not fit.
 void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const Variables& provided = {}) {
     for (const Declaration* wanted : missing) {
         finding.notes.push_back({wanted->name_span, fmt::format("`{}` is required here", wanted->name)});
@@ -86,14 +86,14 @@ Missing missing_variables(const std::vector<const Variable*>& wanted, const Vari
     return missing;
 }
 
-/// Parameters that fit each other, one by one. Their names may differ.
+/// True if the parameters are compatible pairwise. Their names may differ.
 bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<VariablePtr>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VariablePtr& x, const VariablePtr& y) {
         return compatible(x->type, y->type) || compatible(y->type, x->type);
     });
 }
 
-/// Operations on offer: definitions and signatures.
+/// The operations that a controller offers: definitions and signatures.
 struct Offer {
     Named<Machine> definitions;
     Named<OperationSignature> signatures;
@@ -119,7 +119,7 @@ Missing missing_operations(const Context& part, const Offer& offer) {
 
 // ---------------------------------------------------------------- calls
 
-/// A controller, and what is known of it for all of its parts.
+/// A controller, with the data that the checks of all its components share.
 struct Surroundings {
     explicit Surroundings(const Component& component)
         : controller(component), offer(offer_of(component)), variables(visible_variables(component)) {}
@@ -129,7 +129,7 @@ struct Surroundings {
     const Variables variables;
 };
 
-/// A machine or operation that calls or requires operations: the part of its controller that runs it.
+/// A machine or operation that calls or requires operations, with the component of the controller that runs it.
 struct Caller {
     Caller(const Surroundings& around, const Declaration& part_of_it, const Machine& runs)
         : surroundings(around),
@@ -146,12 +146,12 @@ struct Caller {
     const Variables variables;
     const Scope scope;
 
-    /// The definition in this controller of an operation called; null if it is the platform's.
+    /// The controller's definition of a called operation; null if the platform performs it.
     [[nodiscard]] const Machine* definition(std::string_view name) const {
         return surroundings.offer.definitions.first(name);
     }
 
-    /// The machine may be defined elsewhere: says which reference brings it here.
+    /// Adds a note with the reference that brings the machine here, if the machine is defined elsewhere.
     void add_context(diagnostics::Diagnostic& finding) const {
         if (part.kind == DeclKind::reference)
             finding.notes.push_back(
@@ -160,13 +160,14 @@ struct Caller {
     }
 };
 
-/// The caller's event for an event of the operation: same name, and a type that may widen from operation to caller.
+/// True if the caller's event fits the operation's event: same name, and a type that may widen from operation to
+/// caller.
 bool event_fits(const Event& inner, const Event& outer) {
     const bool typed = inner.type_expr != nullptr;
     return (outer.type_expr != nullptr) == typed && (!typed || compatible(inner.type, outer.type));
 }
 
-/// What an operation takes from its caller and does not find there.
+/// The members that an operation takes from its caller and that the caller does not have.
 struct Lack {
     Missing variables;
     std::vector<const Event*> events;
@@ -189,7 +190,7 @@ Lack lack_of(const Caller& caller, const Machine& operation) {
     return lack;
 }
 
-/// STM8 to STM10, at the first call.
+/// STM8 to STM10, reported at the first call.
 void check_call(const Caller& caller, const Stmt& call, const Machine& operation, Diagnostics& out) {
     const std::string& name = caller.machine.name;
     const Lack lack = lack_of(caller, operation);
@@ -216,7 +217,8 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     }
 }
 
-/// The same for an operation that is required and never called: no harm yet.
+/// The same checks for an operation that is required but never called. This is less severe, because nothing is missing
+/// yet.
 void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
                     Diagnostics& out) {
     const Lack lack = lack_of(caller, operation);
@@ -275,9 +277,9 @@ void check_operation(const Caller& caller, bool first, Diagnostics& out) {
 }
 
 void check_controller_provision(const Component& controller, Diagnostics& out) {
-    if (has_unknown_interface(controller)) return;  // what it offers is not known
+    if (has_unknown_interface(controller)) return;  // its offers are unknown
     const Surroundings surroundings(controller);
-    std::set<const Machine*> seen;  // calls are the machine's, however many references lead to it
+    std::set<const Machine*> seen;  // a machine has the same calls for every reference to it
     for (const Declaration* part : controller.order) {
         const auto* machine = followed<Machine>(part);
         if (machine == nullptr) continue;
@@ -296,7 +298,7 @@ void check_module_provision(const Component& module, Diagnostics& out) {
             platform = found;
             ++platforms;
         }
-    if (platforms != 1 || has_unknown_interface(*platform)) return;  // M1 or the unknown interface say so
+    if (platforms != 1 || has_unknown_interface(*platform)) return;  // reported by M1 or as an unknown interface
     const Offer offer{{}, Named(provided_operations(*platform))};
     const Variables visible(offered_variables(*platform));
     for (const Declaration* part : module.order) {

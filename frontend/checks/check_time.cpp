@@ -1,5 +1,5 @@
-// Rules about clocks and deadlines (language reference 2, Time). Clocks and states themselves are found by the typer
-// (TE2, TE3, TS1).
+// Rules about clocks and deadlines (language reference 2, Time). The typer reports unknown clocks and states (TE2, TE3,
+// TS1).
 #include <algorithm>
 
 #include "frontend/checks/checks.hpp"
@@ -36,7 +36,7 @@ bool compares(const Expr& expr) {
     }
 }
 
-/// CE2: time is compared with a number.
+/// CE2: a clock is compared with a number.
 void check_other_side(const Expr& other, Diagnostics& out) {
     const TypePtr type = simplify(other.type);
     if (type && !compatible(type, make_type(TypeForm::real)))
@@ -64,7 +64,7 @@ bool mentions_time(const Expr& expr) {
     return found;
 }
 
-/// TE5: sinceEntry reads states beside the transition.
+/// TE5: sinceEntry names a state of the same container as the transition.
 void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics& out) {
     walk(expr, [&](const Expr& part) {
         if (part.kind != ExprKind::since_entry || part.target == nullptr) return;
@@ -74,7 +74,7 @@ void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics
     });
 }
 
-/// TE1: nothing but the condition of a transition reads clocks.
+/// TE1: only the condition of a transition may read clocks.
 void check_untimed(const ExprPtr& expr, const std::string& what, Diagnostics& out) {
     if (!expr) return;
     walk(*expr, [&](const Expr& part) {

@@ -1,5 +1,5 @@
-// Declarations that share a name (published as RP3, I3, C5, STM5, O1): one warning a name, at the second place,
-// with notes to the others.
+// Declarations that share a name (published as RP3, I3, C5, STM5, O1). Each name gets one warning, at its second
+// declaration, with notes at the others.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The places where one name is declared, the first of them first.
+/// The places where one name is declared, first declaration first.
 using Places = std::vector<Span>;
 
 void report(std::string_view name, const Places& places, Diagnostics& out) {
@@ -32,7 +32,7 @@ void report(std::string_view name, const Places& places, Diagnostics& out) {
             {places.back(), fmt::format("and at {} more places, last here", places.size() - max_shown)});
 }
 
-/// Names as they are declared; reported once each, in the order of names.
+/// Collects names as they are declared. Each duplicate is reported once, in the order of names.
 class Seen {
 public:
     explicit Seen(Diagnostics& out) : out_(out) {}
@@ -74,7 +74,8 @@ bool is_type(DeclKind kind) {
     return kind == DeclKind::primitive_type || kind == DeclKind::record_type || kind == DeclKind::enumeration;
 }
 
-/// Literals and functions may share names with components; things of one kind may not.
+/// True if two declarations may not share a name: those of the same kind. Literals and functions may share names with
+/// components.
 bool clash(const Declaration& a, const Declaration& b) {
     if (a.kind == DeclKind::enum_literal || b.kind == DeclKind::enum_literal)
         return a.kind == b.kind && a.parent == b.parent;
@@ -85,8 +86,8 @@ bool clash(const Declaration& a, const Declaration& b) {
 
 namespace {
 
-/// Assertions are named on the command line and in reports, so those of one package have names of their own. Files of
-/// one package that lie in other folders may be copies of a project; each folder is one for itself.
+/// Assertions are named on the command line and in reports, so their names must be unique in a package. Files of one
+/// package in different folders may be copies of a project; each folder is checked separately.
 void check_assertions(const Model& model, Diagnostics& out) {
     std::map<std::pair<std::string_view, std::string>, std::vector<const File*>> together;
     for (const auto& file : model.files) together[{file->folder, file->package.text()}].push_back(file.get());
@@ -100,13 +101,13 @@ void check_assertions(const Model& model, Diagnostics& out) {
     }
 }
 
-/// Declarations under one full name: each kind of them is reported separately.
+/// Checks the declarations of one full name; each kind is reported separately.
 void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
                  Diagnostics& out) {
     std::vector<std::vector<const Declaration*>> groups;
     std::unordered_set<const Declaration*> entered;
     for (const Declaration* declaration : declarations) {
-        // A literal is entered twice when its enumeration has its own name.
+        // A literal is entered a second time, under its full name, if its enumeration has a name.
         if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
         if (!entered.insert(declaration).second) continue;
         const auto group =
@@ -123,7 +124,7 @@ void check_entry(const Names& names, const std::string& full, const std::vector<
     }
 }
 
-/// The csp blocks of a file are parts of one script. A name may stand for a timed and for an untimed process.
+/// The csp blocks of a file belong to one script. A name may be used once for a timed and once for an untimed process.
 void check_blocks(const File& file, Diagnostics& out) {
     std::map<std::string_view, std::vector<const CspBlock*>> blocks;
     for (const CspBlock& block : file.csp_blocks) blocks[block.name].push_back(&block);

@@ -1,4 +1,4 @@
-// The well-formedness rules of a resolved model, by area (private to the front end).
+// The well-formedness rules of a resolved model, grouped by area (private to the front end).
 #pragma once
 
 #include "diagnostics/diagnostic.hpp"
@@ -9,34 +9,34 @@ namespace robochart::frontend {
 using diagnostics::Diagnostics;
 using diagnostics::Rule;
 
-/// Every rule below.
+/// Checks all rules below.
 void check(const Model& model, const Names& names, Diagnostics& out);
 
-/// Nodes, transitions, actions of a machine or operation: S2 to PT2.
+/// S2 to PT2: nodes, transitions and actions of a machine or operation.
 void check_nodes(const Machine& machine, Diagnostics& out);
-/// Contents of interfaces, platforms, machines, operations, controllers, modules: STM1 to M2, DT.
+/// STM1 to M2, DT: members of interfaces, platforms, machines, operations, controllers and modules.
 void check_component(const Context& context, Diagnostics& out);
-/// DT.
+/// DT: members of data types.
 void check_type(const TypeDeclaration& type, Diagnostics& out);
-/// What parts require against what their surroundings provide: C3, C4, C8, M2, STM8 to STM10.
+/// C3, C4, C8, M2, STM8 to STM10: what components require and their context provides.
 void check_provision(const Component& component, Diagnostics& out);
-/// Connections of a controller or module: Cn2 to Cn11 without Cn10, C6, M3.
+/// Cn2 to Cn11 without Cn10, C6, M3: connections of a controller or module.
 void check_connections(const Component& component, Diagnostics& out);
-/// Ends of connections whose component has no such event: Cn10. A component that lacks a whole interface is reported
-/// once, and not at all if its own uses of the events have been.
+/// Cn10: connection ends whose component does not have the event. A component that lacks a whole interface is reported
+/// once, and not at all if its own uses of the events have been reported.
 void check_ends(const Model& model, const Names& names, Diagnostics& out);
-/// Directions of connections against what machines send and receive, and controllers pass on: Cn5 to Cn9.
+/// Cn5 to Cn9: directions of connections compared with what machines send and receive and controllers pass on.
 void check_directions(const Component& component, Diagnostics& out);
-/// Clocks and deadlines: TT1, TE1, TE4, TE5, CE2 and the untimed reading.
+/// TT1, TE1, TE4, TE5, CE2 and the untimed reading: clocks and deadlines.
 void check_time(const Machine& machine, Diagnostics& out);
-/// Declarations, assertions and csp blocks of one name: RC-N03.
+/// RC-N03: declarations, assertions and csp blocks that share a name.
 void check_unique(const Model& model, const Names& names, Diagnostics& out);
-/// Imports of what nobody declares: RC-N04.
+/// RC-N04: imports of names that are declared nowhere.
 void check_imports(const Model& model, const Names& names, Diagnostics& out);
-/// Probabilistic assertions, and parts of assertion files that nothing reads: RC-Q10 to RC-Q12. (RC-P33 is the
-/// reader's.)
+/// RC-Q10 to RC-Q12: probabilistic assertions, and parts of assertion files that no verb evaluates. (The parser reports
+/// RC-P33.)
 void check_probabilistic(const File& file, Diagnostics& out);
-/// What `prob property` may claim: RC-Q11, RC-Q12.
+/// RC-Q11, RC-Q12: the form of a `prob property`.
 void check_property(const Expr& property, Diagnostics& out);
 
 }  // namespace robochart::frontend

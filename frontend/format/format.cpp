@@ -1,4 +1,4 @@
-// See format.hpp: reading, the words, and the comparison of the result with the text.
+// See format.hpp. Reads the text, lays out its tokens, and compares the result with the text.
 #include "frontend/format/format.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// A text in words.
+/// The tokens of a text, with the text.
 struct Words {
     std::string_view text;
     const TokenStream& stream;
@@ -23,20 +23,21 @@ struct Words {
     }
 };
 
-/// The words of a text that is known to be free of mistakes, or that nobody asks about them.
+/// The tokens of a text. Mistakes are ignored: the text is known to have none, or they do not matter here.
 TokenStream words_of(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions) {
     diagnostics::Diagnostics ignored;
     return tokenize(sources, source, is_assertions, ignored);
 }
 
-/// The characters of a comment, each run of blanks and line ends at a line's begin or end taken for one line end.
+/// Reads a comment character by character. Blanks and line ends at the beginning or end of a line are read as one line
+/// end.
 struct CommentReader {
     std::string_view text;
     std::size_t at = 0;
-    std::size_t plain_until = 0;  ///< blanks before this offset stand inside a line
+    std::size_t plain_until = 0;  ///< blanks before this offset are inside a line
 
     static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-    /// 0 at the end.
+    /// The next character; 0 at the end.
     char next() {
         if (at >= text.size()) return '\0';
         if (at < plain_until || !is_blank(text[at])) return text[at++];
@@ -62,7 +63,7 @@ bool same_comment(std::string_view a, std::string_view b) {
     }
 }
 
-/// The line end to write: a text that has CRLF everywhere keeps it.
+/// The line end to write: CRLF if the whole text uses CRLF, otherwise LF.
 std::string_view line_end(std::string_view text) {
     std::size_t crlf = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -85,7 +86,7 @@ bool same(const Words& a, const Words& b) {
            std::equal(comments.begin(), comments.end(), other_comments.begin(), other_comments.end(), same_comments);
 }
 
-/// Does the text have the same words as the other, which is not read yet?
+/// True if `other`, which is tokenized here, has the same tokens and comments.
 bool same(const Words& words, const std::string& other, bool is_assertions) {
     diagnostics::SourceManager sources;
     const auto source = sources.add("", other);
@@ -93,7 +94,7 @@ bool same(const Words& words, const std::string& other, bool is_assertions) {
     return same(words, {sources.text(source), stream});
 }
 
-/// Places of the parts of an assertion file that are kept as text; nothing if there are syntax errors.
+/// The spans of the parts of an assertion file that are kept as text; no value if there are syntax errors.
 std::optional<std::vector<diagnostics::Span>> kept_parts(const diagnostics::SourceManager& sources,
                                                          diagnostics::SourceId source, bool is_assertions,
                                                          diagnostics::Diagnostics& out) {

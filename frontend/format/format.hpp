@@ -1,5 +1,5 @@
-// The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change: words,
-// comments, CSP blocks and parts of other tools stay as they are written.
+// The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change. Tokens,
+// comments, CSP blocks and parts of other tools stay as they are.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,13 @@
 
 namespace robochart::frontend {
 
-/// The text in the standard layout; formatting it again changes nothing. Nothing if the text has syntax errors, which
-/// are reported. Throws std::logic_error if a word or comment would be lost: an internal error, never the text's.
+/// Returns the text in the standard layout; formatting the result again changes nothing. Returns no value if the text
+/// has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost; this is an
+/// internal error, whatever the text contains.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
                                                 bool is_assertions, diagnostics::Diagnostics&);
 
-/// Do two texts have the same words and the same comments, blanks and line ends aside?
+/// True if two texts have the same tokens and comments; blanks and line ends are ignored.
 [[nodiscard]] bool same_words(const std::string& a, const std::string& b, bool is_assertions);
 
 }  // namespace robochart::frontend

@@ -1,4 +1,4 @@
-// Assertion files: an assertion a line; CSP blocks and parts of other tools as they are written.
+// Assertion files: one assertion a line. CSP blocks and parts of other tools are kept unchanged.
 #include "frontend/format/format_assertions.hpp"
 
 namespace robochart::frontend {
@@ -13,7 +13,7 @@ Doc AssertionLayout::member(Gap gap) {
     return at_probabilistic_part() ? probabilistic_part(gap) : token(gap);
 }
 
-/// A part of another tool: up to the word that the parser found to be its last.
+/// A part of another tool, up to the last token that the parser assigned to it.
 Doc AssertionLayout::kept(Gap gap) {
     const Doc before = this->gap(gap);
     const diagnostics::Span span = kept_[kept_at_++];
@@ -50,7 +50,7 @@ Doc AssertionLayout::assertion(Gap gap) {
     return at(".") ? doc_.cat(result, token(Gap::none)) : result;
 }
 
-/// A word, or two joined by `-`.
+/// A token, or two joined by `-`.
 Doc AssertionLayout::hyphenated() {
     const Doc word = token(Gap::blank);
     return at("-") ? cat({word, token(Gap::none), token(Gap::none)}) : word;

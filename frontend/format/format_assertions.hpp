@@ -1,4 +1,4 @@
-// The layout of assertion files: an assertion a line; CSP blocks and parts of other tools as they are written (private
+// The layout of assertion files: one assertion a line. CSP blocks and parts of other tools are kept unchanged (private
 // to the formatter).
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace robochart::frontend {
 
-/// Knows which parts of other tools follow.
+/// Holds the spans of the parts of other tools that have not been written yet.
 class AssertionLayout final : public ExpressionLayout {
 public:
-    /// `kept`: the places of the parts of other tools, in order.
+    /// `kept`: the spans of the parts of other tools, in textual order.
     AssertionLayout(std::string_view text, const TokenStream& stream, std::vector<diagnostics::Span> kept)
         : ExpressionLayout(text, stream, true), kept_(std::move(kept)) {}
 

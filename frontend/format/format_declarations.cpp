@@ -1,4 +1,4 @@
-// Files, declarations, components and types: one declaration a line, bodies in braces indented by one tab.
+// Files, declarations, components and types: one declaration a line; bodies in braces are indented by one tab.
 #include <algorithm>
 #include <array>
 
@@ -26,7 +26,7 @@ Doc ModelLayout::braces(ModelPart part, Gap inside, Gap between) {
 
 // ---------------------------------------------------------------- members
 
-/// Does a component with a body of its own begin here? Such are set off by empty lines.
+/// True if a component with a body in braces begins here. Empty lines are written around such components.
 bool ModelLayout::opens_block() const {
     constexpr std::array<std::string_view, 9> words = {"interface", "robotic",  "controller", "stm",     "operation",
                                                        "module",    "datatype", "record",     "function"};

@@ -139,7 +139,7 @@ void Printer::end_line(std::uint32_t indent, int count) {
     column_ = 0;
 }
 
-/// Does the group end before its limit, with what follows it up to the next place for a line end?
+/// True if the group fits into the line limit, together with the text after it up to the next possible line break.
 bool Printer::fits(const Document::Node& group) const {
     if (group.flat == Document::endless) return false;
     std::size_t width = (column_ == 0 ? indent_ * tab_width : column_) + group.flat;

@@ -1,6 +1,6 @@
-// Texts that may be laid out in several ways (private to the formatter), after Wadler, "A prettier printer" (2003):
-// a group is written on one line if it fits, and otherwise every line of its own breaks. Widths are kept in the nodes,
-// so that each decision takes constant time.
+// Documents that can be laid out in several ways (private to the formatter), after Wadler, "A prettier printer" (2003).
+// A group is written on one line if it fits; otherwise all of its own breaks become line ends. Nodes store their
+// widths, so each decision takes constant time.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ namespace robochart::frontend {
 /// A node of a Document; 0 is the empty text.
 using Doc = std::uint32_t;
 
-/// Columns that one tab of indentation counts.
+/// The width of one tab of indentation, in columns.
 inline constexpr std::size_t tab_width = 4;
-/// Columns of a line.
+/// The longest line, in columns.
 inline constexpr std::uint16_t line_limit = 120;
-/// Columns up to which a body in braces may stand on one line.
+/// The last column up to which a body in braces may be written on one line.
 inline constexpr std::uint16_t body_limit = 80;
 
 /// Owns the nodes.
@@ -27,11 +27,11 @@ class Document {
 public:
     Document();
 
-    /// A text that is written as it is; the view must outlive the document.
+    /// A text that is written unchanged. The view must outlive the document.
     Doc text(std::string_view text);
-    /// A comment: as a text, but what comes before need not leave space for it.
+    /// A comment: written as a text, but the text before it does not reserve columns for it.
     Doc comment(std::string_view text);
-    /// `// …`: no group that holds it fits on one line.
+    /// `// …`: a group that contains it never fits on one line.
     Doc line_comment(std::string_view text);
     [[nodiscard]] Doc blank() const { return blank_; }
     [[nodiscard]] Doc line() const { return line_; }              ///< a blank or a line end
@@ -43,7 +43,7 @@ public:
     Doc cat(std::initializer_list<Doc> docs);
     Doc nest(Doc inner);  ///< one tab further in
     Doc group(Doc inner, std::uint16_t limit = line_limit);
-    /// Forgets all nodes but the constant ones.
+    /// Removes all nodes except the constant ones.
     void clear();
 
 private:
@@ -51,10 +51,10 @@ private:
     enum class Kind : std::uint8_t { text, comment, line, soft, hard, empty_line, raw, cat, nest, group };
     struct Node {
         Kind kind = Kind::text;
-        bool breaks = false;      ///< has a place for a line end
-        std::uint16_t flat = 0;   ///< columns on one line; `endless` if that cannot be
-        std::uint16_t lead = 0;   ///< columns before the first place for a line end
-        std::uint16_t limit = 0;  ///< groups
+        bool breaks = false;      ///< contains a possible line break
+        std::uint16_t flat = 0;   ///< columns on one line; `endless` if it cannot be one line
+        std::uint16_t lead = 0;   ///< columns before the first possible line break
+        std::uint16_t limit = 0;  ///< for groups
         Doc a = 0;
         Doc b = 0;
         std::string_view text;
@@ -71,7 +71,7 @@ private:
     std::size_t constant_ = 0;
 };
 
-/// Writes documents one after the other.
+/// Writes documents one after another.
 class Printer {
 public:
     Printer(const Document& document, std::string_view line_end) : document_(document), line_end_(line_end) {}
@@ -96,7 +96,7 @@ private:
     std::string_view line_end_;
     std::vector<Item> pending_;
     std::string out_;
-    std::uint32_t indent_ = 0;  ///< tabs still to be written before the next text
+    std::uint32_t indent_ = 0;  ///< tabs to write before the next text
     std::size_t column_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Expressions. One that does not fit breaks before the operators that bind weakest, then inside its operands.
+// Expressions. One that is too long breaks before its weakest operators first, then inside its operands.
 
 #include "frontend/format/format_expressions.hpp"
 #include "frontend/syntax/operators.hpp"
@@ -9,7 +9,7 @@ Doc ExpressionLayout::expression(Gap gap) {
     return operand(gap, 0);
 }
 
-/// Of `as` and `is` too, which have a type on their right; -1 where no operator follows.
+/// The level of the operator here, including `as` and `is`, whose right side is a type; -1 if there is no operator.
 int ExpressionLayout::operator_level() const {
     if (probabilistic_ && at_word("Until")) return not_level;
     if (at("as") || at("is")) return cast_level;
@@ -24,7 +24,7 @@ Doc ExpressionLayout::operand(Gap gap, int level) {
     return doc_.cat(before, result);
 }
 
-/// `a + b - c`: all operators of one level make one group.
+/// `a + b - c`: all operators of one level form one group.
 Doc ExpressionLayout::chain(Doc left, int level) {
     Doc rest = 0;
     while (operator_level() == level) rest = doc_.cat(rest, infix(level));
@@ -78,7 +78,7 @@ Doc ExpressionLayout::negation() {
     return doc_.cat(result, postfix());
 }
 
-/// In assertion files a point ends the assertion unless a field follows at once.
+/// In assertion files, `.` ends the assertion unless a field name follows it directly.
 bool ExpressionLayout::at_step() const {
     if (at("(")) return !peek().first_on_line;
     return at("[") || (at(".") && (!is_assertions_ || peek(1).span.begin == peek().span.end));
@@ -108,12 +108,12 @@ Doc ExpressionLayout::atom() {
     return at("(|") ? doc_.cat(name, list(Gap::none, &ExpressionLayout::field)) : name;
 }
 
-/// Elements of `< … >` stop at `+`, so that `>` closes.
+/// `>` closes the sequence `< … >`, so only operators from the level of `+` on are read in its elements.
 Doc ExpressionLayout::sequence_element(Gap gap) {
     return operand(gap, plus_level);
 }
 
-/// `<{a}, …>`: the brackets of a sequence that begins with a set make one word.
+/// `<{a}, …>`: the opening brackets of a sequence that begins with a set are one token.
 Doc ExpressionLayout::sequence_with_set() {
     const Doc open = advance();
     Doc first = doc_.group(doc_.cat(open, elements(Gap::soft, &ExpressionLayout::set_element)));
@@ -122,7 +122,7 @@ Doc ExpressionLayout::sequence_with_set() {
     return doc_.group(cat({first, comma, elements(Gap::line, &ExpressionLayout::sequence_element)}));
 }
 
-/// An element of a set, or the whole of `{a to b}`, `{v : T | p @ e}`.
+/// An element of a set, or the whole content of `{a to b}` and `{v : T | p @ e}`.
 Doc ExpressionLayout::set_element(Gap gap) {
     if (!at_name() || !peek(1).is(":")) {
         const Doc element = expression(gap);
@@ -160,7 +160,7 @@ Doc ExpressionLayout::list(Gap gap, Part element) {
     return group(before, doc_.cat(open, elements(Gap::soft, element)));
 }
 
-/// The elements of a list and the closing bracket (the group is the caller's).
+/// The elements of a list and the closing bracket. The caller makes the group.
 Doc ExpressionLayout::elements(Gap first, Part element) {
     Doc inner = 0;
     for (Gap gap = first; !at_closing(); gap = Gap::line) {
@@ -177,7 +177,7 @@ Doc ExpressionLayout::typed(Gap gap) {
     return at(":") ? cat({name, token(Gap::blank), type(Gap::blank)}) : name;
 }
 
-/// Operators between types have a blank on either side.
+/// An operator between types is written with a blank on both sides.
 Doc ExpressionLayout::type(Gap gap) {
     const Doc before = this->gap(gap);
     Doc result = atomic_type(Gap::done);
@@ -193,7 +193,7 @@ Doc ExpressionLayout::atomic_type(Gap gap) {
     return doc_.cat(word, list(Gap::none, &ExpressionLayout::type_or_size));
 }
 
-/// An argument of `vector` and `matrix`: a type first, then sizes.
+/// An argument of `vector` or `matrix`: the first is a type, the others are sizes.
 Doc ExpressionLayout::type_or_size(Gap gap) {
     return gap == Gap::soft ? type(gap) : expression(gap);
 }

@@ -1,5 +1,4 @@
-// The layout of expressions, types and lists: what models and assertion files have in common (private to the
-// formatter).
+// The layout of expressions, types and lists, which models and assertion files share (private to the formatter).
 #pragma once
 
 #include <string_view>
@@ -9,7 +8,7 @@
 
 namespace robochart::frontend {
 
-/// Knows in which kind of file the expressions are.
+/// Holds the kind of file that the expressions are in.
 class ExpressionLayout : public WordLayout {
 protected:
     using Part = Doc (ExpressionLayout::*)(Gap);
@@ -18,14 +17,15 @@ protected:
         : WordLayout(text, stream), is_assertions_(is_assertions) {}
     ~ExpressionLayout() = default;
 
-    static constexpr int value_level = concat_level + 2;  ///< after `!` and `.`: no operators; above operands of any
+    static constexpr int value_level = concat_level + 2;  ///< after `!` and `.`: tighter than every operator, so none
+                                                          ///< is read
     Doc expression(Gap gap);
-    /// Operators that bind at least as tightly as `level`, with their operands.
+    /// Operators that bind at least as tightly as `level`, and their operands.
     Doc operand(Gap gap, int level);
-    /// `if c then a else b end`, of statements and of expressions.
+    /// `if c then a else b end`, as a statement or an expression.
     Doc conditional(Gap gap, Part branch);
 
-    /// A bracketed list with `,` or `;`: on one line, or one element a line.
+    /// A bracketed list separated by `,` or `;`: on one line, or one element a line.
     Doc list(Gap gap, Part element);
     /// `a : T`
     Doc typed(Gap gap);
@@ -33,7 +33,7 @@ protected:
     /// `(p : @x = e)`
     Doc update(Gap gap);
 
-    bool probabilistic_ = false;  ///< in a probabilistic assertion, whose expressions have more forms
+    bool probabilistic_ = false;  ///< in a probabilistic assertion, where expressions have more forms
 
 private:
     Doc prefix(int level);

@@ -1,6 +1,5 @@
-// See format_gaps.hpp. The text between two words: a gap, and the comments in it at the places where people put them. A
-// comment behind a word stays on its line; one that begins a line begins a line again, indented as the word that
-// follows.
+// See format_gaps.hpp. The text between two tokens: a gap, with comments where the author put them. A comment after a
+// token stays on the token's line. A comment that begins a line still begins a line, indented as the next token.
 #include <algorithm>
 #include <array>
 
@@ -28,7 +27,7 @@ std::string_view without_trailing_blanks(std::string_view line) {
     return line;
 }
 
-/// Takes the first line, without its end, off a text.
+/// Removes the first line from a text and returns it without its line end.
 std::string_view take_line(std::string_view& text) {
     const std::size_t end = std::min(text.size(), text.find_first_of("\r\n"));
     const std::string_view line = text.substr(0, end);
@@ -75,7 +74,7 @@ Doc WordLayout::gap(Gap gap) {
     return doc_.cat(trailing(found, count), own_lines(gap, found, count));
 }
 
-/// `a /* c */ b`: comments go with the word they precede.
+/// `a /* c */ b`: a comment belongs to the token after it.
 Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     constexpr std::array<std::string_view, 7> openers = {"(", "[", "{", "(|", "[|", "Set(", "Seq("};
     constexpr std::array<std::string_view, 9> closers = {")", "]", "}", "|)", "|]", ",", ";", ".", "::"};
@@ -88,14 +87,14 @@ Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     return among(peek().text, closers) ? result : doc_.cat(result, doc_.blank());
 }
 
-/// The comments that stay behind the last word.
+/// Comments that stay on the line of the token before them.
 Doc WordLayout::trailing(const std::vector<Piece>& pieces, std::size_t count) {
     Doc result = 0;
     for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), comment(pieces[i])});
     return result;
 }
 
-/// From the first piece on a new line to the word.
+/// The comments from the first one that begins a line, up to the next token.
 Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing) {
     const Piece& head = pieces[trailing];
     const bool forced = !head.is_token || (trailing > 0 && pieces[trailing - 1].to_line_end);
@@ -111,7 +110,7 @@ Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t
     return result;
 }
 
-/// Between a comment on a line of its own and the next piece.
+/// The gap between a comment that begins a line and the next piece.
 Doc WordLayout::following(Gap gap, const Piece& before, const Piece& piece) {
     if (!before.to_line_end && piece.lines == 0) return doc_.blank();
     return keeps_empty_lines(gap) && piece.lines > 1 ? doc_.empty_line() : doc_.hard();
@@ -134,14 +133,14 @@ Doc WordLayout::closing_comments() {
 
 // ---------------------------------------------------------------- the text of a comment
 
-/// A further line of a comment: moved with its first line, or where it is.
+/// A further line of a block comment: indented with its first line if `moved`, otherwise unchanged.
 Doc WordLayout::comment_line(std::string_view line, std::size_t margin, bool moved) {
     if (!moved) return doc_.cat(doc_.raw(), doc_.comment(line));
     line.remove_prefix(std::min(line.size(), margin));
     return doc_.cat(doc_.hard(), doc_.comment(line));
 }
 
-/// The lines of a block comment move with its first line where they are indented at least as far.
+/// The lines of a block comment are indented with its first line if they were indented at least as far.
 Doc WordLayout::comment(const Piece& piece) {
     std::string_view rest = source(piece.span);
     const std::string_view first = take_line(rest);

@@ -1,7 +1,7 @@
-// Words with the gaps between them (private to the formatter). Every word is written when it is read, so that no word
-// can be lost, whatever a reading of the text does not foresee.
+// Tokens and the gaps between them (private to the formatter). Every token is written when it is read. So no token can
+// be lost, even where the formatter misreads the text.
 //
-// Functions are named after what they lay out and take the gap to leave before it.
+// Functions are named after the construct that they lay out. Their first parameter is the gap before it.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@
 
 namespace robochart::frontend {
 
-/// The text between two words.
+/// The text between two tokens.
 enum class Gap : std::uint8_t {
-    done,    ///< written already
+    done,    ///< already written
     none,    ///< nothing
     blank,   ///< a blank
     soft,    ///< nothing, or a line end if the group breaks
@@ -29,7 +29,7 @@ enum class Gap : std::uint8_t {
     start,   ///< the beginning of the text
 };
 
-/// Owns the document; the layout of one word after the other.
+/// Owns the document; lays out one token after another.
 class WordLayout : protected TokenReader {
 public:
     WordLayout(const WordLayout&) = delete;
@@ -42,27 +42,27 @@ protected:
     using TokenReader::TokenReader;
     ~WordLayout() = default;
 
-    /// What the text consists of.
+    /// Lays out one member of the file.
     virtual Doc member(Gap gap) = 0;
 
     Doc token(Gap gap);
-    /// The word here as it is written, without a gap.
+    /// The next token as it is written, without a gap.
     Doc advance() { return doc_.text(take()); }
-    /// Words with blanks between.
+    /// `count` tokens with blanks between them.
     Doc words(Gap gap, std::size_t count);
     /// `A::B::C`
     Doc names(Gap gap);
-    /// A word and a name.
+    /// A keyword and a name.
     Doc phrase(Gap gap);
     /// `import P::*`
     Doc import(Gap gap);
     Doc gap(Gap gap);
-    /// The comments before a closing brace or the end, inside what is closed.
+    /// The comments before a closing brace or the end of the text, indented as the body that ends there.
     Doc closing_comments();
 
     Doc cat(Doc a, Doc b) { return doc_.cat(a, b); }
     Doc cat(std::initializer_list<Doc> docs) { return doc_.cat(docs); }
-    /// A group whose gap stands before it.
+    /// A group with its gap in front.
     Doc group(Doc gap, Doc inner) { return doc_.cat(gap, doc_.group(inner)); }
 
     Document doc_;

@@ -1,4 +1,4 @@
-// States, actions, transitions. A body that is short stands on the line of its head; others have one part a line.
+// States, actions, transitions. A short body is written on the line of its head; the parts of others get a line each.
 #include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {
@@ -17,7 +17,7 @@ Doc ModelLayout::action(Gap gap) {
     return doc_.cat(word, action_body());
 }
 
-/// A statement on the line of its word, or indented below it.
+/// A statement, on the line of its keyword or indented below it.
 Doc ModelLayout::action_body() {
     return doc_.group(doc_.nest(sequence(Gap::line)));
 }
@@ -29,7 +29,8 @@ Doc ModelLayout::transition(Gap gap) {
     return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
 }
 
-/// All of a transition: `from A to B`, then a clause a line; resets and deadline stay with what they follow.
+/// The whole transition: `from A to B`, then one clause a line. Resets and a deadline stay on the line of the clause
+/// before them.
 Doc ModelLayout::clauses(Gap gap) {
     Doc result = phrase(gap);
     if (at("to")) result = doc_.cat(result, phrase(Gap::blank));

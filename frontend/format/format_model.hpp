@@ -1,5 +1,6 @@
-// The layout of model files: declarations, machines, statements (private to the formatter). The words are read a second
-// time, after the parser found them free of mistakes: what this reading does not foresee would be laid out badly.
+// The layout of model files: declarations, machines, statements (private to the formatter). The formatter reads the
+// tokens again after the parser has found no mistakes. Constructs that are missing here would be laid out badly, but
+// not lost.
 #pragma once
 
 #include <string_view>
@@ -8,7 +9,7 @@
 
 namespace robochart::frontend {
 
-/// Knows what the last member was, as empty lines depend on that.
+/// Holds the kind of the last member, which decides about empty lines.
 class ModelLayout final : public ExpressionLayout {
 public:
     ModelLayout(std::string_view text, const TokenStream& stream) : ExpressionLayout(text, stream, false) {}

@@ -1,5 +1,5 @@
-// Probabilistic assertions: each property and each constant, reward, function and command on a line, or on several,
-// indented, where it does not fit.
+// Probabilistic assertions: each property, constant, reward, function and command is written on one line, or on several
+// indented lines if it is too long.
 #include <algorithm>
 #include <array>
 
@@ -83,7 +83,7 @@ Doc AssertionLayout::definition(Gap gap) {
 
 // ---------------------------------------------------------------- definitions
 
-/// `q set to e, …, and t from set {…}`: all on one line, or each on its own.
+/// `q set to e, …, and t from set {…}`: all on one line, or one a line.
 Doc AssertionLayout::constants(Gap first) {
     Doc result = constant_values(first);
     while (at(",") || at_word("and")) {
@@ -140,7 +140,7 @@ Doc AssertionLayout::modules() {
     return doc_.nest(result);
 }
 
-/// `pmodule N { … }`: a member a line.
+/// `pmodule N { … }`: one member a line.
 Doc AssertionLayout::module(Gap gap) {
     const Doc head = words(gap, 3);
     Doc members = 0;

@@ -8,7 +8,7 @@ Doc ModelLayout::statement(Gap gap) {
     return group(before, sequence(Gap::done));
 }
 
-/// `S; S`: on one line, or one statement a line (the group is the caller's).
+/// `S; S`: on one line, or one statement a line. The caller makes the group.
 Doc ModelLayout::sequence(Gap gap) {
     Doc result = timed_statement(gap);
     while (at(";")) result = cat({result, token(Gap::none), timed_statement(Gap::line)});
@@ -30,8 +30,8 @@ Doc ModelLayout::basic_statement(Gap gap) {
     return communication(gap);
 }
 
-/// A name with all that may follow it in a statement or trigger: `e?x`, `e!v`, `e.v`, `e[| p |]?x`, `op(a)`, `v[i] =
-/// e`.
+/// A name with everything that may follow it in a statement or trigger: `e?x`, `e!v`, `e.v`, `e[| p |]?x`, `op(a)`,
+/// `v[i] = e`.
 Doc ModelLayout::communication(Gap gap) {
     Doc result = names(gap);
     for (;;) {

@@ -1,4 +1,4 @@
-// Which lints run on what.
+// Runs the lints.
 #include <algorithm>
 
 #include "diagnostics/diagnostic.hpp"
@@ -31,7 +31,7 @@ WrittenBy variables_written_by_operations(const Model& model) {
 
 namespace {
 
-/// Warnings about the components of one file, each by itself.
+/// Warnings that need only one component of a file.
 class Linter {
 public:
     Linter(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out)
@@ -73,7 +73,7 @@ private:
     Diagnostics& out_;
 };
 
-/// Warnings about a component and what it refers to.
+/// Warnings that need a component and the declarations that it refers to.
 void lint_component(const Component& component, ReportedCalls& reported, Diagnostics& out) {
     for (const auto& part : component.controllers) lint_component(*part, reported, out);
     lint_events(component, out);

@@ -1,7 +1,7 @@
-// Arithmetic that may leave its type: a divisor that can be 0, a difference cast to nat that can be negative. What is
-// known at a place are the guard of the transition, the conditions of `if` and of boolean operators around, and
-// preconditions, as long as nothing they mention has been assigned since. RoboTool's arithmetic does not fail there
-// (semantics 3.13): it silently goes on with another value.
+// Arithmetic that may leave its type: a divisor that can be 0, and a difference cast to nat that can be negative. The
+// analysis uses the guard of the transition, the conditions of enclosing `if`s and boolean operators, and
+// preconditions. A fact is dropped when a variable in it is assigned. RoboTool's arithmetic does not fail in these
+// cases (semantics 3.13): it silently continues with another value.
 #include <fmt/format.h>
 
 #include "frontend/lint/lint_logic.hpp"
@@ -66,7 +66,7 @@ private:
         forget(statement);
     }
 
-    /// Facts about what the statement changed are facts no more.
+    /// Drops the facts about variables that the statement changes.
     void forget(const Stmt& statement) {
         if (facts_.empty()) return;
         Effects effects;
@@ -112,7 +112,8 @@ private:
         return reasoner.decide(logic::all_of(std::move(all)));
     }
 
-    /// Constants without a value are chosen by whoever instantiates the model; calls are specified elsewhere.
+    /// True if the value can vary. Whoever instantiates the model chooses the values of open constants, and calls are
+    /// specified elsewhere; both are excluded.
     static bool varies(const Expr& expr) {
         bool variable = false;
         bool unknown = false;

@@ -1,5 +1,5 @@
-// Events that get no further than the component they are in (semantics 3.9): what is connected to nothing is hidden, so
-// its triggers fire by themselves and its outputs never wait; what is connected to a part that never takes part in it
+// Events that are not connected beyond their component (semantics 3.9). An event without a connection is hidden: its
+// triggers fire by themselves and its outputs never wait. An event connected to a component that never takes part in it
 // can never happen.
 #include <fmt/format.h>
 
@@ -15,7 +15,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The first use of each event of a machine, by name; operations that the controller defines count as part of it.
+/// The first use of each event of a machine, by name. Operations that the controller defines count as part of the
+/// machine.
 class Traffic {
 public:
     Traffic(const Machine& machine, const std::map<std::string_view, const Machine*>& defined) : defined_(defined) {
@@ -52,7 +53,7 @@ private:
     std::map<std::string_view, const Communication*> first_;
 };
 
-/// Connected events of each part, and of the component itself.
+/// The connected events of each component and of the container itself.
 class Connected {
 public:
     explicit Connected(const Component& component) {
@@ -76,7 +77,7 @@ std::string described(const Declaration& part, const Declaration& behind, std::s
     return fmt::format("`{}` ({} `{}`)", part.name, kind, behind.name);
 }
 
-/// A loose end: an event, and where it is used.
+/// An unconnected event and the place where it is used.
 struct Loose {
     const Event* event = nullptr;
     Span use;

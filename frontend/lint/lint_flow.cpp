@@ -1,7 +1,7 @@
-// Variables read before anything set them (semantics 3.6: they hold a default then, a boolean `true`). A forward
-// analysis of what is certainly set, over the order of semantics 3.4: trigger value, guard, exit actions inside out,
-// action, entry actions outside in. During actions may be cut anywhere, so what they set is not certain. A transition
-// leaves a composite state from any settled node inside.
+// Variables that are read before they are set (semantics 3.6: until then they hold a default; a boolean holds `true`).
+// This is a forward analysis of the variables that are certainly set. It follows the order of semantics 3.4: trigger
+// value, guard, exit actions from inside out, action, entry actions from outside in. A during action may be interrupted
+// anywhere, so what it sets is not certain. A transition leaves a composite state from any settled node inside.
 #include <cstdint>
 #include <deque>
 
@@ -15,7 +15,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// A set of the machine's variables; starts full, as nothing is known to come by yet.
+/// A set of variables of the machine. It starts full, because no path to the node is known yet.
 class Bits {
 public:
     explicit Bits(std::size_t size = 0, bool full = false) : words_((size + 63) / 64, full ? ~std::uint64_t{0} : 0) {}
@@ -24,7 +24,7 @@ public:
     void unite(const Bits& other) {
         for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     }
-    /// True if something was removed.
+    /// Returns true if an element was removed.
     bool intersect(const Bits& other) {
         bool changed = false;
         for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -90,7 +90,7 @@ private:
         const State* parent = nullptr;
         std::vector<const Transition*> out;
         Bits in, settled, leave, inner_leave;
-        Bits entry, exit;  ///< what its actions certainly set
+        Bits entry, exit;  ///< the variables that its actions certainly set
         bool queued = false, reached = false, passed = false;
     };
 
@@ -139,7 +139,8 @@ private:
         if (!composite) settle(node, entered, entered);
     }
 
-    /// The node is settled, and is left, with at least these set; goes on outwards.
+    /// The node is settled, and may be left, with at least these variables set. The effect is propagated to enclosing
+    /// states.
     void settle(const State& node, const Bits& settled, const Bits& inner_leave) {
         const State* at = &node;
         Bits now = settled;
@@ -188,7 +189,8 @@ private:
             if (found->second.contains(variable->name)) set(variable, now);
     }
 
-    /// What a statement certainly sets; `reading` also reports what it reads too early.
+    /// Adds the variables that a statement certainly sets to `now`. With `reading`, also reports variables that it
+    /// reads too early.
     void sets(const Stmt& statement, Bits& now, bool reading) {
         if (reading)
             for_expressions(statement, [&](const Expr& expr) {

@@ -1,7 +1,7 @@
-// RC-W21: variables that only grow. Each assignment adds to the variable (or takes from it, or multiplies it), at least
-// one of them can happen again and again, and no condition reads the variable, so nothing ends the growth. The finite
-// instantiation stops such a variable at its last value, and so does generated code at the end of its type
-// (semantics 3.13): behind that value the model and the robot differ.
+// RC-W21: variables that only grow. Every assignment adds to the variable (or subtracts from it, or multiplies it). At
+// least one of these assignments can happen repeatedly, and no condition reads the variable, so its growth has no
+// bound. The finite instantiation stops such a variable at its last value; generated code stops it at the end of its
+// type (semantics 3.13). Beyond that value the model and the robot differ.
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
@@ -22,14 +22,14 @@ bool is_number(const Variable& variable) {
     return form == TypeForm::nat || form == TypeForm::integer || form == TypeForm::real;
 }
 
-/// Where a step leads: `x + 1` upwards, `x - 1` downwards, `x * 2` away from 0.
+/// The direction of a step: `x + 1` is up, `x - 1` is down, `x * 2` is away from 0.
 enum class Direction { up, down, away };
 
 bool reads(const Expr& expr, const Declaration& variable) {
     return strip(expr).kind == ExprKind::name && strip(expr).target == &variable;
 }
 
-/// The direction of `x = value`; none where it is no step or may go either way.
+/// The direction of `x = value`; no value if it is not a step or can go both ways.
 std::optional<Direction> direction_of(const Expr& value, const Declaration& variable) {
     const Expr& sum = strip(value);
     if (sum.kind != ExprKind::binary) return std::nullopt;
@@ -44,17 +44,17 @@ std::optional<Direction> direction_of(const Expr& value, const Declaration& vari
     return std::nullopt;
 }
 
-/// What is known of one variable of the machine.
+/// The analysis of one variable of the machine.
 struct Growth {
-    bool bounded = false;                ///< a condition reads it, or something else than a step writes it
-    bool read = false;                   ///< by something else than its own steps
-    std::optional<Direction> direction;  ///< of all its steps
-    const Stmt* again = nullptr;         ///< the first step that can happen again and again
+    bool bounded = false;                ///< a condition reads it, or something other than a step writes it
+    bool read = false;                   ///< read by something other than its own steps
+    std::optional<Direction> direction;  ///< the common direction of its steps
+    const Stmt* again = nullptr;         ///< the first step that can happen repeatedly
 };
 
 class Growing {
 public:
-    /// What operations write may be set back by them.
+    /// Variables that a called operation writes are skipped: the operation may reset them.
     Growing(const Machine& machine, const WrittenBy& written_by) {
         const auto written = [&](const std::string& name) {
             return std::ranges::any_of(written_by, [&](const auto& entry) { return entry.second.contains(name); });
@@ -115,7 +115,7 @@ private:
         });
     }
 
-    /// An assignment to the variable itself reads it for its step alone.
+    /// In an assignment to the variable itself, only the step reads the variable.
     void note_reads(const Expr& expr, const Stmt& statement) {
         const Declaration* const own = statement.target ? assigned_root(*statement.target) : nullptr;
         walk(expr, [&](const Expr& part) {
@@ -155,7 +155,7 @@ private:
 }  // namespace
 
 void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out) {
-    if (machine.kind == DeclKind::operation) return;  // its variables begin anew with each call
+    if (machine.kind == DeclKind::operation) return;  // the variables of an operation start anew with each call
     Growing growing(machine, written_by);
     growing.container(machine, false);
     growing.report(machine, out);

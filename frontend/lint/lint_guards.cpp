@@ -1,5 +1,5 @@
-// Guards that leave no enabled transition (semantics 3.4: a junction with no true guard is stuck for ever), that never
-// hold or always.
+// Guards that leave no transition enabled (semantics 3.4: a junction without a true guard is stuck), and guards that
+// are never or always true.
 #include <fmt/format.h>
 
 #include "frontend/lint/lint_logic.hpp"
@@ -17,14 +17,14 @@ using logic::Answer;
 using logic::Formula;
 using logic::Reasoner;
 
-constexpr std::size_t max_ways = 32;        ///< of a node: beyond, nothing is said
-constexpr unsigned max_junctions_back = 2;  ///< how far facts are gathered before a junction
+constexpr std::size_t max_ways = 32;        ///< nodes with more transitions are skipped
+constexpr unsigned max_junctions_back = 2;  ///< how many junctions before this one contribute facts
 
 class GuardReader {
 public:
     GuardReader(const Graph& graph, bool fold) : reasoner_(fold), graph_(graph) {}
 
-    /// What lets a transition be taken; `else` is the negation of its siblings' conditions.
+    /// The condition under which a transition is enabled. `else` is the negation of the other transitions' conditions.
     Formula guard(const Transition& transition) {
         if (transition.condition) return reasoner_.read(*transition.condition);
         return transition.otherwise ? logic::negation(some_holds(*transition.source)) : logic::constant(true);
@@ -39,8 +39,7 @@ public:
         return logic::any_of(std::move(ways));
     }
 
-    /// What is known when control comes to a junction: the guards on the path, as far as no action after them spoils
-    /// it.
+    /// The facts known when control reaches a junction: the guards on the path, unless a later action invalidates them.
     Formula known_at(const State& junction, unsigned depth) {
         if (junction.kind != DeclKind::junction || graph_.in(junction).size() > max_ways) return logic::constant(true);
         std::vector<Formula> ways;

@@ -1,5 +1,5 @@
-// Reading expressions into formulas over atoms. The search over them is lint_logic_search.cpp.
-// Numbers are doubles here: exact for integers below 2^53, and decimals written alike are equal.
+// Reads expressions as formulas over atoms. lint_logic_search.cpp searches for values that satisfy them. Numbers are
+// doubles here: integers below 2^53 are exact, and equal decimal literals are equal.
 #include "frontend/lint/lint_logic.hpp"
 
 #include <algorithm>
@@ -59,7 +59,8 @@ Linear sum(Linear a, const Linear& b) {
     return a;
 }
 
-/// Names, their parts and elements are values of their own; about calls and binders nothing is known.
+/// True for names, their fields and their elements, which are treated as values of their own. The values of calls and
+/// of binders are unknown.
 bool is_plain(const Expr& expr) {
     switch (expr.kind) {
         case ExprKind::name:
@@ -79,7 +80,7 @@ std::string text_of(const Expr& expr) {
     return to_text(strip(expr));
 }
 
-/// The literal of an enumeration that an expression names.
+/// The enumeration literal that an expression names.
 const EnumLiteral* literal_of(const Expr& expr) {
     const Expr& bare = strip(expr);
     return bare.kind == ExprKind::name ? dynamic_cast<const EnumLiteral*>(bare.target) : nullptr;
@@ -89,7 +90,7 @@ bool is_integral(double value) {
     return std::floor(value) == value;
 }
 
-constexpr unsigned max_depth = 64;  ///< of constants defined by constants
+constexpr unsigned max_depth = 64;  ///< nesting of constants that are defined by constants
 
 }  // namespace
 
@@ -102,7 +103,7 @@ Formula any_of(std::vector<Formula> parts) {
 
 // ---------------------------------------------------------------- numbers
 
-/// The value of a constant that has one, if constants are to be folded.
+/// The defining expression of a constant, if constants are folded.
 const Expr* Reasoner::folded(const Expr& expr) const {
     const auto* variable = dynamic_cast<const Variable*>(expr.target);
     const bool known = fold_ && depth_ < max_depth && variable != nullptr && variable->kind == DeclKind::constant;
@@ -151,7 +152,7 @@ std::optional<Linear> Reasoner::linear(const Expr& written) {
     return term(expr);
 }
 
-/// difference RELATION 0, over the key with leading coefficient 1.
+/// The formula `difference RELATION 0`, scaled so that the leading coefficient of the key is 1.
 Formula Reasoner::compare(Linear difference, Relation relation, const std::string& text) {
     if (difference.terms.empty()) {
         const double left = difference.constant;

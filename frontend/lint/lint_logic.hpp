@@ -1,6 +1,7 @@
-// A small decision procedure for guards (private to the front end): boolean structure over linear comparisons of
-// numbers, literals of enumerations and boolean terms; everything else is an unknown boolean. It says "impossible" only
-// with a proof and "possible" only with a consistent example; between them lies "unknown", of which lints say nothing.
+// A small decision procedure for guards (private to the front end). It handles boolean combinations of linear
+// comparisons of numbers, enumeration literals and boolean terms; any other expression is an unknown boolean. It
+// answers "impossible" only with a proof and "possible" only with a consistent example. Otherwise it answers "unknown",
+// and lints stay silent.
 #pragma once
 
 #include <map>
@@ -12,7 +13,7 @@
 
 namespace robochart::frontend::logic {
 
-/// A boolean combination of atoms; atoms and their terms belong to the Reasoner that read it.
+/// A boolean combination of atoms. The atoms and their terms belong to the Reasoner that read the formula.
 struct Formula {
     enum class Form { constant, atom, negation, conjunction, disjunction, equivalence, choice };
     Form form = Form::constant;
@@ -28,16 +29,16 @@ struct Formula {
 
 enum class Answer { possible, impossible, unknown };
 
-/// Whether some values make a formula true, and such values in words: "`x` is 3 and `b` is false".
+/// The answer whether some values make a formula true, with such values in words: "`x` is 3 and `b` is false".
 struct Finding {
     Answer answer = Answer::unknown;
     std::string example;
-    /// False: the example leans on terms that nothing is known about (calls, quantifiers, …), or on several relations
-    /// between terms (`t >= m`, `t < n`), where who wrote it may know how m and n relate.
+    /// False if the example depends on terms about which nothing is known (calls, quantifiers, …), or on several
+    /// relations between terms (`t >= m`, `t < n`), because the author may know how m and n relate.
     bool trusted = true;
 };
 
-/// coefficient * term + … + constant; terms by their text.
+/// coefficient * term + … + constant; terms are identified by their text.
 struct Linear {
     std::map<std::string, double> terms;
     double constant = 0;
@@ -47,43 +48,43 @@ enum class Relation { less, less_equal, equal };
 
 class Reasoner {
 public:
-    /// `fold`: constants with a value stand for it. Without, they could have any value.
+    /// `fold`: constants are replaced by their values. Otherwise a constant may have any value.
     explicit Reasoner(bool fold) : fold_(fold) {}
 
-    /// A boolean expression.
+    /// Reads a boolean expression.
     [[nodiscard]] Formula read(const Expr& expr);
-    /// expr RELATION 0; an unknown boolean if `expr` is no number.
+    /// Reads `expr RELATION 0`; an unknown boolean if `expr` is not a number.
     [[nodiscard]] Formula compare_to_zero(const Expr& expr, Relation relation);
-    /// Decides within a bound of steps.
+    /// Decides the formula within a bounded number of steps.
     [[nodiscard]] Finding decide(const Formula& formula) const;
 
 private:
     friend class Search;
 
-    /// What is known of a term: a number's range, an enumeration's literals.
+    /// What is known about a term: whether it is an integer, and its least value.
     struct Term {
         bool integer = false;
         std::optional<double> least;
     };
     enum class KeyKind { boolean, enumeration, number };
-    /// What one value is chosen for: a boolean, an enumeration value, or a linear form without its constant.
+    /// What the search assigns a value to: a boolean, an enumeration value, or a linear form without its constant.
     struct Key {
         KeyKind kind = KeyKind::boolean;
         std::string text;
-        bool opaque = false;                ///< boolean: a call or the like
+        bool opaque = false;                ///< boolean: a call or another term about which nothing is known
         std::vector<std::string> literals;  ///< enumeration
         std::map<std::string, double> form;
         bool integer = false;
-        std::vector<double> bounds;  ///< the numbers it is compared with
+        std::vector<double> bounds;  ///< the numbers that it is compared with
     };
-    /// A statement about one key.
+    /// A condition on one key.
     struct Atom {
         std::size_t key = 0;
         Relation relation = Relation::equal;
         bool reversed = false;  ///< key > bound, key >= bound
         double bound = 0;
         std::size_t literal = 0;
-        std::string text;  ///< as people see it
+        std::string text;  ///< for messages
     };
 
     Formula read_binary(const Expr& expr);

@@ -1,7 +1,7 @@
-// The search for values that make a formula true. Comparisons over one linear form split the number line at their
-// bounds into points and gaps; a key is given a gap, a literal or a truth value, and the formula is evaluated with the
-// values so far (Kleene's three values). Where forms share terms, Fourier-Motzkin elimination tells whether the choices
-// fit together.
+// Searches for values that make a formula true. The comparisons of one linear form divide the number line into points
+// and open intervals. The search assigns each key an interval, a literal or a truth value, and evaluates the formula
+// over the keys assigned so far in Kleene's three-valued logic. If linear forms share terms, Fourier-Motzkin
+// elimination decides whether the chosen intervals are consistent.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double tolerance = 1e-9;
 constexpr std::size_t max_steps = 4'000;
 constexpr std::size_t max_constraints = 64;
-constexpr std::size_t max_eliminations = 32;  ///< whole systems of constraints looked at
+constexpr std::size_t max_eliminations = 32;  ///< checks of a whole system of constraints
 
 enum class Truth { no, yes, open };
 
@@ -30,7 +30,7 @@ double inside(double low, double high, bool integer) {
     if (low == -infinity) return std::ceil(high) - 1;
     const double next = std::floor(low) + 1;
     if (high == infinity || next < high) return next;
-    return integer ? high : (low + high) / 2;  // high: no integer lies between
+    return integer ? high : (low + high) / 2;  // high, because no integer is between them
 }
 
 /// sum of coefficient * term (<, <=) bound
@@ -42,7 +42,7 @@ struct Constraint {
 
 }  // namespace
 
-/// One search; assigns keys in order.
+/// One search. Keys are assigned in order.
 class Search {
 public:
     Search(const Reasoner& reasoner, const Formula& formula) : reasoner_(reasoner), formula_(formula) {
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// A point or an open gap of the number line, with a value inside.
+    /// A point or an open interval of the number line, with a value inside.
     struct Region {
         double low = -infinity, high = infinity;
         bool point = false;
@@ -74,7 +74,7 @@ private:
         Region region;
     };
 
-    /// The keys of the formula, in the order in which it mentions them.
+    /// Collects the keys of the formula, in the order in which it mentions them.
     void collect(const Formula& formula) {
         if (formula.form == Formula::Form::atom) {
             const std::size_t key = reasoner_.atoms_[formula.atom].key;
@@ -129,7 +129,7 @@ private:
             low = bound;
         }
         add({low, infinity, false, inside(low, infinity, key.integer)});
-        // Near to zero first: examples are easier to read.
+        // Values near zero come first, because examples with them are easier to read.
         std::stable_sort(result.begin(), result.end(), [](const Value& a, const Value& b) {
             return std::abs(a.region.sample) < std::abs(b.region.sample);
         });
@@ -149,7 +149,7 @@ private:
         return atom.relation == Relation::less ? left < right : left <= right;
     }
 
-    /// The first part that decides decides; `decisive` is `no` for conjunctions.
+    /// Evaluates parts until one decides. `decisive` is `no` for conjunctions.
     [[nodiscard]] Truth joined(const Formula& formula, Truth decisive) const {
         Truth result = opposite(decisive);
         for (const Formula& part : formula.parts) {
@@ -195,7 +195,7 @@ private:
         return values_[key].chosen && reasoner_.keys_[key].kind == Reasoner::KeyKind::number;
     }
 
-    /// Terms that stand in a form with others.
+    /// The terms that occur in a linear form together with other terms.
     [[nodiscard]] std::set<std::string> shared_terms() const {
         std::set<std::string> result;
         for (std::size_t i = 0; i < values_.size(); ++i)
@@ -231,7 +231,7 @@ private:
         return result;
     }
 
-    /// a and b with opposite signs of the term: their sum without it.
+    /// Adds a and b, in which the term has opposite signs, so that the term is eliminated.
     static Constraint eliminated(const Constraint& a, const Constraint& b, const std::string& term) {
         const double up = 1 / a.terms.at(term);
         const double down = -1 / b.terms.at(term);

@@ -1,7 +1,7 @@
-// Cycles of transitions that need no event and no time (semantics 3.4, 3.10: such transitions are urgent, so a machine
-// that can go round for ever does, and time stands still). Certain enough means: nothing on the cycle waits, calls or
-// communicates; its guards can hold together; and nothing on the cycle, nor any during action beside it, changes what
-// the guards mention.
+// Cycles of transitions that need no event and no time (semantics 3.4, 3.10). Such transitions are urgent, so a machine
+// that can stay in the cycle forever does, and time stops. A cycle is reported only under three conditions: nothing on
+// it waits, calls or communicates; its guards can be true together; and nothing on it, nor any during action running
+// beside it, changes what the guards mention.
 #include <algorithm>
 #include <deque>
 #include <set>
@@ -49,7 +49,7 @@ private:
                frontend::is_instant(of_node_.at(transition.target));
     }
 
-    /// Breadth first from the node back to it, within a bound of transitions looked at.
+    /// Searches breadth-first from the node back to itself, over a bounded number of transitions.
     [[nodiscard]] std::vector<const Transition*> shortest_cycle(const State& start) const {
         constexpr std::size_t max_looked_at = 64;
         std::unordered_map<const State*, const Transition*> reached_by;
@@ -77,7 +77,7 @@ private:
         return cycle;
     }
 
-    /// Everything that may change while the cycle runs; entering a state restarts its `sinceEntry`.
+    /// Everything that may change while the cycle runs. Entering a state resets its `sinceEntry`.
     [[nodiscard]] std::unordered_set<const Declaration*> changed_by(const std::vector<const Transition*>& cycle) const {
         Effects effects;
         for (const Transition* way : cycle) {
@@ -122,7 +122,7 @@ private:
     std::unordered_set<const State*> reported_;
 };
 
-/// Writes of during actions of a state hold for everything inside it as well.
+/// The during actions of a state may write at any time while the nodes inside it run.
 void check(const NodeContainer& container, const Never& never, std::unordered_set<const Declaration*>& shared,
            Diagnostics& out) {
     Loops(container, never, shared).check(out);

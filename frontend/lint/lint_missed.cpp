@@ -1,5 +1,5 @@
-// Events that come while an action waits (semantics 3.3, 3.10): an entry, exit or transition action is not interrupted,
-// so what the states around it await is not taken before it ends.
+// Events that arrive while an action waits (semantics 3.3, 3.10). An entry, exit or transition action is not
+// interrupted, so the transitions of enclosing states cannot take the event before the action ends.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// An event that is raised in a control cycle of one time unit is kept to its end, and so loses nothing to a wait of
-/// one.
+/// An event that is raised in a control cycle of one time unit stays available until the end of the cycle, so a wait of
+/// one unit loses nothing.
 constexpr double least_that_loses = 2;
 
 using Events = std::vector<const Declaration*>;
@@ -25,7 +25,7 @@ public:
     void run() { container(machine_, {}); }
 
 private:
-    /// `around`: what the states around await.
+    /// `around`: the events that the enclosing states await.
     void container(const NodeContainer& inside, const Events& around) {
         const Graph graph(inside);
         for (const auto& transition : inside.transitions) {

@@ -1,5 +1,5 @@
-// Nodes that no path from the initial junction of their container leads to. The choice among enabled transitions is
-// free (semantics 3.4), so only transitions that can never be taken break a path.
+// Nodes that cannot be reached from the initial junction of their container. Enabled transitions are chosen freely
+// (semantics 3.4), so only a transition that can never be taken breaks a path.
 #include <algorithm>
 #include <unordered_set>
 
@@ -29,7 +29,8 @@ public:
         if (!begins) return;
         for (const auto& node : container_.nodes)
             if (!covered(*node) && cut_off(*node)) add_from(*node, reported_);
-        // First those that nothing at all leads to, then islands that are only reached from themselves.
+        // Nodes without an incoming transition are reported first, then groups of nodes that are reachable only from
+        // each other.
         for (const auto& node : container_.nodes)
             if (!covered(*node) && is_root(*node)) report(*node, out);
         for (const auto& node : container_.nodes)
@@ -60,7 +61,7 @@ private:
         return true;
     }
 
-    /// A transition that is never taken is reported itself (RC-W04); that is enough.
+    /// A transition that is never taken is reported itself (RC-W04), so the nodes behind it are not.
     [[nodiscard]] bool cut_off(const State& node) const {
         const auto& ways = graph_.in(node);
         return std::any_of(ways.begin(), ways.end(), [&](const Transition* way) {

@@ -1,5 +1,5 @@
-// Names that hide others (language reference 1.3: bound variables first, then parameters, own declarations, interfaces
-// in order, then literals of enumerations).
+// Names that hide others. The order of lookup (language reference 1.3) is: bound variables, parameters, own
+// declarations, interfaces in order, enumeration literals.
 #include <fmt/format.h>
 
 #include <map>
@@ -48,7 +48,7 @@ private:
         if (literal != nullptr) report(variable, *literal);
     }
 
-    /// A declaration of an interface; hidden if the component or an interface before has one of its name.
+    /// A declaration of an interface. It is hidden if the component or an earlier interface declares the same name.
     void enter_foreign(const Variable& variable, const Context& interface, const InterfaceClause& clause) {
         const auto [first, fresh] = visible_.emplace(variable.name, &variable);
         if (fresh || first->second == &variable) return;

@@ -1,5 +1,5 @@
-// Slips in single statements and transitions: twice the same transition, a value assigned to itself, a wait that its
-// own deadline cuts off.
+// Slips in single statements and transitions: a duplicate transition, a variable assigned to itself, a wait that its
+// own deadline interrupts.
 #include <map>
 
 #include "frontend/lint/lints.hpp"
@@ -22,7 +22,7 @@ std::string as_text(const Transition& transition) {
     return text;
 }
 
-/// RC-W14. Transitions that are enabled together but do different things are a way to leave a choice open.
+/// RC-W14. Transitions that are enabled together but have different effects are not duplicates; they express a choice.
 void check_copies(const NodeContainer& container, Diagnostics& out) {
     std::map<std::string, const Transition*> seen;
     for (const auto& transition : container.transitions) {

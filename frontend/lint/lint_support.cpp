@@ -1,4 +1,4 @@
-// What the lints share: transitions by their ends, effects of actions, mentions of variables.
+// Helpers that the lints share: transitions by their ends, effects of actions, mentions of variables.
 #include <algorithm>
 #include <cstdlib>
 

@@ -1,7 +1,7 @@
-// Declarations that nothing uses (RC-W07) and variables that are assigned but never read (RC-W08), over the whole
-// project, and clocks that are read but never reset (RC-W18). Interfaces and operations may be a library for others, so
-// what only they declare is silent, unless an interface is only ever used (its variables and clocks then belong to the
-// machines that use it).
+// Unused declarations (RC-W07), variables that are assigned but never read (RC-W08), both over the whole project, and
+// clocks that are read but never reset (RC-W18). Interfaces and operations may be a library for other projects, so
+// their declarations are not reported. An exception is an interface that is only named with `uses`: its variables and
+// clocks belong to the machines that use it.
 
 #include "frontend/lint/lints.hpp"
 #include "frontend/names/scopes.hpp"
@@ -15,9 +15,9 @@ namespace {
 
 struct Use {
     std::size_t reads = 0;
-    std::size_t others = 0;            ///< received into, reset, communicated on, connected
-    const Stmt* assignment = nullptr;  ///< the first
-    Span reset;                        ///< of a clock, the first
+    std::size_t others = 0;            ///< inputs into it, resets, communications, connections
+    const Stmt* assignment = nullptr;  ///< the first assignment
+    Span reset;                        ///< the first reset of the clock
 };
 
 class Uses {
@@ -34,7 +34,7 @@ public:
         const auto found = uses_.find(&declaration);
         return found != uses_.end() ? found->second : none;
     }
-    /// Does a required interface, an assertion or an operation's event mention something of this name?
+    /// True if a required interface, an assertion or an event of an operation mentions this name.
     [[nodiscard]] bool wanted(const std::string& name) const { return wanted_.contains(name); }
     [[nodiscard]] const std::vector<const Context*>& contexts() const { return contexts_; }
     [[nodiscard]] const std::unordered_set<const Declaration*>& given_out() const { return given_out_; }
@@ -106,7 +106,7 @@ private:
         if (statement.kind == StmtKind::assignment && statement.target) assigned = assigned_root(*statement.target);
         for_expressions(statement, [&](const Expr& expr) {
             walk(expr, [&](const Expr& part) {
-                // `v = v + 1` and `v[i] = e` do not read v for anything else.
+                // `v = v + 1` and `v[i] = e` read v only to update it.
                 if (part.target != nullptr && part.target != assigned) ++uses_[part.target].reads;
                 if (part.type_expr) read(part.type_expr.get());
             });
@@ -166,7 +166,7 @@ public:
         if (interface && (uses_.given_out().contains(&context) || !uses_.used_interfaces().contains(&context))) return;
         for (const auto& variable : context.variables) check_variable(*variable);
         for (const auto& clock : context.clocks) check_clock(*clock);
-        if (!interface && context.kind != DeclKind::platform)  // a platform's loose events are RC-W01
+        if (!interface && context.kind != DeclKind::platform)  // RC-W01 reports unused events of a platform
             for (const auto& event : context.events) check_event(*event);
         const auto* machine = dynamic_cast<const Machine*>(&context);
         if (machine != nullptr && machine->has_body && !machine->nodes.empty())

@@ -1,6 +1,6 @@
-// Warnings beyond the rules of the language: models that are well formed but hardly meant (private to the front end).
-// A warning is given where a reader who knows the semantics (docs of rules RC-W…) would agree; doubt is silence.
-// Everything is linear in the size of the project, apart from bounded searches over the guards of one node.
+// Warnings about models that are well-formed but probably not intended (private to the front end). A warning is given
+// only where a reader who knows the semantics would agree (pages of the rules RC-W…); in doubt there is none. The cost
+// is linear in the size of the project, apart from bounded searches over the guards of one node.
 #pragma once
 
 #include <optional>
@@ -17,22 +17,22 @@ namespace robochart::frontend {
 
 using diagnostics::Diagnostics;
 
-/// All warnings of a resolved model. Files with errors are left out; warnings that look at several files need a project
-/// without errors.
+/// All warnings about a resolved model. Files with errors are skipped. Warnings that consider several files need a
+/// project without errors.
 void lint(const Model& model, const Names& names, Diagnostics& out);
 
-// The same in parts: each file that may be linted, then the project if it may.
-/// `written_by` tells the variables that operations of a name write.
+// The same, one file at a time, then the project. `written_by` contains the variables that the operations of a name
+// write.
 using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
 [[nodiscard]] WrittenBy variables_written_by_operations(const Model& model);
 [[nodiscard]] bool may_lint(const File& file, const Diagnostics& out);
 [[nodiscard]] bool may_lint_project(const Model& model, const Diagnostics& out);
-/// Components and functions of a file, each looked at by itself.
+/// Warnings about single components and functions of a file.
 void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out);
-/// What takes several files to tell.
+/// Warnings that consider several files.
 void lint_project(const Model& model, Diagnostics& out);
 
-/// The transitions of one container by their ends.
+/// The transitions of one container, indexed by source and target.
 class Graph {
 public:
     explicit Graph(const NodeContainer& container);
@@ -45,24 +45,24 @@ private:
     Table out_, in_;
 };
 
-/// What running an action may do.
+/// The effects that an action may have.
 struct Effects {
-    std::unordered_set<const Declaration*> writes;  ///< variables assigned or received, clocks reset
+    std::unordered_set<const Declaration*> writes;  ///< variables assigned or received into, clocks reset
     bool calls = false;
     bool communicates = false;
     bool waits = false;
 };
 void add_effects(const Stmt& action, Effects& effects);
-/// Of every action in a state and below it; `kinds` selects: all but during actions, or all.
+/// Adds the effects of the actions of a state and the states inside it. `during`: whether during actions are included.
 void add_effects(const State& state, bool during, Effects& effects);
 
-/// The variable at the root of `v`, `v.f`, `v[i]`; null if there is none.
+/// The variable at the root of `v`, `v.f` or `v[i]`; null if there is none.
 [[nodiscard]] const Declaration* assigned_root(const Expr& target);
-/// Does the expression mention one of these variables or clocks (or the entry of one of these states)?
+/// True if the expression mentions one of these variables or clocks, or sinceEntry of one of these states.
 [[nodiscard]] bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& declarations);
 /// The value of a literal.
 [[nodiscard]] std::optional<double> number_of(const Expr& expr);
-/// The least time that a statement surely takes, as far as its literals tell.
+/// The shortest time that a statement can take, computed from its literals.
 [[nodiscard]] double least_time(const Stmt& statement);
 /// "`a`, `b` and `c`".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
@@ -88,13 +88,14 @@ void lint_statements(const Machine& machine, Diagnostics& out);
 void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out);
 /// RC-W20.
 void lint_missed(const Machine& machine, Diagnostics& out);
-/// RC-W07, RC-W08, RC-W18: over the whole project.
+/// RC-W07, RC-W08, RC-W18, over the whole project.
 void lint_unused(const Model& model, Diagnostics& out);
-/// RC-W01, RC-W17: events that get no further than a part of a controller or module.
+/// RC-W01, RC-W17: events that are not connected beyond a component of a controller or module.
 void lint_events(const Component& component, Diagnostics& out);
 /// RC-W19.
 void lint_termination(const Machine& operation, Diagnostics& out);
-/// RC-W13. Machines that several controllers refer to are checked in each; `reported` are the calls reported so far.
+/// RC-W13. A machine to which several controllers refer is checked in each of them. `reported` holds the calls reported
+/// so far.
 using ReportedCalls = std::unordered_set<const Stmt*>;
 void lint_operations(const Component& controller, ReportedCalls& reported, Diagnostics& out);
 

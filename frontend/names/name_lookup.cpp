@@ -1,4 +1,4 @@
-// Resolves names through scopes and imports; an unknown name is reported once, with the nearest spelling.
+// Resolves names through scopes and imports. An unknown name is reported once, with the nearest spelling.
 #include "frontend/names/name_lookup.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_typ
                                   DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
                                   DeclKind::controller,     DeclKind::module,      DeclKind::reference};
 
-/// What another notation calls so, by what is looked for; null if nothing.
+/// The row of foreign_words for this name, if another notation uses it for what is looked for; otherwise null.
 const ForeignWord* foreign_name(std::string_view what, const QualifiedName& name) {
     constexpr std::array<std::pair<std::string_view, ForeignPlace>, 4> places = {
         {{"type", ForeignPlace::type},
@@ -57,7 +57,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     const std::string full = hidden != nullptr ? names_.full_name(hidden) : std::string();
     const std::size_t cut = full.rfind("::");
     const bool importable = cut != std::string::npos && name.parts.size() == 1;
-    // One import that is missing, or that brings nothing, is one mistake.
+    // Names that are missing for the same reason, a missing or unresolved import, are reported only once.
     const std::string package = importable ? full.substr(0, cut) : hidden == nullptr ? lost_import(place) : "";
     if (!package.empty() && !reported_.emplace(name.span.source, "import\n" + package).second) return nullptr;
     diagnostics::Diagnostic& finding = unknown(name, what, "in the project as seen from here", candidates(kinds));
@@ -74,7 +74,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     return nullptr;
 }
 
-/// A package that the file imports and that is not there; "" if all are.
+/// The first package that the file imports but that does not exist; "" if all exist.
 std::string Finder::lost_import(const Place& place) const {
     if (place.file == nullptr) return {};
     for (const Import& import : place.file->imports) {
@@ -92,7 +92,7 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
                                          const std::vector<std::string>& candidates) {
     const ForeignWord* const foreign = foreign_name(what, name);
     std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
-    if (foreign != nullptr) key += "\n" + std::to_string(name.span.begin);  // each of them is a fix
+    if (foreign != nullptr) key += "\n" + std::to_string(name.span.begin);  // every place needs its own fix
     const bool reported = !reported_.emplace(name.span.source, key).second;
     if (reported || names_.is_lost(name)) {
         untold_ = {};

@@ -1,4 +1,4 @@
-// Finding names and saying well that there are none (private to the front end).
+// Looks names up and reports unknown ones with suggestions (private to the front end).
 #pragma once
 
 #include <set>
@@ -16,22 +16,21 @@ class Finder {
 public:
     Finder(const Names& names, diagnostics::Diagnostics& out) : names_(names), out_(&out) {}
 
-    /// A name of the project; reported if there is none.
+    /// The declaration that a name refers to; an unknown name is reported and the result is null.
     const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
-    /// Reports an unknown name with the nearest candidate as a fix, once in a file for each place that `where`
-    /// names. Nothing is
-    /// reported where the declaration may have been in text that was not understood. `where` completes "there is no X
-    /// `x` …".
+    /// Reports an unknown name, with the nearest candidate as a fix. A name is reported once in a file for each value
+    /// of `where`. Nothing is reported if the name may be declared in text that could not be parsed. `where` completes
+    /// "there is no X `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                      const std::vector<std::string>& candidates);
-    /// A component without a clause for an interface misses all that the interface declares: is this the first time
-    /// that it is asked about the two? What is missing is reported then and only then.
+    /// A component without a clause for an interface lacks all its members, which is one mistake. Returns true the
+    /// first time it is called for the two; only then is a missing member reported.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }
-    /// Simple names of these kinds for a suggestion; none once nobody will see it.
+    /// Simple names of these kinds, for suggestions; empty if there are so many errors that no suggestion is shown.
     [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
-    /// The keys of a scope's table, likewise.
+    /// The keys of a scope's table; empty in the same case.
     template <class Map>
     [[nodiscard]] std::vector<std::string> keys(const Map& map) const {
         std::vector<std::string> result;
@@ -41,7 +40,7 @@ public:
     }
     [[nodiscard]] const Names& names() const { return names_; }
     [[nodiscard]] diagnostics::Diagnostics& out() { return *out_; }
-    /// Reports to another place from now on; returns the place so far.
+    /// Sends later reports to `out`; returns the previous receiver.
     diagnostics::Diagnostics& redirect(diagnostics::Diagnostics& out) { return *std::exchange(out_, &out); }
 
 private:
@@ -50,8 +49,9 @@ private:
     const Names& names_;
     diagnostics::Diagnostics* out_;
     std::set<std::pair<diagnostics::SourceId, std::string>> reported_;  ///< unknown names reported: kind, name, place
-    std::set<std::pair<const Declaration*, const Context*>> missing_;   ///< asked for, never walked through
-    diagnostics::Diagnostic untold_;                                    ///< takes the notes of what is not reported
+    std::set<std::pair<const Declaration*, const Context*>> missing_;   ///< for lookup only; the order of pointers is
+                                                                        ///< never used
+    diagnostics::Diagnostic untold_;  ///< receives notes that belong to no reported finding
 };
 
 }  // namespace robochart::frontend

@@ -1,4 +1,4 @@
-// The tables of declarations by name, filled file by file; nearer files come first.
+// The tables of declarations by name, filled file by file; the declarations of nearer files are preferred.
 #include "frontend/names/names.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void adopt_context(Context& context) {
     }
 }
 
-/// Depth of composite states is bounded by the parser.
+/// The recursion is bounded, because the parser limits the depth of composite states.
 void adopt_nodes(NodeContainer& container, const Declaration& parent) {
     for (auto& node : container.nodes) {
         node->parent = &parent;
@@ -57,7 +57,8 @@ Names::Names(const Model& model) {
     std::sort(packages_.begin(), packages_.end());
     for (const auto& [full, declarations] : by_name_) most_parts_ = std::max(most_parts_, parts_of(full));
     for (const std::string& package : packages_) most_parts_ = std::max(most_parts_, parts_of(package));
-    // A clause that was not understood may have named an interface: what it declares is lost with it.
+    // A clause that could not be parsed may have named an interface, so the members of that interface count as lost,
+    // too.
     const auto lost = lost_;
     for (const std::string& name : lost)
         if (const auto* interface = dynamic_cast<const Context*>(anywhere(name, {DeclKind::interface})))
@@ -97,7 +98,7 @@ void Names::enter(Declaration& declaration, const Declaration* parent, const std
     if (auto* component = dynamic_cast<Component*>(&declaration)) enter_component(*component, full);
 }
 
-/// Literals are known by `E::L` and by `L` alone.
+/// A literal is entered as `E::L` and as `L`.
 void Names::enter_type(TypeDeclaration& type, const std::string& prefix) {
     for (auto& field : type.fields) field->parent = &type;
     for (auto& literal : type.literals) {
@@ -122,14 +123,14 @@ const File* Names::file_of(const Declaration& declaration) const {
     return owner != files_.end() ? owner->second : nullptr;
 }
 
-/// Whether it is inside that declaration, at any depth; true if none is named.
+/// True if `declaration` is inside `around` at any depth; always true if `around` is null.
 bool stands_inside(const Declaration* declaration, const Declaration* around) {
     while (declaration != nullptr && declaration != around) declaration = declaration->parent;
     return declaration == around;
 }
 
-/// Of several with one name that of the nearest file; of equally near ones the first. `inside`: only what is inside it,
-/// and not in another declaration of its name.
+/// Of several declarations with one name: the one in the nearest file, and among equally near files the first. If
+/// `inside` is given, only declarations inside it count.
 const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file,
                              const Declaration* inside) const {
     const Declaration* best = nullptr;
@@ -160,7 +161,7 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
         if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file, around)) return found;
     if (place.file != nullptr) {
         const Declaration* const own = at(qualified(place.file->package.text(), text), kinds, place.file);
-        // Files of no package that lie elsewhere may be another project's: what is imported from nearby goes first.
+        // A file without a package in another folder may belong to another project, so a nearer import is preferred.
         if (own != nullptr && !place.file->package.empty()) return own;
         const std::size_t near = own == nullptr ? 0 : nearness(*place.file, *file_of(*own));
         for (const Import& import : place.file->imports) {

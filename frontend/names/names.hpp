@@ -1,4 +1,4 @@
-// The names of a project and how they are found (language reference 1.3): private to the front end.
+// The names of a project and their lookup (language reference 1.3); private to the front end.
 #pragma once
 
 #include <initializer_list>
@@ -31,46 +31,48 @@ struct Place {
     const Declaration* inside = nullptr;
 };
 
-/// How near two files are: all for a file itself, else the folders that both lie in; toolkits are farther than any
-/// file.
+/// How near two files are: the number of folders that contain both, plus one. A file is nearest to itself; toolkits are
+/// farther away than any other file.
 [[nodiscard]] std::size_t nearness(const File& a, const File& b);
 
-/// All names declared at package level or inside components, by their full name `P::C::S`.
+/// All names declared at package level or inside components, by their full names such as `P::C::S`.
 class Names {
 public:
     /// Enters every file and sets the `parent` of every declaration.
     explicit Names(const Model& model);
 
-    /// What a name stands for at a place: the enclosing declarations, the package, its imports, unnamed packages.
-    /// Null if there is nothing of these kinds. Of several declarations of one name that of the nearest file is meant
-    /// (`nearness`): projects that lie side by side may use the same names.
+    /// The declaration that a name refers to at a place. Searches the enclosing declarations, then the package, its
+    /// imports and unnamed packages. Null if there is none of these kinds. Of several declarations with one name, the
+    /// one in the nearest file is taken (`nearness`), because neighbouring projects may use the same names.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
-    /// All declarations entered under a full name.
+    /// All declarations with a full name.
     [[nodiscard]] const std::vector<const Declaration*>& all(const std::string& full_name) const;
-    /// Simple names of everything of these kinds, for suggestions.
+    /// Simple names of all declarations of these kinds, for suggestions.
     [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
-    /// Any declaration with this simple name and kind, wherever it is; the first by full name.
+    /// Any declaration with this simple name and kind, at any place; the first by full name.
     [[nodiscard]] const Declaration* anywhere(std::string_view simple_name, const Kinds& kinds) const;
     /// The first interface, by its full name, that declares an event, clock, variable (or constant) or operation
     /// signature of this name; null if there is none.
     [[nodiscard]] const Context* interface_with(std::string_view name, DeclKind kind) const;
-    /// The name of a type in messages: with its package where another type has its name.
+    /// The name of a type in messages, qualified with its package if another type has the same name.
     [[nodiscard]] std::string type_name(const TypeDeclaration& type) const;
     /// `P::C::S` of an entered declaration.
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
-    /// Do the parts before the last name what the declaration is in: `I::v` or `P::I::v` for `v` of `P::I`?
+    /// True if the parts of `name` before the last one name the declaration around `member`: `I::v` or `P::I::v` for
+    /// `v` of `P::I`.
     [[nodiscard]] bool qualifies(const QualifiedName& name, const Declaration& member) const;
-    /// Is there a file of this package?
+    /// True if some file belongs to this package.
     [[nodiscard]] bool has_package(const std::string& name) const;
-    /// Is it a package, or does one begin with it (`A` of `A::B`)?
+    /// True if it is a package or the beginning of a package name (`A` of `A::B`).
     [[nodiscard]] bool leads_to_package(const std::string& name) const;
-    /// The packages that have files, sorted; "" is the unnamed one.
+    /// The packages that have files, sorted; "" is the unnamed package.
     [[nodiscard]] const std::vector<std::string>& packages() const { return packages_; }
-    /// May it be declared in text that was not understood? Then nothing is known about it.
+    /// True if the name may be declared in text that could not be parsed, so that it must not be reported as unknown.
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;
-    /// Was that asked since this was last called?
+    /// True if `is_lost` returned true since the last call of this function.
     [[nodiscard]] bool take_asked_lost() const { return std::exchange(asked_lost_, false); }
-    /// Parts of the longest full name or package: what is written with more names no declaration as a whole.
+    /// The number of parts of the longest full name or package name. A longer name cannot refer to a declaration as a
+    /// whole.
     [[nodiscard]] std::size_t most_parts() const { return most_parts_; }
     [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
 

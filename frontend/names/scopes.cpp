@@ -1,4 +1,4 @@
-// Collects what components offer, require and use through their interfaces.
+// Collects what components offer, require and use, from their declarations and interfaces.
 #include "frontend/names/scopes.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void add(Map& map, const Items& items) {
     for (const auto& item : items) map.emplace(item->name, &*item);
 }
 
-/// Provided interfaces show events and operations, but no variables: those are for others.
+/// A provided interface makes its events and operations visible, but not its variables, which other components use.
 void add_interface(Scope& scope, const Context& interface, InterfaceUse use) {
     if (use != InterfaceUse::provides) add(scope.variables, interface.variables);
     if (use != InterfaceUse::provides) add(scope.clocks, interface.clocks);

@@ -1,4 +1,4 @@
-// What a component sees: its own declarations and those of its interfaces (language reference 1.3).
+// The members that a component sees: its own and those of its interfaces (language reference 1.3).
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace robochart::frontend {
 
-/// The members visible in a context. The first declaration of a name wins; own ones come first.
+/// The members visible in a context. If a name is declared twice, the first declaration wins; own members come first.
 struct Scope {
     std::map<std::string_view, const Variable*> variables;  ///< constants and parameters too
     std::map<std::string_view, const Event*> events;
@@ -23,16 +23,16 @@ struct Scope {
 
 /// The interface of a clause; null if it was not found.
 [[nodiscard]] const Context* interface_of(const InterfaceClause& clause);
-/// Does a clause of it name an interface that was not found? Then it may have members that nobody knows.
+/// True if one of its clauses names an interface that was not found. It may then have members that are unknown.
 [[nodiscard]] bool has_unknown_interface(const Context& context);
-/// The definition behind a reference; other declarations as they are. Null if it was not found.
+/// The definition that a reference refers to, or null if it was not found. Other declarations are returned unchanged.
 [[nodiscard]] const Declaration* follow(const Declaration* declaration);
-/// The same as the kind asked for, or null.
+/// The same, if it has the requested kind; otherwise null.
 template <class Kind>
 [[nodiscard]] const Kind* followed(const Declaration* declaration) {
     return dynamic_cast<const Kind*>(follow(declaration));
 }
-/// The machine, operation, function or interface around a declaration; itself if it is one.
+/// The machine, operation, function or interface that contains a declaration, or the declaration itself if it is one.
 [[nodiscard]] const Declaration* component_around(const Declaration* declaration);
 
 /// Own variables and those of used and required interfaces, in textual order.
@@ -48,7 +48,7 @@ template <class Kind>
 /// Own events and those of its interfaces.
 [[nodiscard]] std::vector<const Event*> visible_events(const Context& context);
 
-/// Definitions of operations in a controller: inline ones and those of `opref`.
+/// The definitions of operations in a controller: inline ones and those that `opref` refers to.
 [[nodiscard]] std::vector<const Machine*> defined_operations(const Component& controller);
 
 }  // namespace robochart::frontend

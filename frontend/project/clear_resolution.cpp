@@ -1,4 +1,5 @@
-// See clear_resolution.hpp. Fields are only written, never followed: they may point into files that are gone.
+// See clear_resolution.hpp. Fields are overwritten without following them: they may point into files that no longer
+// exist.
 #include "frontend/project/clear_resolution.hpp"
 
 #include "frontend/syntax/file_visitor.hpp"

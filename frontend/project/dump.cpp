@@ -47,7 +47,7 @@ private:
     void assertion(const Assertion& assertion);
     void csp_block(const CspBlock& block);
     [[nodiscard]] std::string parameters(const std::vector<VariablePtr>& list) const;
-    /// ` -> file:line name` of what a name stands for.
+    /// ` -> file:line name` of the declaration that a name refers to.
     [[nodiscard]] std::string target(const Declaration* declaration) const;
     [[nodiscard]] std::string typed(const Expr& expr) const;
 

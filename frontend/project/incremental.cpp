@@ -1,5 +1,6 @@
-// See incremental.hpp. What is kept for a file is what resolving it would give again: it depends on its own text, on
-// what others let it see (`outside_of`), and on a few facts about the project, each of which is compared.
+// See incremental.hpp. The results kept for a file are those that resolving it again would give. They depend on its own
+// text, on what other files show of themselves (`outside_of`), and on a few facts about the project. Each of these is
+// compared.
 #include "frontend/project/incremental.hpp"
 
 #include <algorithm>
@@ -25,16 +26,16 @@ using diagnostics::Diagnostic;
 using diagnostics::SourceId;
 using Findings = std::vector<Diagnostic>;
 
-/// What is known about a file.
+/// The results kept for a file.
 struct Known {
-    std::string outside;               ///< once it was asked for
-    Findings names;                    ///< of names and types
-    bool asked_lost = false;           ///< a name that was not found might have been in text that was not understood
-    std::optional<Findings> warnings;  ///< about its machines, each by itself; none if they were not looked for
-    bool changed = false;              ///< the tree is new
+    std::string outside;               ///< computed on first use
+    Findings names;                    ///< about names and types
+    bool asked_lost = false;           ///< an unresolved name may have been in text that could not be parsed
+    std::optional<Findings> warnings;  ///< about single machines; no value if the warnings were not computed
+    bool changed = false;              ///< the tree was replaced
 };
 
-/// Names in text that was not understood: what refers to them is not reported.
+/// Names in text that could not be parsed. References to them are not reported.
 struct Lost {
     std::set<std::string> names;
     bool declarations = false;
@@ -50,7 +51,7 @@ Lost lost_in(const Model& model) {
     return lost;
 }
 
-/// Which declarations that others see have a mistake of syntax inside.
+/// Appends one character for each declaration that other files see: whether it contains a syntax error.
 void add_broken(const Declaration& declaration, std::string& out) {
     out += declaration.broken ? '!' : '.';
     const auto* component = dynamic_cast<const Component*>(&declaration);
@@ -73,7 +74,7 @@ bool has_components(const File& file) {
     });
 }
 
-/// Sizes of vectors name constants whose own types may not be known yet, depending on the order of files.
+/// The size of a vector may name a constant whose own type is not known yet; this depends on the order of files.
 struct SizeFinder {
     bool found = false;
     void visit(const TypeExpr& type) { found = found || !type.sizes.empty(); }
@@ -103,7 +104,7 @@ void report_again(const Findings& findings, Diagnostics& out) {
     }
 }
 
-/// Few enough that none was left out, nor any search for a fix.
+/// True if all findings were kept and no search for a fix was skipped.
 bool are_few(const Diagnostics& findings) {
     return findings.errors() < Diagnostics::max_kept && findings.warnings() < Diagnostics::max_kept;
 }
@@ -130,9 +131,9 @@ private:
     std::map<SourceId, Known> known_;
     Lost lost_;
     WrittenBy written_by_;
-    bool valid_ = false;           ///< everything is known of every file, as of the last `resolve`
-    bool many_ = false;            ///< the last time there were too many findings to keep
-    bool broken_changed_ = false;  ///< since then a declaration became broken, or whole
+    bool valid_ = false;           ///< the results of every file are those of the last `resolve`
+    bool many_ = false;            ///< the last `resolve` had too many findings to keep
+    bool broken_changed_ = false;  ///< since the last `resolve`, a declaration gained or lost its syntax errors
     std::size_t files_resolved_ = 0;
 };
 
@@ -154,7 +155,7 @@ void Resolution::State::replace(std::unique_ptr<File>& place, std::unique_ptr<Fi
     patch(*place, std::move(*fresh));
 }
 
-/// Is there a file that nothing is known of, or none that something is known of?
+/// True if some file has no kept results, or if results are kept for a file that is not in the model.
 bool Resolution::State::must_begin_anew(const Model& model) const {
     return !valid_ || known_.size() != model.files.size() ||
            std::any_of(model.files.begin(), model.files.end(),
@@ -176,7 +177,7 @@ void Resolution::State::resolve(Model& model, Diagnostics& out) {
     many_ = !are_few(out);
 }
 
-/// False if what is kept is not enough.
+/// False if the kept results are not sufficient.
 bool Resolution::State::run(Model& model, Diagnostics& out) {
     const bool anew = !valid_;
     Lost lost = lost_in(model);

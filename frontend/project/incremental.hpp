@@ -1,4 +1,4 @@
-// Resolution for editors: kept in step with a project whose files change one by one, at the cost of what changed.
+// Resolution for editors. It follows a project whose files change one at a time, at a cost that depends on the change.
 #pragma once
 
 #include <memory>
@@ -8,10 +8,10 @@
 
 namespace robochart::frontend {
 
-/// Gives what `resolve` gives. A change inside the nodes and transitions of machines is seen by no other file, apart
-/// from assertions and from rules that look at the whole project: then the names, types and warnings of the other
-/// files are kept, and their trees stay as they are. After any other change, and with hundreds of findings, everything
-/// is resolved anew.
+/// Gives the same results as `resolve`. A change inside the nodes and transitions of machines affects no other file,
+/// except for assertions and rules about the whole project. In this case, the names, types and warnings of the other
+/// files are kept, and their trees are not changed. After any other change, or if there are hundreds of findings,
+/// everything is resolved again.
 class Resolution {
 public:
     Resolution();
@@ -19,15 +19,15 @@ public:
     Resolution(const Resolution&) = delete;
     Resolution& operator=(const Resolution&) = delete;
 
-    /// Puts the new tree of a file into the place of the old one in the model. The old one may live on with the
-    /// contents of the new.
+    /// Replaces the tree of a file in the model by a new one. If possible, the old tree is kept and takes over the
+    /// contents of the new one, so that pointers into it stay valid.
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
-    /// Files came to the model or left it: the next `resolve` begins anew.
+    /// Must be called after files were added to the model or removed from it; the next `resolve` starts from nothing.
     void forget();
-    /// Fills the model and reports what is wrong, as the function of this name does. Where it is ended by the budget of
-    /// `out`, `forget` has to follow.
+    /// Fills the model and reports what is wrong, like the function `resolve`. If the budget of `out` ends it, `forget`
+    /// must be called.
     void resolve(Model& model, diagnostics::Diagnostics& out);
-    /// How many files the last `resolve` looked into for names and types.
+    /// The number of files whose names and types the last `resolve` resolved.
     [[nodiscard]] std::size_t files_resolved() const;
 
 private:

@@ -1,5 +1,6 @@
-// See occurrences.hpp. Resolution left the target of each name's last part in the tree; the parts before it are found
-// from there outwards, or along the path where references lie between (language reference 1.3).
+// See occurrences.hpp. Resolution stores the target of the last part of each name in the tree. The targets of the parts
+// before it are the declarations around that target, or follow from the path if it leads through references (language
+// reference 1.3).
 #include "frontend/project/occurrences.hpp"
 
 #include <algorithm>
@@ -32,13 +33,13 @@ void add_context(std::vector<const Declaration*>& list, const Context& context) 
     add_all(list, context.signatures);
 }
 
-/// What a part of a path stands for.
+/// A part of a path and the declaration that it refers to.
 struct Part {
     const Declaration* target = nullptr;
     std::string package;
 };
 
-/// Finds what each part of a qualified name stands for.
+/// Finds the declaration that each part of a qualified name refers to.
 class Paths {
 public:
     explicit Paths(const Names& names) : names_(names) {}
@@ -52,7 +53,7 @@ public:
         return best;
     }
 
-    /// The same where the last part's target is known.
+    /// The same if the target of the last part is known.
     [[nodiscard]] std::vector<Part> parts(const Place& place, const QualifiedName& name,
                                           const Declaration& target) const {
         std::vector<Part> result(name.parts.size());
@@ -85,7 +86,7 @@ private:
             std::count_if(parts.begin(), parts.end(), [](const Part& p) { return p.target || !p.package.empty(); }));
     }
 
-    /// How many of the first parts may be a package: none first.
+    /// The possible numbers of leading parts that name a package, beginning with none.
     [[nodiscard]] std::vector<std::size_t> package_lengths(const QualifiedName& name) const {
         std::vector<std::size_t> result{0};
         for (std::size_t i = 1; i <= name.parts.size(); ++i)
@@ -166,7 +167,7 @@ public:
         place_.inside = nullptr;
         const std::vector<Part> parts = paths_.parts(place_, import.name);
         const bool declared = !parts.empty() && parts.back().target != nullptr;
-        declared ? path(import.name, parts.back().target) : package(import.name, false);  // it may name what is absent
+        declared ? path(import.name, parts.back().target) : package(import.name, false);  // it may not exist
     }
     void visit(const InterfaceClause& clause) { path(clause.name, clause.target); }
     void visit(const TypeExpr& type) {
@@ -222,7 +223,7 @@ public:
     }
 
 private:
-    /// The definition of an assertion file that an expression names.
+    /// The kind of definition of an assertion file that an expression refers to.
     static std::optional<ProbabilisticKind> defined_by(const Expr& expr) {
         if (expr.kind == ExprKind::reward) return ProbabilisticKind::rewards;
         if (expr.kind != ExprKind::marked) return std::nullopt;
@@ -234,7 +235,7 @@ private:
         add({span, NameKind::definition, nullptr, std::string(to_text(kind)) + " " + name, declares});
     }
 
-    /// The names of probabilistic assertions and of what serves them.
+    /// The names of probabilistic assertions and of the definitions that they use.
     void probabilistic(const File& file) {
         for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
             if (each.kind != ProbabilisticKind::constant) definition(each.name_span, each.kind, each.name, true);

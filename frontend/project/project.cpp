@@ -1,4 +1,5 @@
-// From a path to a resolved model. A folder is a project. A single file brings the files beside it that it needs.
+// From a path to a resolved model. A folder is a project. For a single file, the files of its folder that it needs are
+// loaded as well.
 #include "frontend/project/project.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ bool is_ours(const fs::path& path) {
     return is_model(path) || is_assertions(path);
 }
 
-/// Model and assertion files of a folder, sorted. Where a folder cannot be read, nobody knows what is missing.
+/// Model and assertion files of a folder, sorted. An unreadable folder is an error, because needed files may be in it.
 std::vector<fs::path> files_of(const fs::path& folder, bool deep, Diagnostics& out) {
     const diagnostics::FilesBelow found = diagnostics::files_below(folder.string(), deep);
     for (const auto& [path, cause] : found.unreadable) out.report(syntax::unreadable, {}, {path, cause});
@@ -59,7 +60,7 @@ bool is_empty(const File& file) {
            file.imports.empty() && file.package.empty();
 }
 
-/// A file beside the named one, and what decides whether it is needed.
+/// A file in the folder of the named file, with the data that decides whether it is needed.
 struct Neighbour {
     fs::path path;
     bool readable = false;
@@ -71,7 +72,7 @@ struct Neighbour {
 
 Neighbour survey(const fs::path& path) {
     SourceManager sources;
-    Diagnostics ignored;  // a file that is needed is read again, and reported then
+    Diagnostics ignored;  // if the file is needed, it is read again and its findings are reported
     Neighbour result;
     result.path = path;
     const auto file = read(sources, path, ignored);
@@ -98,7 +99,8 @@ bool overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
     return std::any_of(a.begin(), a.end(), [&](const std::string& x) { return b.contains(x); });
 }
 
-/// Does a chosen file need the candidate? By import, by package, or because it mentions what only the candidate has.
+/// True if a chosen file needs the candidate: it imports its package, has the same package, or mentions a name that
+/// only the candidate declares.
 bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<std::string>& declared) {
     if (is_assertions(candidate.path)) return false;
     if (!candidate.package.empty() && chosen.package == candidate.package) return true;
@@ -111,13 +113,13 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
     return overlap(only_there, chosen.mentions);
 }
 
-/// The files among which those lie that the named one needs: of its folder. Assertions that are given alone may be in a
-/// folder of their own, without models: then they are about those of the folder above.
+/// The files that the named file may need: those of its folder. An assertion file that is the only input may be in a
+/// folder without models; its assertions then refer to the models of the parent folder.
 std::vector<fs::path> candidates(const fs::path& named, bool alone, Diagnostics& out) {
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
     std::vector<fs::path> found = files_of(folder, false, out);
     if (alone && is_assertions(named) && std::none_of(found.begin(), found.end(), is_model)) {
-        Diagnostics ignored;  // nobody asked for that folder
+        Diagnostics ignored;  // that folder is not an input, so it is not checked
         found = files_of((folder / "..").lexically_normal(), false, ignored);
     } else {
         std::erase_if(found, [&](const fs::path& path) { return path.filename() == named.filename(); });
@@ -126,8 +128,8 @@ std::vector<fs::path> candidates(const fs::path& named, bool alone, Diagnostics&
     return found;
 }
 
-/// The named file and, transitively, what it needs. Assertion files of the folder are about the project of a named
-/// model; a named assertion file is read alone.
+/// The named file and all files that it needs, transitively. For a named model, assertion files of the folder are
+/// included; a named assertion file is the only assertion file.
 std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& out) {
     std::vector<Neighbour> open;
     for (const fs::path& path : candidates(named, alone, out)) open.push_back(survey(path));
@@ -154,7 +156,7 @@ std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& ou
     return result;
 }
 
-/// What is in the folder of a path and nearly called like it.
+/// The name of a file or folder beside the path that is similar to the path's name.
 std::string similar_path(const fs::path& path) {
     std::error_code code;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -168,7 +170,7 @@ std::string similar_path(const fs::path& path) {
     return path.has_parent_path() ? (path.parent_path() / meant).string() : meant;
 }
 
-/// The files that one input stands for; what is missing is reported.
+/// The files of one input; a missing file is reported.
 std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagnostics& out) {
     std::error_code code;
     const bool is_folder = fs::is_directory(path, code);
@@ -189,7 +191,7 @@ std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagno
     return result;
 }
 
-/// The files of all inputs, each once however it is named.
+/// The files of all inputs. A file that is named twice occurs once.
 std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Diagnostics& out) {
     std::vector<fs::path> result;
     std::set<fs::path> seen;
@@ -202,7 +204,7 @@ std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Di
     return result;
 }
 
-/// Files of RoboSim where the inputs are: in a folder, or beside a file.
+/// RoboSim files in a folder that is an input, or in the folder of a file that is an input.
 std::set<std::string> robosim_files(const std::vector<std::string>& inputs) {
     std::set<std::string> result;
     for (const std::string& input : inputs) {
@@ -216,7 +218,7 @@ std::set<std::string> robosim_files(const std::vector<std::string>& inputs) {
     return result;
 }
 
-/// The names behind the words that begin declarations, in a text that need not be RoboChart.
+/// The names after keywords that begin declarations. The text need not be RoboChart.
 std::set<std::string> names_declared(const std::string& path) {
     static const std::set<std::string_view> declaring = {"interface", "record", "enumeration", "type",    "stm",
                                                          "platform",  "module", "controller",  "function"};
@@ -234,7 +236,7 @@ std::set<std::string> names_declared(const std::string& path) {
     return result;
 }
 
-/// Behind each error about a name that only a file of RoboSim declares.
+/// Adds a finding after each error about a name that only a RoboSim file declares.
 void report_robosim(const std::vector<std::string>& inputs, Diagnostics& out) {
     std::vector<diagnostics::Diagnostic> unknown = out.sorted();
     std::erase_if(unknown, [](const diagnostics::Diagnostic& each) { return each.rule != &rules::unknown_name; });
@@ -258,7 +260,7 @@ void report_empty(const File& file, const SourceManager& sources, Diagnostics& o
 
 std::vector<std::string> project_files(const std::string& folder, bool deep) {
     std::vector<std::string> result;
-    Diagnostics ignored;  // an editor goes on with what there is
+    Diagnostics ignored;  // an editor continues with the readable files
     for (const fs::path& path : files_of(folder, deep, ignored)) result.push_back(path.string());
     return result;
 }

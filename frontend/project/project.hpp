@@ -1,4 +1,4 @@
-// The front end's door: a path in, a resolved and typed model or diagnostics out.
+// The entry point of the front end: turns a path into a resolved and typed model, or into diagnostics.
 #pragma once
 
 #include <memory>
@@ -10,32 +10,32 @@
 
 namespace robochart::frontend {
 
-/// Resolves names over all files of the model, computes types and checks the well-formedness rules.
-/// Fills the "filled by" fields anew; may be called again after files of the model were replaced. Order of files does
-/// not matter.
+/// Resolves names over all files of the model, computes types and checks the well-formedness rules. Overwrites the
+/// fields marked "filled by". May be called again after files of the model were replaced. The order of files does not
+/// matter.
 void resolve(Model&, diagnostics::Diagnostics&);
 
-/// Makes the toolkits in the model those that its files import. Belongs before `resolve` where files are changed one by
-/// one (editors); unchanged toolkits are not read again.
+/// Makes the toolkits in the model those that its files import. Call it before `resolve` if single files change
+/// (editors). Unchanged toolkits are not read again.
 void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnostics&);
 
-/// Model and assertion files of a folder, sorted by path, hidden ones left out; with `deep` those of its subfolders
-/// too.
+/// Model and assertion files of a folder, sorted by path, without hidden files. With `deep`, also those of its
+/// subfolders.
 [[nodiscard]] std::vector<std::string> project_files(const std::string& folder, bool deep);
 
-/// Loads a project: a folder (all `.rct` and `.assertions` below it, sorted by path) or one file
-/// (with the other files of its folder, so that imports work; assertions only of the named file
-/// or, for a `.rct`, of the folder's files; for assertions in a folder without models, with those of the folder above).
-/// Reads, parses, resolves. Missing path, unreadable or empty input become diagnostics. Returns a model even when there
-/// are errors.
+/// Reads, parses and resolves a project, and always returns a model, even if there are errors. If `path` is a folder,
+/// all `.rct` and `.assertions` files below it are loaded, sorted by path. If it is one file, the files of its folder
+/// that it needs are loaded as well, so that imports work. Assertions come only from the named file or, for a `.rct`
+/// file, from its folder. If a named assertion file is in a folder without models, the models of the parent folder are
+/// used. A missing path and unreadable or empty input are reported.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
                                                   diagnostics::Diagnostics&);
 
-/// The same for several inputs read as one project: the union of their files.
+/// The same for several inputs that form one project: the union of their files.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::vector<std::string>& paths,
                                                   diagnostics::Diagnostics&);
 
-/// The same for files whose texts are known already, and no others.
+/// The same for exactly these files, whose texts are given.
 [[nodiscard]] std::unique_ptr<Model> load_texts(diagnostics::SourceManager&,
                                                 const std::vector<diagnostics::SourceId>& texts,
                                                 diagnostics::Diagnostics&);

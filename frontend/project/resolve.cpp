@@ -1,6 +1,6 @@
-// Resolution as a whole: names, then types, then rules. A declaration with a mistake of syntax in it is not held to the
-// rules, since what seems absent may just not have been understood; nor is anything held to rules about others while
-// some file could not be read completely.
+// The whole resolution: names, then types, then rules. A declaration with a syntax error is not checked by the rules,
+// because a part that seems absent may be in the text that could not be parsed. While some file has syntax errors,
+// rules about several declarations are not checked at all.
 #include <algorithm>
 
 #include "frontend/checks/checks.hpp"
@@ -15,7 +15,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Rules that look into the declaration alone.
+/// Rules that consider a single declaration.
 void check_inside(const Declaration& declaration, Diagnostics& out) {
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) check_type(*type, out);
     if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) {
@@ -24,7 +24,7 @@ void check_inside(const Declaration& declaration, Diagnostics& out) {
     }
 }
 
-/// `whole`: every file was understood.
+/// `whole`: every file was parsed completely.
 void check(const Declaration& declaration, bool whole, Diagnostics& out) {
     out.poll();
     if (!declaration.broken) check_inside(declaration, out);

@@ -1,4 +1,5 @@
-// Moves the declarations of the new tree into the nodes of the old one, so that references from other files stay valid.
+// Moves the declarations of the new tree into the nodes of the old tree, so that references from other files stay
+// valid.
 #include "frontend/project/tree_patch.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 // ---------------------------------------------------------------- what others see
 
-/// Takes the bodies of machines out of a tree and puts them back at the end.
+/// Removes the bodies of machines from a tree and restores them when it is destroyed.
 class Emptied {
 public:
     explicit Emptied(File& file) {
@@ -38,7 +39,7 @@ private:
     std::vector<std::pair<Machine*, NodeContainer>> bodies_;
 };
 
-/// Operations with a body, which the printed text does not tell from those without.
+/// Marks operations that have a body, because the printed text does not show it.
 void add_flags(const Declaration& declaration, std::string& out) {
     if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) out += machine->has_body ? 'b' : '-';
     const auto* component = dynamic_cast<const Component*>(&declaration);
@@ -95,7 +96,7 @@ bool same_parts(const Component& a, const Component& b) {
            std::equal(a.order.begin(), a.order.end(), b.order.begin(), b.order.end(), same_place);
 }
 
-/// Both of one class?
+/// If both have this class, compares them.
 template <class Kind>
 std::pair<const Kind*, const Kind*> both(const Declaration& a, const Declaration& b) {
     return {dynamic_cast<const Kind*>(&a), dynamic_cast<const Kind*>(&b)};
@@ -224,7 +225,7 @@ bool moved_as(Declaration& old, Declaration& fresh) {
 }
 
 void move_declaration(Declaration& old, Declaration& fresh) {
-    // The most special class first.
+    // The most derived class is tried first.
     if (moved_as<TypeDeclaration>(old, fresh) || moved_as<Function>(old, fresh) || moved_as<Machine>(old, fresh) ||
         moved_as<Component>(old, fresh))
         return;
@@ -240,7 +241,7 @@ std::string outside_of(File& file) {
         const Emptied emptied(file);
         return out + "\n" + to_text(file);
     }
-    // Nobody but other assertions sees these, and they are resolved anew after every change.
+    // Only other assertions refer to these, and assertions are resolved again after every change.
     for (const Import& import : file.imports) out += import.name.text() + (import.wildcard ? "::* " : " ");
     for (const auto& declaration : file.declarations) out += to_text(*declaration);
     return out + "\n" + file.package.text();

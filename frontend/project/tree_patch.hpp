@@ -1,5 +1,5 @@
-// A new tree of a file put into its old one, so that what other files point at stays where it is (private to the front
-// end).
+// Replaces the contents of a file's tree while the addresses to which other files point stay valid (private to the
+// front end).
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace robochart::frontend {
 
-/// What other files can see of a file, as text: everything but nodes and transitions (assertions see those too), and
-/// what is kept about its mistakes. Two trees with equal texts differ for others in nothing but places.
+/// What other files can see of a file, as text: everything except nodes and transitions (which only assertions see),
+/// and the facts recorded about its syntax errors. Two trees with equal texts differ for other files only in the places
+/// of declarations.
 [[nodiscard]] std::string outside_of(File& file);
 
-/// Do both trees have the same declarations in the same order?
+/// True if both trees have the same declarations in the same order.
 [[nodiscard]] bool same_declarations(const File& old, const File& fresh);
 
-/// Moves everything of the new tree into the old one; declarations that other files may point at (all but nodes,
-/// transitions, connections, expressions and statements) keep their addresses. Only for the same declarations.
+/// Moves the new tree into the old one. Declarations to which other files may point (all except nodes, transitions,
+/// connections, expressions and statements) keep their addresses. Precondition: `same_declarations`.
 void patch(File& old, File&& fresh);
 
 }  // namespace robochart::frontend

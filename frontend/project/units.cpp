@@ -1,4 +1,4 @@
-// See units.hpp. Union of sets with path halving (Tarjan, van Leeuwen 1984).
+// See units.hpp. Union-find with path halving (Tarjan, van Leeuwen 1984).
 #include "frontend/project/units.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The words in front of `::` that begin a name: what is behind one is inside it.
+/// The words that begin a name and are followed by `::`.
 std::set<std::string> first_parts(const std::string& text) {
     std::set<std::string> result;
     for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 2)) {
@@ -86,13 +86,14 @@ public:
     }
 
 private:
-    /// What names a declaration of a package: things of other kinds may be called the same.
+    /// The key of a declaration in a package. Declarations of different kinds may have the same name.
     using Key = std::tuple<std::string, std::string, DeclKind>;
     static Key key(const File& file, const Declaration& declaration) {
         return {file.package.text(), std::string(declaration.name), declaration.kind};
     }
 
-    /// To those of the files that are nearest: it is ambiguous which of them is meant.
+    /// Ties the file to the nearest of the other files. If several are equally near, it is ambiguous which is meant,
+    /// and it is tied to all of them.
     void tie_nearest(std::size_t file, const std::vector<std::size_t>& others) {
         std::size_t near = 0;
         for (const std::size_t other : others)
@@ -108,7 +109,7 @@ private:
         tied_.insert(b);
     }
 
-    /// Those in one folder, and in one above another.
+    /// Ties the files that are in one folder, and those whose folder contains the folder of another.
     void same_package(const std::vector<std::size_t>& files) {
         std::map<std::string, std::size_t, std::less<>> first;  // by folder
         for (const std::size_t file : files) first.emplace(model_.files[file]->folder, file);
@@ -145,7 +146,7 @@ private:
         }
     }
 
-    /// Nothing in a block is resolved: its names tie it to all that are called so.
+    /// Names in a block are not resolved, so the file is tied to the nearest files that declare the names.
     void blocks(std::size_t file) {
         for (const CspBlock& block : model_.files[file]->csp_blocks)
             for (const std::string& name : first_parts(block.text)) {
@@ -155,7 +156,7 @@ private:
             }
     }
 
-    /// What was not understood may be what others beside it need.
+    /// Text that could not be parsed may contain declarations that neighbouring files need.
     void broken(std::size_t file) {
         if (!model_.files[file]->has_syntax_errors) return;
         std::vector<std::size_t> others;
@@ -197,7 +198,7 @@ std::string instantiations(const File& file) {
     return result;
 }
 
-/// A group, once for each of its instantiations.
+/// Makes one unit of a group for each of its instantiations.
 void split(const Model& model, const std::vector<std::size_t>& group, std::vector<Unit>& result) {
     std::map<std::string, std::vector<std::size_t>> by_text;
     std::vector<std::string> order;

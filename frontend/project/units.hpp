@@ -1,5 +1,5 @@
-// Which files of a project belong together: what refers to each other, imports each other or is of one package. What
-// does not belong together shares nothing, a finite instantiation least of all.
+// Which files of a project belong together: files that refer to each other, import each other or have the same package.
+// Other files share nothing, in particular no finite instantiation.
 #pragma once
 
 #include <vector>
@@ -8,27 +8,27 @@
 
 namespace robochart::frontend {
 
-/// Files that are read, made finite and checked together, by place in Model::files.
+/// Files that are read, instantiated and checked together, as indices into Model::files.
 struct Unit {
     std::vector<std::size_t> files;
-    bool again = false;  ///< the models in it stand in a unit before it too, with other instantiations
+    bool again = false;  ///< an earlier unit contains the same models with other instantiations
 };
 
-/// The files of a resolved model in groups, by place in Model::files; libraries are in none. Files are in one group
-/// where one refers to a declaration of the other (a csp block: by a name of a component or package in front of `::`)
-/// or imports from its package, and where they are of one named package and in one folder or one above the other;
-/// assertion files without any such tie belong to the models that are nearest to them. Of files that declare the same
-/// name the nearest is meant (`nearness`); all of them where they are equally near, so that they meet in one group and
-/// the rules report the name. What could not be read completely belongs to the files nearest to it. Groups are in the
-/// order of their first files.
+/// Divides the files of a resolved model into groups, as indices into Model::files. Libraries are in no group. Two
+/// files are in one group if one refers to a declaration of the other (a csp block refers by a component or package
+/// name before `::`) or imports its package. Files of the same named package are in one group if they are in one
+/// folder, or if the folder of one contains the other. Assertion files without such a tie join the models that are
+/// nearest to them. If several files declare the same name, the nearest is meant (`nearness`); if they are equally
+/// near, all join one group, and the rules report the name. A file with syntax errors joins the files nearest to it.
+/// Groups are in the order of their first files.
 [[nodiscard]] std::vector<std::vector<std::size_t>> groups(const Model& model);
 
-/// The groups as they are made finite. Where several assertion files of a group have different blocks `Instantiations`,
-/// each of them is a unit with the group's models, and the assertion files without any are one with the generated
-/// instantiations: RoboTool makes a script of each assertion file.
+/// Divides the groups by their instantiations. If assertion files of a group have different blocks `Instantiations`,
+/// each of them forms a unit with the group's models. The assertion files without such a block form one unit with the
+/// generated instantiations. RoboTool, too, makes one script of each assertion file.
 [[nodiscard]] std::vector<Unit> units(const Model& model);
 
-/// A block that replaces the generated instantiations. RoboTool's documents write `Instantiations`, some models
+/// True if the block replaces the generated instantiations. RoboTool's documents call it `Instantiations`, some models
 /// `instantiations`.
 [[nodiscard]] bool replaces_instantiations(const CspBlock& block);
 

@@ -33,7 +33,8 @@ const Context* platform_of(const Declaration* whole, const std::string& name) {
 
 namespace {
 
-/// A part of a module or controller: by its own name, else by the name of what is behind a reference if that is plain.
+/// The component of a module or controller with this name: its own name, or otherwise the name of the definition that a
+/// reference refers to, if that name is a simple one.
 const Declaration* part_of(const Declaration* whole, const std::string& name) {
     const auto* component = followed<Component>(whole);
     if (component == nullptr) return nullptr;

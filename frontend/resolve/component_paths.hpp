@@ -1,5 +1,5 @@
-// Components along paths through references, `Module::controller_ref::machine_ref`: for the resolver, and for what
-// reads the paths of probabilistic assertions once more.
+// Components found along paths through references, such as `Module::controller_ref::machine_ref`. The resolver uses
+// them, and so do readers of the paths in probabilistic assertions.
 #pragma once
 
 #include <string>
@@ -9,37 +9,37 @@
 
 namespace robochart::frontend {
 
-/// What assertions call components.
+/// The kinds that assertions call components.
 extern const Kinds component_kinds;
 
-/// A path with the number of parts of the name that it took.
+/// A path, and the number of name parts that it uses.
 struct Way {
     ComponentPath path;
     std::size_t used = 0;
-    std::size_t by_definition = 0;  ///< of these, how many name what is behind a reference, and not the reference
+    std::size_t by_definition = 0;  ///< how many of these name the definition instead of the reference to it
 
     [[nodiscard]] const Declaration* end() const { return path.steps.empty() ? nullptr : path.steps.back(); }
 };
 
-/// The name's first parts.
+/// The first `count` parts of a name.
 [[nodiscard]] QualifiedName first_parts(const QualifiedName& name, std::size_t count);
-/// Is it a component, or a reference to one?
+/// True for a component or a reference to one.
 [[nodiscard]] bool is_component(const Declaration* part);
 /// The platform of this name in a module; null if there is none.
 [[nodiscard]] const Context* platform_of(const Declaration* whole, const std::string& name);
-/// The state or final state that the parts of a name from `at` on lead to; null if there is none.
+/// The state or final state to which the parts of a name from index `at` lead; null if there is none.
 [[nodiscard]] const State* state_at(const NodeContainer& top, const QualifiedName& name, std::size_t at);
-/// Goes on from a component along the parts of a name from `at` on, as far as they name components.
+/// Extends a path along the parts of a name from index `at`, while they name components.
 [[nodiscard]] Way walk_components(Way from, const QualifiedName& name, std::size_t at);
-/// The declarations that the longest beginning of a name leads to, from the file's package, its imports, unnamed
-/// packages or a package that is written in front; else from any package, if there is one component of the name. Of
-/// equally long beginnings that with the fewest names of definitions in the place of references is meant: `P::S` is the
-/// machine S of package P even where P has a controller P with a reference to S.
+/// The path for the longest prefix of the name that leads to declarations. The search starts at the file's package, its
+/// imports, unnamed packages, or a package that the name begins with. If nothing is found, it takes a component of any
+/// package, if only one has the name. Of equally long prefixes, the one with the fewest names of definitions instead of
+/// references is taken: `P::S` is the machine S of package P even if P has a controller P with a reference to S.
 [[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
-/// The paths of the states inside that are called so, for a suggestion.
+/// Collects the paths of the inner states with this name, for a suggestion.
 void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,
                       std::vector<std::string>& paths);
-/// The names of all states inside, for a suggestion.
+/// Collects the names of all inner states, for a suggestion.
 void collect_states(const NodeContainer& container, std::vector<std::string>& names);
 
 }  // namespace robochart::frontend

@@ -1,4 +1,5 @@
-// Headers first: types, interface clauses and references of all files, so that bodies may come in any order.
+// Resolves headers first: types, interface clauses and references of all files. Bodies can then be resolved in any
+// order.
 #include "frontend/resolve/resolver.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ void Resolver::each(File& file, void (Resolver::*visit)(File&, Declaration&)) {
     for (auto& declaration : file.declarations) each_part(file, *declaration, visit);
 }
 
-/// The declaration and the components inside it.
+/// Visits the declaration and the components inside it.
 void Resolver::each_part(File& file, Declaration& declaration, void (Resolver::*visit)(File&, Declaration&)) {
     (this->*visit)(file, declaration);
     auto* component = dynamic_cast<Component*>(&declaration);
@@ -68,7 +69,7 @@ void Resolver::context_header(File& file, Context& context) {
     // Sizes of vectors may name constants of the context itself.
     const Scope scope = scope_of(context);
     Surroundings around{{&file, &context}, &scope, nullptr, nullptr, {}};
-    // Constants first: they may size the types of the others.
+    // Constants come first, because the types of other variables may use them as sizes.
     for (auto& variable : context.variables)
         if (variable->kind == DeclKind::constant) variable_type(*variable, around);
     for (auto& variable : context.variables)

@@ -1,4 +1,4 @@
-// Filling the tree: what every name stands for and every type (private to the front end).
+// Fills in the declaration of every name and every type (private to the front end).
 #pragma once
 
 #include "frontend/types/typer.hpp"
@@ -10,7 +10,7 @@ public:
     Resolver(Model& model, Finder& finder) : model_(model), finder_(finder), typer_(finder) {}
     void run();
 
-    // The same in parts: headers of all files come before any bodies, assertions last.
+    // The same in steps: the headers of all files, then the bodies, then the assertions.
     void headers(File& file) { each(file, &Resolver::header); }
     void bodies(File& file) { each(file, &Resolver::body); }
     void assertions();
@@ -34,13 +34,13 @@ private:
     void context_body(File& file, Context& context);
     void machine_body(Machine& machine, Surroundings& around);
     void container(NodeContainer& container, const Machine& machine, Surroundings& around);
-    /// The nodes of a container; of several with one name the first.
+    /// The nodes of a container by name; if a name is declared twice, the first one.
     using NodeNames = std::map<std::string_view, const State*>;
     void transition(Transition& transition, const NodeNames& names, const Machine& machine, Surroundings& around);
     const State* node(const QualifiedName& name, const Transition& transition, std::string_view role,
                       const NodeNames& names, const Machine& machine);
     void connections(Component& component);
-    /// The parts of a component by name, and the scopes of those looked into so far (never in order of pointers).
+    /// The components of a component by name, and the scopes computed so far. The order of pointers is never used.
     struct Ends {
         const Component& component;
         std::map<std::string_view, const Declaration*> parts;
@@ -55,10 +55,10 @@ private:
     Typer typer_;
 };
 
-/// Assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp). Comes after
-/// the declarations of all files.
+/// Assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp). Called after
+/// the declarations of all files are resolved.
 void resolve_assertions(Model& model, Finder& finder, Typer& typer);
-/// Probabilistic assertions and what they refer to (resolver_probability.cpp), likewise.
+/// Probabilistic assertions and the definitions that they use (resolver_probability.cpp). Called at the same time.
 void resolve_probabilistic(Model& model, Finder& finder, Typer& typer);
 
 }  // namespace robochart::frontend

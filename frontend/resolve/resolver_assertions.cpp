@@ -1,5 +1,5 @@
-// Assertions and csp blocks (assertion language 4): names of components are paths through references,
-// `Module::controller_ref::machine_ref::State`; a csp block's name goes before.
+// Assertions and csp blocks (assertion language 4). Component names are paths through references, such as
+// `Module::controller_ref::machine_ref::State`. If a csp block has the same name, the block is meant.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@ namespace {
 const Kinds other_kinds = {DeclKind::interface,   DeclKind::platform, DeclKind::primitive_type,
                            DeclKind::record_type, DeclKind::function, DeclKind::enumeration};
 
-/// Every path from a component down to a machine.
+/// Collects every path from a component down to a machine.
 void add_instances(const ComponentPath& above, const Machine& machine, std::vector<ComponentPath>& found) {
     if (follow(above.steps.back()) == &machine) return found.push_back(above);
     const auto* component = followed<Component>(above.steps.back());
@@ -65,12 +65,13 @@ private:
     Finder& finder_;
     Typer& typer_;
     const File* file_ = nullptr;
-    std::set<const Declaration*> reported_open_;  ///< RC-Q08 once for each component of a file
+    std::set<const Declaration*> reported_open_;  ///< RC-Q08 is reported once for each component of a file
 };
 
 // ---------------------------------------------------------------- paths
 
-/// The block of the file itself, else of another. Files are scopes of their own: several may have one of the name.
+/// The block of this name in the same file, or otherwise in another file. Names of blocks are local to a file, so
+/// several files may have one of this name.
 const CspBlock* AssertionResolver::process(const std::string& name) const {
     const auto in = [&](const File& file) {
         const auto found = std::find_if(file.csp_blocks.begin(), file.csp_blocks.end(),
@@ -92,7 +93,7 @@ ComponentPath AssertionResolver::component(const QualifiedName& name, bool proce
     return {};
 }
 
-/// What constants belong to: the platform of a module stands for the module.
+/// The component that a constant belongs to. A platform stands for its module.
 ComponentPath AssertionResolver::context(const QualifiedName& name) {
     Way found = way(name);
     const bool all_but_one = found.used + 1 == name.parts.size() && found.used > 0;
@@ -106,11 +107,11 @@ std::vector<std::string> AssertionResolver::known_names() const {
     std::vector<std::string> names = finder_.candidates(component_kinds);
     for (const auto& file : model_.files)
         for (const CspBlock& block : file->csp_blocks)
-            if (!block.name.starts_with('?')) names.push_back(block.name);  // not that of one without a name
+            if (!block.name.starts_with('?')) names.push_back(block.name);  // generated for a block without a name
     return names;
 }
 
-/// What there is instead, where it is not too much to read.
+/// The existing names, for a message; empty if there are too many to list.
 std::string instead(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
     std::sort(names.begin(), names.end());
@@ -127,7 +128,7 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
             .notes.push_back({other->name_span, "it is declared here"});
         return;
     }
-    // The first part after a package is the one that is wrong.
+    // The first part after the package is the wrong one.
     std::size_t wrong = 0;
     for (std::size_t parts = 1; parts < std::min(name.parts.size(), finder_.names().most_parts() + 1); ++parts)
         if (finder_.names().has_package(first_parts(name, parts).text())) wrong = parts;
@@ -167,8 +168,8 @@ void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) 
 
 // ---------------------------------------------------------------- states and clocks
 
-/// The name may be relative to the subject, a full path through it, or a path through the definition of one of its
-/// parts.
+/// The name may be relative to the subject, a full path through the subject, or a path through the definition of one of
+/// its components.
 bool AssertionResolver::find_state(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
     const auto take = [&](const ComponentPath& path, std::size_t used) {
@@ -193,7 +194,7 @@ bool AssertionResolver::find_state(Assertion& assertion) {
     return instances.size() == 1 && take(instances.front(), absolute.used);
 }
 
-/// The full paths of the states of the name in the machines of a component.
+/// Collects the full paths of the states with this name in the machines of a component.
 void add_states_below(const Declaration* component, const std::string& name, const std::string& above,
                       std::vector<std::string>& paths) {
     if (const auto* machine = followed<Machine>(component))
@@ -204,7 +205,7 @@ void add_states_below(const Declaration* component, const std::string& name, con
         if (is_component(part)) add_states_below(part, name, above + "::" + part->name, paths);
 }
 
-/// The only state of the name, by its path, or a name that is near.
+/// Suggests the only state with this name, by its path, or a similar name.
 void suggest_state(const Machine& machine, const QualifiedName& name, diagnostics::Diagnostic& finding) {
     std::vector<std::string> paths;
     collect_paths_of(machine, name.parts.back(), "", paths);
@@ -255,7 +256,7 @@ void AssertionResolver::clock(Assertion& assertion) {
     if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
 }
 
-/// What is written behind `in` is no machine and no state of one.
+/// Reports that the name after `in` is neither a machine nor a state of one.
 void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way) {
     const QualifiedName& name = assertion.other;
     if (way.used == 0) return unknown(name, way);
@@ -271,7 +272,7 @@ void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way
     suggest_state(*machine, name, finding);
 }
 
-/// `event E is missed in S`: S leads to a machine, or on to one of its states; E is an event of this machine.
+/// `event E is missed in S`: S is the path of a machine or of a state of the machine; E is an event of the machine.
 void AssertionResolver::missed_event(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
     const Way found = way(name);
@@ -371,7 +372,7 @@ void AssertionResolver::report_repeated(const Assertion& assertion) {
         }
 }
 
-/// Constants that a controller or machine requires and that nobody gives a value.
+/// Reports constants that a controller or machine requires and that have no value.
 void AssertionResolver::report_open(const Assertion& assertion, const ComponentPath& path, const QualifiedName& name) {
     const auto* definition = path.steps.size() == 1 ? dynamic_cast<const Context*>(path.steps.front()) : nullptr;
     const bool asks = definition != nullptr &&

@@ -13,7 +13,8 @@ namespace robochart::frontend {
 void Resolver::function_body(File& file, Function& function) {
     Surroundings around{{&file, &function}, nullptr, &function, nullptr, {}};
     for (const VariablePtr& parameter : function.parameters) around.bound.push_back(parameter.get());
-    // RoboTool does not look at contracts: a wrong one is left out, whole, and the function counts as undefined.
+    // RoboTool ignores contracts. A wrong contract is therefore dropped as a whole, and the function counts as
+    // undefined.
     diagnostics::Diagnostics found;
     diagnostics::Diagnostics& out = finder_.redirect(found);
     for (const ExprPtr& condition : function.preconditions) typer_.boolean(condition, around, "a precondition");
@@ -84,7 +85,7 @@ void Resolver::transition(Transition& transition, const NodeNames& names, const 
     if (transition.action) typer_.statement(*transition.action, around);
 }
 
-/// A node of the transition's own container (T1); otherwise the message says where it is.
+/// A node of the transition's own container (T1). If the node is elsewhere, the message says where.
 const State* Resolver::node(const QualifiedName& name, const Transition& transition, std::string_view role,
                             const NodeNames& names, const Machine& machine) {
     if (name.empty()) return nullptr;
@@ -95,7 +96,7 @@ const State* Resolver::node(const QualifiedName& name, const Transition& transit
                                         [&](const auto& n) { return n->name == name.parts.front(); });
         if (elsewhere == nullptr && found != other.nodes.end()) elsewhere = found->get();
     });
-    if (machine.broken && elsewhere != nullptr) return nullptr;  // its braces may not be where they belong
+    if (machine.broken && elsewhere != nullptr) return nullptr;  // a misplaced brace may have moved the node
     if (elsewhere != nullptr) {
         finder_.out()
             .report(rules::t1, name.span, {std::string(role), name.text(), transition.name})
@@ -125,7 +126,8 @@ void Resolver::connection_end(Connection::End& end, Ends& ends) {
     if (part != ends.parts.end()) end.node_target = part->second;
     if (!is_module && end.node_target == nullptr && end.node.text() == component.name) end.node_target = &component;
     const Declaration* behind = follow(end.node_target);
-    const bool known = end.node_target != nullptr && behind == nullptr;  // a broken reference, reported there
+    const bool known = end.node_target != nullptr && behind == nullptr;  // an unresolved reference, which is reported
+                                                                         // where it is declared
     const bool fits =
         behind != nullptr && (is_module ? behind->kind == DeclKind::platform || behind->kind == DeclKind::controller
                                         : behind->kind == DeclKind::state_machine || behind == &component);
@@ -133,7 +135,7 @@ void Resolver::connection_end(Connection::End& end, Ends& ends) {
     if (!known) wrong_node(end, ends);
 }
 
-/// Cn1, Cn3: what is connected is no part of the component.
+/// Cn1, Cn3: the connected node is not a component of this controller or module.
 void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
     const Component& component = ends.component;
     const bool is_module = component.kind == DeclKind::module;
@@ -150,7 +152,7 @@ void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
                     finder_.keys(ends.parts));
 }
 
-/// An end's event is one of the component at that end; that there is none, `check_ends` says.
+/// Finds the event of a connection end in the component at that end. `check_ends` reports an unknown event.
 void Resolver::connection_event(Connection::End& end, Ends& ends) {
     const auto* behind = followed<Context>(end.node_target);
     if (behind == nullptr) return;

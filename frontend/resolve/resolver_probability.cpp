@@ -1,5 +1,5 @@
-// Names of probabilistic assertions: states, variables, constants and events of the model by their paths, literals, and
-// what assertion files define. A definition is looked for in the file itself, then in all others.
+// Names in probabilistic assertions: states, variables, constants and events of the model by their paths, literals, and
+// definitions of assertion files. A definition is looked up in the same file first, then in all others.
 #include <algorithm>
 #include <functional>
 
@@ -11,15 +11,15 @@ namespace robochart::frontend {
 
 namespace {
 
-/// What a name stands for, with the names that were possible in its place.
+/// The declaration that a name refers to, with the candidates that were possible in its place.
 struct Found {
     const Declaration* target = nullptr;
     std::string where;
     std::vector<std::string> candidates;
-    bool unknowable = false;  ///< inside something that is not looked into
+    bool unknowable = false;  ///< inside a construct that is not resolved
 };
 
-/// A machine or state, with the states inside.
+/// A machine or state, with its inner states.
 struct Region {
     const Declaration* declaration = nullptr;
     const NodeContainer* nodes = nullptr;
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] const Declaration* literal(const QualifiedName& name) const;
     [[nodiscard]] Found constant(const QualifiedName& name) const;
     [[nodiscard]] Region region(const QualifiedName& name) const;
-    /// Every definition of the kind, those of the file itself first.
+    /// Calls `visit` for every definition of the kind; those of the same file come first.
     void each_definition(ProbabilisticKind kind,
                          const std::function<void(const ProbabilisticDefinition&)>& visit) const;
     [[nodiscard]] Way way(const QualifiedName& name) const {
@@ -75,8 +75,8 @@ private:
     Finder& finder_;
     Typer& typer_;
     const File* file_ = nullptr;
-    const ProbabilisticModule* module_ = nullptr;      ///< around what is resolved
-    const ProbabilisticFunction* function_ = nullptr;  ///< likewise
+    const ProbabilisticModule* module_ = nullptr;      ///< the module that is being resolved
+    const ProbabilisticFunction* function_ = nullptr;  ///< the function that is being resolved
 };
 
 // ---------------------------------------------------------------- looking up
@@ -95,7 +95,8 @@ void ProbabilityResolver::each_definition(ProbabilisticKind kind,
         if (file.get() != file_) of(*file);
 }
 
-/// A variable, constant or event of a component: the last part of a path, also through the platform of a module.
+/// A variable, constant or event of a component: the last part of a path. The path may lead through the platform of a
+/// module.
 Found ProbabilityResolver::member(const QualifiedName& name, bool events) const {
     const Way found = way(name);
     const std::size_t left = name.parts.size() - found.used;
@@ -116,7 +117,7 @@ Found ProbabilityResolver::member(const QualifiedName& name, bool events) const 
     return among(variables, name.parts.back(), inside(*owner));
 }
 
-/// `E::l`; the enumeration may be of any package.
+/// `E::l`; the enumeration may be in any package.
 const Declaration* ProbabilityResolver::literal(const QualifiedName& name) const {
     const Kinds literals = {DeclKind::enum_literal};
     if (const Declaration* found = finder_.names().find({file_, nullptr}, name, literals)) return found;
@@ -135,7 +136,7 @@ Found ProbabilityResolver::constant(const QualifiedName& name) const {
     return among(constants, name.parts.back(), "in the assertion files");
 }
 
-/// The machine or state of a name.
+/// The machine or state that a name refers to.
 Region ProbabilityResolver::region(const QualifiedName& name) const {
     const Way found = way(name);
     const auto* machine = found.used > 0 ? followed<Machine>(found.end()) : nullptr;
@@ -179,7 +180,7 @@ void ProbabilityResolver::event(Expr& expr) {
         finder_.unknown(expr.name, "event", found.where, found.candidates);
 }
 
-/// `M is in S`: S by its path, or from M on.
+/// `M is in S`: S is a full path, or a path relative to M.
 void ProbabilityResolver::in_state(Expr& expr) {
     const Region machine = region(expr.name);
     Expr& state = *expr.args.front();
@@ -198,7 +199,7 @@ void ProbabilityResolver::in_state(Expr& expr) {
     finder_.unknown(state.name, "state", inside(*expr.target), candidates);
 }
 
-/// What assertion files define: reported if there is nothing of the name.
+/// Resolves a definition of assertion files; an unknown name is reported.
 void ProbabilityResolver::defined(const QualifiedName& name, ProbabilisticKind kind, std::string_view what) {
     std::vector<std::string> candidates;
     each_definition(kind, [&](const ProbabilisticDefinition& each) { candidates.push_back(each.name); });
@@ -206,7 +207,7 @@ void ProbabilityResolver::defined(const QualifiedName& name, ProbabilisticKind k
         finder_.unknown(name, what, "in the assertion files", candidates);
 }
 
-/// `@x` of the module around it, `@M::N::x` or `@N::x`.
+/// `@x` of the enclosing module, `@M::N::x` or `@N::x`.
 const Declaration* ProbabilityResolver::module_variable(const QualifiedName& name) {
     std::vector<const Variable*> variables;
     const auto add = [&](const ProbabilisticModule& module) {

@@ -1,6 +1,6 @@
 // The rule table of the resolved model: names, well-formedness and types (language reference 2). Codes are the
-// published ones where there are such, ours (RC-...) otherwise. Two rows may share a code: the same rule, other
-// circumstances.
+// published ones if they exist; the others are ours (RC-...). Two rows may share a code if they report the same rule in
+// different circumstances.
 #pragma once
 
 #include <vector>
@@ -47,7 +47,7 @@ extern const Rule w_loose_machine, w_loose_controller, w_loose_platform, w_stuck
 [[nodiscard]] const std::vector<const Rule*>& of_types();
 [[nodiscard]] const std::vector<const Rule*>& of_lints();
 [[nodiscard]] const std::vector<const Rule*>& of_assertions();
-/// All of them.
+/// All rules.
 [[nodiscard]] std::vector<const Rule*> all();
 
 }  // namespace robochart::frontend::rules

@@ -1,4 +1,4 @@
-// Warnings about well-formed models: what is hardly meant, and what it means nevertheless.
+// Warnings about well-formed models: constructs that are probably not intended, and what they mean.
 #include "frontend/rules/rules.hpp"
 
 namespace robochart::frontend::rules {

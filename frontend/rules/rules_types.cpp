@@ -1,4 +1,4 @@
-// Rules about types. Tg: communications, after the published rules of triggers.
+// Rules about types. Tg: rules about communications, after the published rules about triggers.
 #include "frontend/rules/rules.hpp"
 
 namespace robochart::frontend::rules {

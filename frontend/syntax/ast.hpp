@@ -1,6 +1,6 @@
-// The syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), whole grammar,
-// after the public RoboChart.xtext and Assertions.xtext grammars. The parser fills the syntactic
-// fields; name resolution fills `target`s, typing fills `type`s ("filled by resolve/typing" below).
+// The syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), after the public grammars
+// RoboChart.xtext and Assertions.xtext. The parser fills the syntactic fields; name resolution fills `target`s and
+// typing fills `type`s ("filled by resolve/typing" below).
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ using ExprPtr = std::unique_ptr<Expr>;
 struct TypeExpr {
     TypeKind kind = TypeKind::name;
     Span span;
-    QualifiedName name;                           ///< name, variable
+    QualifiedName name;                           ///< for name, variable
     std::vector<std::unique_ptr<TypeExpr>> args;  ///< operand types in order
     std::vector<ExprPtr> sizes;                   ///< vector: 1, matrix: 2
     const Declaration* target = nullptr;          ///< filled by resolve
@@ -98,7 +98,7 @@ enum class ExprKind {
     since,          ///< since(name): Clock
     since_entry,    ///< sinceEntry(name): State
     parenthesised,  ///< ( args[0] ) kept for the printer
-    // In probabilistic assertions alone.
+    // Only in probabilistic assertions.
     path,         ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, else operands
     probability,  ///< Prob `text` args[1] of [args[0]]; without args[1] a query (`=?`); args[2] optional simulation
     reward,       ///< Reward {name} `text` args[1] of [args[0]], likewise
@@ -106,9 +106,9 @@ enum class ExprKind {
     some_path,   ///< Forall [args[0]], Exists [args[0]]
     in_state,    ///< name is in args[0]
     event,       ///< name.text: `in`, `out`; `in.val`, `out.val`
-    marked,      ///< a name behind the sign `text`: $formula, #label, &function, @variable of a module, $$parameter
+    marked,      ///< a name after the sign `text`: $formula, #label, &function, @variable of a module, $$parameter
     simulation,  ///< sim with `text` at bindings (name/value)
-    error,       ///< left by recovery; carries no more errors
+    error,       ///< made by error recovery; causes no further errors
 };
 
 /// The operators between two expressions.
@@ -131,16 +131,16 @@ enum class BinaryOp {
     modulus,
     concat,
 };
-/// The operators in front of an expression.
+/// The operators before an expression.
 enum class UnaryOp { negate, logical_not };
 
-/// The operators of path formulas and, the last four, of rewards.
+/// The operators of path formulas; the last four are operators of rewards.
 enum class PathOp { eventually, globally, next, until, weak_until, release, reachable, linear_time, cumulative, total };
 
-/// `v:T`, `v == e`, or `f = e` inside quantifiers, let, comprehensions and record literals.
+/// `v:T`, `v == e` or `f = e` in quantifiers, let, comprehensions and record literals.
 struct Binding;
 
-/// An expression as written; resolution fills in what its names mean and its type.
+/// An expression as written. Resolution fills in the declarations of its names, typing its type.
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
@@ -149,14 +149,14 @@ struct Expr {
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
     std::optional<PathOp> path;
-    std::vector<ExprPtr> args;  ///< may hold nulls where the grammar has an optional part
+    std::vector<ExprPtr> args;  ///< may contain nulls for optional parts
     ExprPtr callee;             ///< call of an expression that is not a plain name
     std::vector<Binding> bindings;
     TypeExprPtr type_expr;     ///< cast, is_type
     bool lower_closed = true;  ///< range
     bool upper_closed = true;
     std::size_t columns = 0;   ///< matrix
-    std::uint32_t height = 1;  ///< of this tree; the parser bounds it, so walking may recurse
+    std::uint32_t height = 1;  ///< of this tree; the parser bounds it, so recursion is safe
 
     const Declaration* target = nullptr;  ///< filled by resolve
     TypePtr type;                         ///< filled by typing; null if it could not be computed
@@ -167,7 +167,7 @@ struct Expr {
 /// The forms of communication.
 enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
 
-/// A communication in a trigger or a statement.
+/// A communication of a trigger or a statement.
 struct Communication {
     CommKind kind = CommKind::simple;
     Span span;
@@ -247,10 +247,10 @@ enum class DeclKind {
     junction,
     probabilistic,
     transition,
-    bound_variable,  ///< of a quantifier, let, lambda, comprehension
+    bound_variable,  ///< of a quantifier, let, lambda or comprehension
 };
 
-/// Common part of everything that has a name and can be pointed at.
+/// The common fields of everything that has a name and that other elements can refer to.
 struct Declaration {
     explicit Declaration(DeclKind k) : kind(k) {}
     virtual ~Declaration() = default;
@@ -262,7 +262,7 @@ struct Declaration {
     Span name_span;
     Span span;
     const Declaration* parent = nullptr;  ///< filled by resolve: enclosing declaration; null at package level
-    bool broken = false;                  ///< a mistake of syntax inside: parts may be missing
+    bool broken = false;                  ///< contains a syntax error, so parts may be missing
 };
 
 /// A value with a type: field, parameter, variable, constant, bound variable.
@@ -275,7 +275,7 @@ struct Variable final : Declaration {
 using VariablePtr = std::unique_ptr<Variable>;
 
 struct Binding {
-    VariablePtr variable;  ///< name and, where written, type
+    VariablePtr variable;  ///< the name and, if written, the type
     ExprPtr value;         ///< let, record literal
 };
 
@@ -299,7 +299,7 @@ struct OperationSignature final : Declaration {
     bool terminates = false;
 };
 
-/// A literal of an enumeration, with the types of its arguments.
+/// A literal of an enumeration with the types of its arguments.
 struct EnumLiteral final : Declaration {
     EnumLiteral() : Declaration(DeclKind::enum_literal) {}
     std::vector<TypeExprPtr> arguments;
@@ -335,24 +335,24 @@ struct InterfaceClause {
 struct State;
 struct Transition;
 
-/// Anything that declares variables, constants, events, clocks, operations or uses interfaces:
-/// interface, platform, operation, state machine, controller, (and its parts of) module.
+/// Everything that declares variables, constants, events, clocks or operations, or that uses interfaces: interface,
+/// platform, operation, state machine, controller, module.
 struct Context : Declaration {
     explicit Context(DeclKind k) : Declaration(k) {}
     std::vector<InterfaceClause> interfaces;
-    std::vector<VariablePtr> variables;  ///< `var` and `const` in textual order (kind tells)
+    std::vector<VariablePtr> variables;  ///< `var` and `const` in textual order, distinguished by kind
     std::vector<std::unique_ptr<Event>> events;
     std::vector<std::unique_ptr<Clock>> clocks;
     std::vector<std::unique_ptr<OperationSignature>> signatures;
 };
 
-/// Nodes and transitions: machine, operation, composite state.
+/// Nodes and transitions of a machine, operation or composite state.
 struct NodeContainer {
     std::vector<std::unique_ptr<State>> nodes;
     std::vector<std::unique_ptr<Transition>> transitions;
 };
 
-/// When an action of a state runs.
+/// When a state runs an action.
 enum class ActionKind { entry, during, exit };
 /// An action of a state.
 struct Action {
@@ -361,13 +361,13 @@ struct Action {
     StmtPtr statement;
 };
 
-/// state, initial, final, junction or probabilistic junction (kind tells).
+/// A state, initial junction, final state, junction or probabilistic junction, distinguished by kind.
 struct State final : Declaration, NodeContainer {
     explicit State(DeclKind k) : Declaration(k) {}
     std::vector<Action> actions;  ///< states only
 };
 
-/// A transition between two nodes, named by their names.
+/// A transition between two nodes, which it names.
 struct Transition final : Declaration {
     Transition() : Declaration(DeclKind::transition) {}
     QualifiedName from, to;
@@ -383,11 +383,11 @@ struct Transition final : Declaration {
     std::vector<Reset> resets;
     ExprPtr deadline;  ///< <{ e }
     ExprPtr condition;
-    bool otherwise = false;  ///< condition else
+    bool otherwise = false;  ///< condition `else`
     StmtPtr action;
 };
 
-/// stm, or operation with a body. Interfaces and platforms are plain Contexts.
+/// A state machine (`stm`), or an operation with a body. Interfaces and platforms are plain Contexts.
 struct Machine final : Context, NodeContainer {
     explicit Machine(DeclKind k) : Context(k) {}
     std::vector<VariablePtr> parameters;  ///< operation
@@ -405,11 +405,11 @@ struct Reference final : Declaration {
     const Declaration* target = nullptr;  ///< filled by resolve
 };
 
-/// A connection between two components of a controller or module, or with the container itself.
+/// A connection between two components of a controller or module, or between a component and the container.
 struct Connection final : Declaration {
     Connection() : Declaration(DeclKind::connection) {}
     struct End {
-        QualifiedName node;  ///< name of a component inside the container, or of the container itself
+        QualifiedName node;  ///< name of a component of the container, or of the container itself
         QualifiedName event;
         const Declaration* node_target = nullptr;   ///< filled by resolve
         const Declaration* event_target = nullptr;  ///< filled by resolve
@@ -419,7 +419,7 @@ struct Connection final : Declaration {
     bool multiple = false;  ///< [mult]
 };
 
-/// controller or module.
+/// A controller or module.
 struct Component final : Context {
     explicit Component(DeclKind k) : Context(k) {}
     std::vector<std::unique_ptr<Context>> platforms;      ///< module
@@ -428,7 +428,7 @@ struct Component final : Context {
     std::vector<std::unique_ptr<Machine>> operations;     ///< controller
     std::vector<std::unique_ptr<Reference>> references;
     std::vector<std::unique_ptr<Connection>> connections;
-    /// The parts in textual order: members of the vectors above (not connections).
+    /// The members of the vectors above (without connections), in textual order.
     std::vector<const Declaration*> order;
 };
 
@@ -453,20 +453,21 @@ enum class AssertionKind {
     reachable,
     clock_initialised,
     event_missed,
-    conforms,  ///< to a rule in SLEEC
+    conforms,  ///< to a SLEEC rule
 };
-/// In which semantics an assertion is decided.
+/// The semantics in which an assertion is decided.
 enum class AssertionTime { both, timed, untimed };
-/// The model of CSP that an assertion names.
+/// The semantic model of CSP that an assertion names.
 enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct CspBlock;
 
-/// The target of a component's name: the declarations on the path to it. References stand for themselves, so that the
-/// names of the steps make the path `M::ctrl_ref::stm_ref`; what is behind them is the step's `Reference::target`.
+/// The target of a component name: the declarations on the path to it. A step that is a reference is stored as the
+/// Reference, so that the names of the steps form the path `M::ctrl_ref::stm_ref`; `Reference::target` leads to the
+/// definition.
 struct ComponentPath {
-    std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a csp process
-    const CspBlock* process = nullptr;      ///< the name is that of a csp block
+    std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a CSP process
+    const CspBlock* process = nullptr;      ///< set if the name is that of a csp block
 };
 
 /// A value that an assertion gives to a constant or to a parameter of an operation.
@@ -489,7 +490,7 @@ struct Assertion final {
     QualifiedName subject;  ///< X; for reachable: the component; clock_initialised, event_missed: empty
     QualifiedName other;    ///< Y of refines/equals; state of reachable; clock; machine or state of event_missed; rule
     QualifiedName event;    ///< event_missed
-    std::optional<std::int64_t> time_units;  ///< event_missed: in how many in a row, where it is written
+    std::optional<std::int64_t> time_units;  ///< event_missed: number of consecutive time units, if given
     Span time_units_span;
     std::optional<AssertionModel> model;
     std::vector<AssertionParameter> parameters;
@@ -497,7 +498,8 @@ struct Assertion final {
     /// Filled by resolve. refines, equals: Y; reachable: the machine with the state, through the subject;
     /// clock_initialised: the machine with the clock; event_missed: the machine.
     ComponentPath other_path;
-    const State* state = nullptr;   ///< filled by resolve: reachable, event_missed; null there: the whole machine
+    const State* state = nullptr;   ///< filled by resolve: reachable, event_missed; null in event_missed: the whole
+                                    ///< machine
     const Clock* clock = nullptr;   ///< filled by resolve: clock_initialised
     const Event* missed = nullptr;  ///< filled by resolve: event_missed
 };
@@ -512,7 +514,7 @@ struct CspBlock final {
     std::string text;                             ///< verbatim, between csp-begin and csp-end
     Span text_span;
 };
-/// Whether a line of the block begins with the name and a parameter or `=`, so that it defines it.
+/// True if a line of the block begins with the name, followed by a parameter or `=`, so that it defines the name.
 [[nodiscard]] bool defines(const CspBlock&, std::string_view name);
 
 // ---------------------------------------------------------------- probabilistic assertions
@@ -524,7 +526,7 @@ struct ConstantValues {
     ExprPtr value;
 };
 
-/// A reward of a state or, behind `[event]` or `[]`, of a step.
+/// The reward of a state, or, after `[event]` or `[]`, of a step.
 struct RewardItem {
     bool of_step = false;
     ExprPtr event;  ///< null: of a state, or of a step without event
@@ -552,7 +554,7 @@ struct ModuleVariable {
     ExprPtr low, high;  ///< null: bool
 };
 
-/// `pmodule N { … }`: a module of PRISM beside those of the model.
+/// `pmodule N { … }`: a PRISM module in addition to those of the model.
 struct ProbabilisticModule {
     std::string name;
     Span name_span;
@@ -572,23 +574,23 @@ struct ProbabilisticFunction {
 /// What a probabilistic definition defines.
 enum class ProbabilisticKind { constant, constants, label, formula, rewards, definitions, modules };
 
-/// What properties refer to; the kind tells which of the members count.
+/// A definition that properties refer to. The kind determines which members are used.
 struct ProbabilisticDefinition {
     ProbabilisticKind kind = ProbabilisticKind::constant;
     std::string name;
     Span name_span, span;
-    VariablePtr constant;  ///< `const t : T`
-    ExprPtr value;         ///< label, formula
+    VariablePtr constant;  ///< for `const t : T`
+    ExprPtr value;         ///< for label, formula
     std::vector<ConstantValues> constants;
     std::vector<RewardItem> rewards;
     std::vector<ProbabilisticFunction> functions;
     std::vector<ProbabilisticModule> modules;
-    bool broken = false;  ///< a mistake of syntax inside: parts may be missing
+    bool broken = false;  ///< contains a syntax error, so parts may be missing
 };
 
-/// `with constants C`, or with what C would define in its place.
+/// `with constants C`, or with an inline definition in place of C.
 struct ProbabilisticClause {
-    QualifiedName name;                  ///< empty: written here
+    QualifiedName name;                  ///< empty: defined inline
     ProbabilisticDefinition definition;  ///< its kind is that of the clause
 };
 
@@ -606,31 +608,31 @@ struct ProbabilisticAssertion {
     ExprPtr property;  ///< null: a path is generated
     PathGeneration path;
     std::vector<ProbabilisticClause> clauses;
-    std::string options;  ///< `with cmdoptions "…"`, with its quotes
-    bool broken = false;  ///< a mistake of syntax inside: parts may be missing
+    std::string options;  ///< `with cmdoptions "…"`, including the quotes
+    bool broken = false;  ///< contains a syntax error, so parts may be missing
 };
 
 // ---------------------------------------------------------------- files
 
-/// The head of a part of an assertion file that is kept as text: nothing here evaluates it.
+/// A part of an assertion file that is kept as text and not evaluated, with its head.
 struct KeptPart {
-    std::string form;  ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
+    std::string form;  ///< the words at its beginning: `prob property`, `sleec assertion`, `defs`
     std::string name;
-    Span span;            ///< of both
-    bool claims = false;  ///< it asks something of the model, by another tool; else it serves probabilistic assertions
-    std::string text;     ///< all of it
+    Span span;            ///< of the form and the name
+    bool claims = false;  ///< true: another tool checks a claim; false: a definition for probabilistic assertions
+    std::string text;     ///< the whole text
     Span whole;
 };
 
 /// A parsed `.rct` or `.assertions` file.
 struct File {
     diagnostics::SourceId source = diagnostics::SourceId::none;
-    std::string folder;     ///< that it lies in, from the root, with "/" at its end
+    std::string folder;     ///< of the file, from the root, with "/" at the end
     QualifiedName package;  ///< empty: unnamed package
     std::vector<Import> imports;
     std::vector<std::string> diagrams;
     std::vector<Span> comments;
-    /// Types, functions, interfaces, platforms, operations, machines, controllers, modules in textual order.
+    /// Types, functions, interfaces, platforms, operations, machines, controllers and modules in textual order.
     std::vector<std::unique_ptr<Declaration>> declarations;
 
     bool is_assertions = false;
@@ -640,12 +642,12 @@ struct File {
     std::vector<ProbabilisticAssertion> probabilistic_assertions;
     std::vector<KeptPart> kept;           ///< parts of other tools
     bool is_library = false;              ///< a toolkit that comes with the tool
-    bool has_syntax_errors = false;       ///< parts may be missing; rules about absent things stay silent
-    std::vector<std::string> lost_names;  ///< names in parts that were not understood
-    bool lost_declarations = false;       ///< a declaration whose name is not known was not understood
+    bool has_syntax_errors = false;       ///< parts may be missing; rules about absent things are not applied
+    std::vector<std::string> lost_names;  ///< names in text that could not be parsed
+    bool lost_declarations = false;       ///< a declaration of unknown name could not be parsed
 };
 
-/// A project: all its files, libraries included, resolved together.
+/// A project: all its files and libraries, which are resolved together.
 struct Model {
     std::vector<std::unique_ptr<File>> files;
 };

@@ -1,4 +1,4 @@
-// Visiting every part of statements and expressions. Depth is bounded by the parser.
+// Visits all parts of statements and expressions. The recursion is bounded, because the parser limits nesting.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,12 @@ void walk(const Expr& expr, const std::function<void(const Expr&)>& visit);
 void for_children(const Expr& expr, const std::function<void(const Expr&)>& visit);
 /// Calls `visit` for the statement and every statement inside it.
 void walk(const Stmt& statement, const std::function<void(const Stmt&)>& visit);
-/// The expressions that stand directly in a statement (not in statements inside it).
+/// Calls `visit` for the expressions of a statement, without those of the statements inside it.
 void for_expressions(const Stmt& statement, const std::function<void(const Expr&)>& visit);
-/// Every container of a machine: itself, then composite states outside in, in textual order.
+/// Calls `visit` for every container of a machine: the machine first, then composite states from outside in, in textual
+/// order.
 void walk(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit);
-/// Every action statement of a machine: of states and transitions.
+/// Calls `visit` for every action of the states and transitions of a machine.
 void for_actions(const NodeContainer& top, const std::function<void(const Stmt&)>& visit);
 
 }  // namespace robochart::frontend

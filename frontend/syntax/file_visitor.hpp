@@ -1,6 +1,6 @@
-// One walk over everything in a file that carries a name or is filled by resolution.
-// The visitor has an overload of `visit` for every kind of node it is called with; each is called before the node's
-// parts. Depth is bounded by the parser.
+// One traversal of everything in a file that has a name or that resolution fills. The visitor has an overload of
+// `visit` for every kind of node; it is called before the parts of the node. The recursion is bounded, because the
+// parser limits nesting.
 #pragma once
 
 #include "frontend/syntax/ast.hpp"
@@ -173,8 +173,8 @@ private:
         expression(expr->callee);
         type(expr->type_expr);
         for (Binding& binding : expr->bindings) {
-            // The names in a record literal are those of fields, not declarations; the visitor of the literal sees
-            // them. Those of a simulation are parameters of its method.
+            // The names in a record literal refer to fields and declare nothing; the visitor sees them with the
+            // literal. The names in a simulation are parameters of its method.
             const bool declares = expr->kind != ExprKind::record && expr->kind != ExprKind::simulation;
             if (declares) variable(*binding.variable);
             expression(binding.value);

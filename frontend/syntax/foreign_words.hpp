@@ -1,6 +1,6 @@
-// Words of other notations (UML and SCXML, Stateflow, UPPAAL, PRISM, programming languages) that people write in
-// models, with what RoboChart has instead: one table for the reader and for the resolution of names; and a table of
-// forms of several words, for the reader.
+// Words of other notations (UML and SCXML, Stateflow, UPPAAL, PRISM, programming languages) that authors use in models,
+// with RoboChart's equivalents. The parser and name resolution share one table of words. The parser has a second table,
+// of forms that consist of several words.
 #pragma once
 
 #include <cstddef>
@@ -12,39 +12,40 @@
 
 namespace robochart::frontend {
 
-/// Where in a model a word stands.
+/// The position of a word in a model.
 enum class ForeignPlace {
     declaration,  ///< begins a declaration of a file
     member,       ///< begins a member of a machine, controller, platform or interface
     state_part,   ///< begins a part of a state
     clause,       ///< begins a clause of a transition
-    statement,    ///< begins a statement and has another word behind it
+    statement,    ///< begins a statement and is followed by another word
     if_end,       ///< ends an `if`
-    infix,        ///< stands between two expressions
+    infix,        ///< is between two expressions
     type,         ///< names a type
     value,        ///< names a value
     operation,    ///< names an operation that is called
-    event,        ///< names an event, alone as a statement
+    event,        ///< names an event and is a whole statement
 };
 
-/// One row.
+/// A row of the table.
 struct ForeignWord {
     std::string_view word;
     ForeignPlace place;
-    /// What is written instead, a word of the grammar or of core; "": no word alone, the reason says what to do.
+    /// The equivalent: a word of the grammar or of package core. "": there is no single word; the reason says what to
+    /// do.
     std::string_view instead;
-    std::string_view reason;  ///< a sentence without full stop
-    bool left_out = false;    ///< without the word the text is right
+    std::string_view reason;  ///< a sentence without a full stop
+    bool left_out = false;    ///< the text is correct without the word
 };
 
 /// The row of a word in a place; null if there is none.
 [[nodiscard]] const ForeignWord* foreign_word(std::string_view word, ForeignPlace place);
-/// All rows, for the tests.
+/// All rows, for tests.
 [[nodiscard]] std::span<const ForeignWord> foreign_words();
 
-/// What is said beside a syntax error about a form that is of another notation, or not complete.
+/// The advice that is added to a syntax error if the text has a form of another notation, or an incomplete form.
 [[nodiscard]] std::span<const diagnostics::Advice> foreign_forms();
-/// A word of a text for tables of advice; outside the text its end.
+/// The token at an index, for tables of advice; the end token if the index is outside the text.
 [[nodiscard]] diagnostics::AdviceWord advice_word(const TokenList&, std::ptrdiff_t index);
 
 }  // namespace robochart::frontend

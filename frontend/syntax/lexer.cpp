@@ -1,4 +1,4 @@
-// See lexer.hpp. One pass over the bytes; the longest symbol wins, as in Xtext.
+// See lexer.hpp. One pass over the bytes; the longest matching symbol is taken, as in Xtext.
 #include "frontend/syntax/lexer.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ constexpr std::array<std::string_view, 46> symbols = {
     "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "&&",
     "||",  "{",  "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",   ":",   ";",  ",",  ".",  "?",  "!",
     "#",   "|",  "@",  "+",  "-",  "*",  "/",  "%",  "^",  "$",   "&",   "~",  "`",  "\\"};
-/// The last of `symbols` are words of probabilistic assertions alone.
+/// The remaining `symbols` are used only in probabilistic assertions.
 constexpr std::size_t model_symbols = 41;
 
 bool is_letter(char c) {
@@ -80,7 +80,7 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// The word of a corrected token.
+/// The text of a corrected token.
 std::string_view word_at(std::size_t index) {
     const auto& reserved = reserved_words();
     return index < reserved.size() ? reserved[index] : symbols.at(index - reserved.size());
@@ -142,7 +142,7 @@ void Lexer::add(TokenKind kind, std::size_t begin, bool escaped) {
     last_end_ = std::max(at_, begin + 1);
 }
 
-/// A NUL byte never occurs in text: one message for the whole file.
+/// A NUL byte never occurs in text, so the whole file gets one message.
 bool Lexer::refuse_binary() {
     const std::size_t nul = text_.find('\0');
     if (nul == std::string_view::npos) return false;
@@ -219,7 +219,7 @@ void Lexer::check_integer(std::size_t begin) {
     if (result.ec != std::errc()) out_.report(syntax::huge_integer, span_from(begin), {shorten(digits)});
 }
 
-/// Reals are kept as exact decimals of at most 18 digits.
+/// Reals are stored exactly, as decimals of at most 18 digits.
 void Lexer::check_real(std::size_t begin) {
     std::string_view digits = text_.substr(begin, at_ - begin);
     const std::size_t leading = std::min(digits.find_first_not_of('0'), digits.find('.'));
@@ -269,7 +269,7 @@ bool Lexer::symbol() {
     return false;
 }
 
-/// A sign of printed mathematics: reported with RoboChart's own, and read as that.
+/// A mathematical sign such as ≤: reported with RoboChart's equivalent, and read as that.
 bool Lexer::mathematical() {
     struct Sign {
         std::string_view written;
@@ -299,7 +299,8 @@ bool Lexer::mathematical() {
     return true;
 }
 
-/// A run of bytes that begin no word is one mistake, with the rest of the name that it stands in.
+/// Consecutive bytes that begin no token are one mistake. If they are inside a name, the mistake includes the rest of
+/// the name.
 void Lexer::unexpected() {
     const std::size_t begin = at_;
     const auto strange = [](char c) {

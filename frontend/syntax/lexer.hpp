@@ -1,4 +1,4 @@
-// Words of RoboChart and assertion text, after Xtext's common terminals (ID, INT, STRING, comments) and
+// The tokens of RoboChart and assertion text, after Xtext's common terminals (ID, INT, STRING, comments) and
 // RoboChart.xtext.
 #pragma once
 
@@ -18,17 +18,17 @@
 namespace robochart::frontend {
 
 enum class TokenKind : std::uint8_t {
-    end,         ///< after the last word
-    identifier,  ///< a name, or a word that only some places reserve
+    end,         ///< after the last token
+    identifier,  ///< a name, or a word that is reserved only in some places
     keyword,     ///< a reserved word of RoboChart
     integer,
     real,
-    string,    ///< with its quotes
-    symbol,    ///< operator or bracket, longest match; `Set(` and `Seq(` count as such
+    string,    ///< including its quotes
+    symbol,    ///< operator or bracket, longest match; `Set(` and `Seq(` are symbols, too
     csp_code,  ///< `csp-begin … csp-end`, whole (assertion files)
 };
 
-/// One word. `text` views the source; escaped names (`^end`) come without their `^`.
+/// One token. `text` is a view of the source; an escaped name (`^end`) has no `^` in it.
 struct Token {
     TokenKind kind = TokenKind::end;
     bool escaped = false;  ///< written with `^`
@@ -41,8 +41,8 @@ struct Token {
     }
 };
 
-/// The words of one text, twelve bytes each; a Token is made when it is asked for. Views the source's text, which must
-/// outlive it.
+/// The tokens of one text, packed into twelve bytes each; a Token is made on request. Refers to the source text, which
+/// must outlive it.
 class TokenList {
 public:
     TokenList() = default;
@@ -53,13 +53,13 @@ public:
     [[nodiscard]] Token operator[](std::size_t index) const;
     [[nodiscard]] Token at(std::size_t index) const { return (*this)[std::min(index, size() - 1)]; }
     [[nodiscard]] Token back() const { return (*this)[size() - 1]; }
-    /// Kind and place alone, without looking at the text.
+    /// The kind, without reading the text.
     [[nodiscard]] TokenKind kind(std::size_t index) const { return items_[index].kind; }
 
     void add(TokenKind kind, diagnostics::Span span, bool escaped, bool first_on_line);
-    /// Puts a reserved word or symbol in place of what is written.
+    /// Replaces the token by a reserved word or symbol.
     void correct(std::size_t index, TokenKind kind, std::string_view word);
-    /// Leaves out the word's first character (`<{` becomes `{`, `^b` becomes `b`).
+    /// Removes the first character of the token (`<{` becomes `{`, `^b` becomes `b`).
     void drop_first_character(std::size_t index);
 
     class Iterator {
@@ -96,32 +96,32 @@ private:
 
     std::string_view text_;
     diagnostics::SourceId source_ = diagnostics::SourceId::none;
-    std::deque<Packed> items_;  ///< a deque: a long text needs no second copy while it grows
+    std::deque<Packed> items_;  ///< a deque, because it never copies a long text to grow
 };
 
-/// A text in words; the last token is `end`. Comments keep their places so that a formatter can put them back.
+/// A text as tokens; the last token is `end`. The places of comments are kept for the formatter.
 struct TokenStream {
     TokenList tokens;
     std::vector<diagnostics::Span> comments;
 };
 
-/// Words of one file; what is longer was not written by people, and is not read.
+/// The largest number of tokens in a file. A longer file was not written by hand and is rejected.
 inline constexpr std::size_t max_tokens = 16'000'000;
 
-/// Splits a text into words. What is no word becomes a diagnostic and is skipped.
+/// Splits a text into tokens. Characters that belong to no token are reported and skipped.
 [[nodiscard]] TokenStream tokenize(const diagnostics::SourceManager&, diagnostics::SourceId, bool is_assertions,
                                    diagnostics::Diagnostics&);
 
-/// Is this one of RoboChart's reserved words?
+/// True if this is a reserved word of RoboChart.
 [[nodiscard]] bool is_reserved(std::string_view word);
 /// The reserved words, sorted.
 [[nodiscard]] const std::vector<std::string_view>& reserved_words();
-/// Words that assertion text reserves in some place beside those (Assertions.xtext), sorted.
+/// Words that assertion text reserves in some places, in addition to the reserved words (Assertions.xtext), sorted.
 [[nodiscard]] std::span<const std::string_view> assertion_words();
-/// The operators and brackets, longest first; the last few are words of probabilistic assertions alone.
+/// The operators and brackets, longest first; those at the end are used only in probabilistic assertions.
 [[nodiscard]] std::span<const std::string_view> symbol_words();
 
-/// A piece of source text made fit for a message: on one line, at most 40 characters.
+/// Shortens a piece of source text for a message: one line, at most 40 characters.
 [[nodiscard]] std::string shorten(std::string_view text);
 
 }  // namespace robochart::frontend

@@ -1,4 +1,4 @@
-// The binary operators of expressions and how tightly they bind (RoboChart.xtext: Expression to CallExp).
+// The binary operators of expressions and their precedence (RoboChart.xtext: Expression to CallExp).
 #pragma once
 
 #include <string_view>
@@ -8,14 +8,14 @@
 
 namespace robochart::frontend {
 
-/// A higher level binds tighter. Binary operators associate to the left.
+/// An operator of a higher level binds more tightly. Binary operators are left-associative.
 struct BinaryOperator {
     std::string_view word;
     BinaryOp op;
     int level;
 };
 
-// Levels of the operators that stand alone between those of the table, and of those that are asked for by name.
+// Levels of operators that are not in the table, and levels that other code refers to by name.
 inline constexpr int not_level = 4;
 inline constexpr int compare_level = 5;
 inline constexpr int the_level = 6;
@@ -26,8 +26,9 @@ inline constexpr int plus_level = 10;
 inline constexpr int times_level = 11;
 inline constexpr int concat_level = 12;  ///< the tightest
 
-/// The operator that a token behind an operand is; null if it is none. `^b` on the operand's line, which the lexer
-/// takes for an escaped name, is one; `||` and `&&`, slips of those who write C, are read as meant.
+/// The operator that a token after an operand stands for; null if it is none. `^b` on the operand's line, which the
+/// lexer reads as an escaped name, is the operator `^`. `||` and `&&`, as in C, are read as the RoboChart operators
+/// that are meant.
 [[nodiscard]] const BinaryOperator* binary_operator(const Token& token);
 
 }  // namespace robochart::frontend

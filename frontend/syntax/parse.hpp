@@ -8,7 +8,7 @@
 
 namespace robochart::frontend {
 
-/// Reads one text. Never fails: what cannot be understood becomes diagnostics and error nodes.
+/// Parses one text and always returns a tree. Text that cannot be parsed is reported and becomes error nodes.
 /// `is_assertions` selects the grammar of `.assertions`.
 [[nodiscard]] std::unique_ptr<File> parse(const diagnostics::SourceManager&, diagnostics::SourceId, bool is_assertions,
                                           diagnostics::Diagnostics&);

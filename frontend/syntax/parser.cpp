@@ -1,4 +1,4 @@
-// The parser's foundation: words, mistakes, recovery, and the file as a whole.
+// The core of the parser: tokens, mistakes, recovery, and the file as a whole.
 #include "frontend/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -15,17 +15,17 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Words that begin a declaration of a file and nothing inside one.
+/// Words that can begin only a top-level declaration of a file.
 constexpr std::array<std::string_view, 10> top_level_words = {
     "package", "import", "diagram", "interface", "type", "enumeration", "datatype", "record", "function", "module"};
-/// Words that begin a member of some body.
+/// Words that can begin a member of a body.
 constexpr std::array<std::string_view, 29> member_words = {
     "uses",       "requires", "provides",   "var",          "const",        "event",         "_broadcast", "clock",
     "operation",  "opref",    "stm",        "sref",         "cref",         "rref",          "robotic",    "controller",
     "connection", "state",    "initial",    "final",        "junction",     "probabilistic", "transition", "entry",
     "during",     "exit",     "terminates", "precondition", "postcondition"};
 
-/// Components of the grammars with neural networks, by the words that begin them.
+/// True for words that begin a component in grammars with neural networks.
 bool among_neural(std::string_view word) {
     constexpr std::array<std::string_view, 6> words = {"anncontroller", "ANNController", "annoperation",
                                                        "ANNOperation",  "ann",           "ANN"};
@@ -152,7 +152,7 @@ QualifiedName Parser::qualified_name(std::string_view what) {
     return result;
 }
 
-/// A reserved word on the same line is taken for the name that was meant. A missing name gets one that nobody can
+/// If a reserved word is on the same line, it is read as the name. A missing name is replaced by one that no author can
 /// write.
 void Parser::add_part(QualifiedName& result, std::string_view what) {
     const Token token = peek();
@@ -165,7 +165,7 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
     if (reserved && followed && !at_follower()) {
         if (diagnostics::Diagnostic* finding = report(syntax::reserved_name, span, {part}))
             finding->fixes.push_back({span, "^" + part, "escape it"});
-        lost_names_.push_back(part);  // that there is nothing of this name is no second mistake
+        lost_names_.push_back(part);  // so that the name is not reported as unknown, too
     } else if (token.kind != TokenKind::identifier) {
         span = missing_place();
         span.end = span.begin;
@@ -179,7 +179,7 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
     if (written) advance();
 }
 
-/// Words that come after a name where one is missing, not for it.
+/// True if the next word follows a name, so that the name before it is missing.
 bool Parser::at_follower() const {
     constexpr std::array<std::string_view, 8> followers = {"to",        "on",     "from", "trigger",
                                                            "condition", "action", "is",   "in"};
@@ -210,7 +210,7 @@ std::string Parser::found() const {
 diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
     ++failures_;
     if (at_ < quiet_until_ || behind_strange_characters()) {
-        // What was inserted did not help: it was no correction.
+        // The inserted token did not repair the text, so it must not be offered as a fix.
         if (inserted_ != nullptr) inserted_->fixes.clear();
         inserted_ = nullptr;
         return nullptr;
@@ -235,8 +235,8 @@ std::string_view Parser::form_meant(std::string_view expected) const {
     });
 }
 
-/// The brace before this place that no other closes. Where a closing brace stands further left than the line of the
-/// one that it closes, that one was probably left open, and the brace belongs to a block around it.
+/// The opening brace before this place that is not closed. If a closing brace is indented less than the line of its
+/// opening brace, that opening brace was probably not closed, and the closing brace belongs to an enclosing block.
 std::optional<std::size_t> Parser::unclosed_brace(bool& by_indentation) const {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < at_; ++i) {
@@ -262,7 +262,7 @@ void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& findi
                                                          : "this `{` is not closed"});
 }
 
-/// Where characters were left out that belong to no word, the message about them is enough.
+/// If invalid characters were skipped here, the message about them is enough.
 bool Parser::behind_strange_characters() const {
     const std::uint32_t from = at_ > 0 ? previous().span.end : 0;
     const auto first = std::lower_bound(strange_.begin(), strange_.end(), from);
@@ -274,13 +274,13 @@ void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::str
     throw SyntaxError{};
 }
 
-/// What is nested like this was not written by people; the rest of the file is not read.
+/// Text with such deep nesting was not written by hand; the rest of the file is skipped.
 void Parser::too_deep(std::size_t limit) {
     report(syntax::too_deep, peek().span, {std::to_string(limit)});
     throw GiveUp{};
 }
 
-/// Something missing at a line's end is shown there, not at the next line's beginning.
+/// The place of a missing token: the end of the line before, if the next token begins a line.
 Span Parser::missing_place() const {
     const Span span = peek().span;
     if (at_ == 0 || !(peek().first_on_line || at_end())) return span;
@@ -296,7 +296,7 @@ diagnostics::Diagnostic* Parser::missing(std::string_view what) {
     return report(syntax::unexpected, missing_place(), {std::string(what), found()});
 }
 
-/// What the tree can only mean with parentheses around this part.
+/// Reports a part that needs parentheses, because the tree has no other reading.
 void Parser::needs_parentheses(std::string_view what, Span span) {
     diagnostics::Diagnostic* finding = report(syntax::needs_parentheses, span, {std::string(what)});
     if (finding == nullptr) return;
@@ -304,7 +304,7 @@ void Parser::needs_parentheses(std::string_view what, Span span) {
     finding->fixes.push_back({span, "(" + text + ")", "write"});
 }
 
-/// Names of a part that was not understood may be declared there for all we know.
+/// Names in a part that could not be parsed may be declared there, so they are not reported as unknown.
 void Parser::forget(std::size_t begin, std::size_t end) {
     if (failures_ == forgotten_) return;
     forgotten_ = failures_;
@@ -312,7 +312,7 @@ void Parser::forget(std::size_t begin, std::size_t end) {
         if (tokens_.kind(i) == TokenKind::identifier) lost_names_.emplace_back(tokens_[i].text);
 }
 
-/// Newer grammars have components that are neural networks: refused by name, with their body.
+/// Newer grammars have components that are neural networks. They are reported by name, and their bodies are skipped.
 bool Parser::neural_construct() {
     const Token token = peek();
     const bool begins = token.kind == TokenKind::identifier && peek(1).kind == TokenKind::identifier &&
@@ -336,7 +336,7 @@ std::size_t Parser::indentation(std::size_t token) const {
     return std::min(line.size(), line.find_first_not_of(" \t"));
 }
 
-/// With more closing braces than opening ones: is this one in the middle of a body that goes on behind it?
+/// True if the text has too many closing braces and this one is in the middle of a body that continues after it.
 bool Parser::stray_brace(std::size_t open) const {
     if (surplus_ >= 0) return false;
     const std::string_view body =
@@ -356,9 +356,9 @@ void Parser::pass_stray_brace() {
     quiet_until_ = at_ + 3;
 }
 
-/// The word of the grammar that a misspelt name is near to; "" if there is none.
+/// The word of the grammar that is nearest to a misspelt name; "" if there is none.
 std::string_view Parser::meant_word() {
-    constexpr std::size_t most_checks = 1000;  // garbage of many lines is not worth more
+    constexpr std::size_t most_checks = 1000;  // more would not help in a text that is not RoboChart
     if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
     std::vector<std::string> words(member_words.begin(), member_words.end());
     words.insert(words.end(), top_level_words.begin(), top_level_words.end());
@@ -417,8 +417,8 @@ bool Parser::at_member_word() const {
     return among(peek(), member_words);
 }
 
-/// From an opening brace to behind its closing one. A word that only begins declarations ends the search: a brace is
-/// missing.
+/// Skips from an opening brace to the position after its closing brace. A word that begins top-level declarations ends
+/// the search, because a brace must be missing.
 void Parser::skip_balanced() {
     std::size_t open = 0;
     while (!at_end()) {
@@ -441,7 +441,7 @@ void Parser::skip_to_member() {
             continue;
         }
         if (peek().first_on_line && !meant_word().empty()) {
-            quiet_until_ = 0;  // a mistake of its own
+            quiet_until_ = 0;  // a separate mistake
             return;
         }
         if (at("{") || at("<{"))
@@ -451,14 +451,14 @@ void Parser::skip_to_member() {
     }
 }
 
-/// In this body, is the next word a sign that the closing brace was forgotten?
+/// True if the next word cannot be in this body, so that its closing brace is missing.
 bool Parser::closes_missing_brace(unsigned members) const {
     if (at_end() || at_top_level_word()) return true;
     constexpr std::array<std::string_view, 9> part_words = {"stm",  "operation", "controller", "robotic",   "opref",
                                                             "sref", "cref",      "rref",       "connection"};
     constexpr std::array<std::string_view, 8> context_words = {"uses",  "requires", "provides",   "var",
                                                                "const", "event",    "_broadcast", "clock"};
-    // In an interface, `operation f()` without a body is a member with a word too many.
+    // In an interface, `operation f()` without a body is a signature with a superfluous keyword.
     const bool signature = members == context_members && at("operation") && peek(2).is("(");
     if (signature)
         if (const auto behind = behind_brackets(2); behind && !peek(*behind).is("{")) return false;
@@ -476,7 +476,7 @@ std::unique_ptr<File> Parser::file() {
         guarded([&] { package_clause(*result); });
         while (!at_end()) is_assertions_ ? assertion_member(*result) : top_level(*result);
     } catch (const GiveUp&) {
-        // Reported already; what was read is kept.
+        // The reason has been reported; the part read so far is kept.
     }
     result->comments = std::move(comments_);
     result->lost_names = std::move(lost_names_);
@@ -487,7 +487,7 @@ std::unique_ptr<File> Parser::file() {
 
 namespace {
 
-/// Of a display path, which may be relative.
+/// The folder of a displayed path, which may be relative.
 std::string folder_of(const std::string& path) {
     std::error_code code;
     const std::filesystem::path absolute = std::filesystem::absolute(path, code);

@@ -1,10 +1,10 @@
-// Recursive descent over the words of one file (private to the front end). The productions are those of the public
-// RoboChart.xtext and Assertions.xtext; each method is named after what it reads.
+// Recursive-descent parser over the tokens of one file (private to the front end). The productions are those of the
+// public RoboChart.xtext and Assertions.xtext. Each method is named after what it parses.
 //
-// Recovery: a missing word is assumed to be there, a superfluous word is skipped, once per mistake.
-// Where that does not help the mistake is thrown as SyntaxError to the nearest member list, which skips to the next
-// member. Elements enter their owner before their body is read, so that what was read is kept. Names in text that was
-// not understood are remembered: they are not reported as unknown.
+// Recovery: a missing token is assumed to be present, and a superfluous one is skipped, once per mistake. If this does
+// not help, the mistake is thrown as SyntaxError to the nearest member list, which skips to the next member. Elements
+// are added to their owner before their body is parsed, so that the part read before a mistake is kept. Names in text
+// that could not be parsed are recorded, so that they are not reported as unknown.
 #pragma once
 
 #include <array>
@@ -22,11 +22,11 @@
 
 namespace robochart::frontend {
 
-/// Nesting that the reader accepts: of brackets, statements, types and composite states.
+/// The deepest nesting of brackets, statements, types and composite states that is accepted.
 inline constexpr std::size_t max_depth = 256;
-/// Height of expression trees, chains of operators included.
+/// The greatest height of expression trees, including chains of operators.
 inline constexpr std::uint32_t max_height = 1000;
-/// Mistakes reported in one file before reading stops.
+/// Parsing stops after this number of mistakes in a file.
 inline constexpr std::size_t max_mistakes = 100;
 
 class Parser {
@@ -38,7 +38,7 @@ public:
 private:
     struct SyntaxError {};
     struct GiveUp {};
-    /// One level of nesting for the life of the object.
+    /// Counts one level of nesting while the object exists.
     struct Nesting {
         explicit Nesting(Parser& parser);
         ~Nesting() { --parser_.depth_; }
@@ -48,7 +48,7 @@ private:
     private:
         Parser& parser_;
     };
-    /// What a body may hold.
+    /// What a body may contain.
     enum Members : unsigned {
         context_members = 1,     ///< uses, requires, provides, var, const, event, clock, op()
         node_members = 2,        ///< nodes and transitions
@@ -58,22 +58,22 @@ private:
         contract_members = 32,   ///< terminates, precondition, postcondition
     };
 
-    // Words (parser.cpp)
+    // Tokens (parser.cpp)
     [[nodiscard]] Token peek(std::size_t ahead = 0) const { return tokens_.at(at_ + ahead); }
     [[nodiscard]] Token previous() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
     [[nodiscard]] bool at(std::string_view word) const { return peek().is(word); }
-    /// The word as such, reserved or not: assertions reserve more words than models.
+    /// True if the next token is this word, reserved or not: assertions reserve more words than models.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
     Token advance();
     bool accept(std::string_view word);
     bool accept_word(std::string_view word);
-    /// The word, or a place for it where it is missing.
+    /// Takes the word and returns its place; if it is missing, it is reported.
     Span expect(std::string_view word);
     void expect_word(std::string_view word);
     void name(Declaration& declaration);
     QualifiedName simple_name(std::string_view what);
-    /// A simple name where people are tempted to write `A::B`.
+    /// A simple name in a place where authors tend to write `A::B`.
     QualifiedName plain_name(std::string_view what);
     QualifiedName qualified_name(std::string_view what);
     void add_part(QualifiedName& name, std::string_view what);
@@ -87,7 +87,7 @@ private:
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
     [[noreturn]] void expected(std::string_view what);
-    /// The same, but reading continues as if it were there; the second failure in a row is thrown.
+    /// The same, but parsing continues as if the token were present. A second failure in a row is thrown.
     diagnostics::Diagnostic* missing(std::string_view what);
     [[nodiscard]] Span missing_place() const;
     void needs_parentheses(std::string_view what, Span span);
@@ -95,25 +95,26 @@ private:
     void forget(std::size_t begin, std::size_t end);
     bool neural_construct();
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
-    /// Where a closing bracket was expected: a note at the opening one, if that is on another line.
+    /// If a closing bracket was expected: adds a note at the opening one if that is on another line.
     void point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const;
-    /// What foreign_forms() says of the words here; "" where no row fits.
+    /// The advice of foreign_forms() about the tokens here; "" if there is none.
     [[nodiscard]] std::string_view form_meant(std::string_view expected) const;
     [[nodiscard]] std::optional<std::size_t> unclosed_brace(bool& by_indentation) const;
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
-    /// A misspelt one of these words, which are all reserved, is reported and read as what was meant.
+    /// Reports a misspelling of one of these reserved words, and reads it as the intended word.
     bool correct_word(std::initializer_list<std::string_view> keywords);
-    /// Something else than a member: a misspelt word is corrected in place, so that the member is read after all.
+    /// Reports a word that begins no member. A misspelt word is corrected in place, so that the member can be parsed
+    /// after all.
     [[noreturn]] void wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places);
-    /// A word of another notation: reported with what RoboChart has instead, which is put in its place or, where that
-    /// is not one word, thrown. False: it is none.
+    /// Reports a word of another notation with RoboChart's equivalent. The equivalent replaces the word if it is a
+    /// single word; otherwise the mistake is thrown. Returns false if the word is of no other notation.
     bool replace_foreign(ForeignPlace place);
-    /// A word that nothing stands for in RoboChart: reported, with a fix that leaves it out, and passed.
+    /// Reports a word that has no equivalent in RoboChart, with a fix that removes it, and skips it.
     void pass_superfluous(std::string_view reason);
-    /// `:` or `=` behind the word that begins a clause or an action.
+    /// Skips `:` or `=` after the word that begins a clause or an action.
     void pass_sign_behind_word();
-    /// The same for words that stand side by side.
+    /// The same for two consecutive words.
     void replace_two_words(std::string_view instead, std::string_view reason);
     [[nodiscard]] bool state_machine_words();
     [[nodiscard]] bool typed_like_c();
@@ -336,28 +337,28 @@ private:
     const diagnostics::SourceManager& sources_;
     diagnostics::SourceId source_;
     bool is_assertions_;
-    bool probabilistic_ = false;  ///< inside a probabilistic assertion, whose expressions have more forms
+    bool probabilistic_ = false;  ///< inside a probabilistic assertion, where expressions have more forms
     diagnostics::Diagnostics& out_;
     TokenList tokens_;
     std::vector<Span> comments_;
     std::size_t at_ = 0;
     std::size_t depth_ = 0;
     std::size_t mistakes_ = 0;
-    std::size_t failures_ = 0;     ///< mistakes and what followed from them
-    std::size_t quiet_until_ = 0;  ///< mistakes before this word follow from one already reported
+    std::size_t failures_ = 0;     ///< all mistakes, including those that follow from others
+    std::size_t quiet_until_ = 0;  ///< mistakes before this token follow from one already reported
     std::size_t spelling_checks_ = 0;
-    std::size_t forgotten_ = 0;  ///< mistakes whose surroundings are among the lost names
+    std::size_t forgotten_ = 0;  ///< value of `failures_` when names were last recorded as lost
     std::vector<std::string> lost_names_;
     bool lost_declarations_ = false;
-    bool orphans_ = false;  ///< the last member of the file belonged into a body
-    long surplus_ = 0;      ///< opening braces without a closing one; negative: closing ones too many
-    diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was corrected by inserting a word
+    bool orphans_ = false;                         ///< the last member of the file belongs in a body
+    long surplus_ = 0;                             ///< opening braces minus closing braces of the file
+    diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was corrected by inserting a token
     bool lexical_errors_ = false;
-    std::vector<std::uint32_t> strange_;  ///< places of characters that belong to no word
-    bool corrected_ = false;              ///< the word here was misspelt and is now right
+    std::vector<std::uint32_t> strange_;  ///< offsets of characters that belong to no token
+    bool corrected_ = false;              ///< the next token was misspelt and has been corrected
 };
 
-/// Runs one member; a mistake in it ends it. True if it was read to its end.
+/// Parses one member and catches a mistake in it. Returns true if it was parsed to its end.
 template <class Body>
 bool Parser::guarded(Body body) {
     try {
@@ -368,7 +369,7 @@ bool Parser::guarded(Body body) {
     }
 }
 
-/// Reads a declaration and marks it if it was not understood in full.
+/// Parses a declaration and marks it as broken if it contains a mistake.
 template <class Read>
 auto Parser::watched(Read read) {
     const std::size_t before = failures_;
@@ -377,8 +378,8 @@ auto Parser::watched(Read read) {
     return declared;
 }
 
-/// `{ member* }`; each member recovers on its own. A closing brace that is missing shows where a member stands no
-/// deeper than the body's owner.
+/// `{ member* }`; each member recovers separately. A closing brace is missing if a member is indented no deeper than
+/// the owner of the body.
 template <class Member>
 void Parser::braces(Member member, unsigned members) {
     const std::size_t open = at_;
@@ -400,7 +401,7 @@ void Parser::braces(Member member, unsigned members) {
         }
         deeper = deeper || (peek().first_on_line && indentation(at_) > own);
         const std::size_t start = at_;
-        // Where all its words were missing a member is read without taking one: that is none.
+        // If all its tokens were missing, a member is parsed without consuming one; it does not count.
         const bool taken = guarded(member) && at_ != start;
         const bool read = taken || corrected();
         if (!read) {
@@ -408,7 +409,7 @@ void Parser::braces(Member member, unsigned members) {
             skip_to_member();
         }
         forget(start, at_);
-        if (read && peek().first_on_line) quiet_until_ = 0;  // whole again
+        if (read && peek().first_on_line) quiet_until_ = 0;  // parsing has recovered
     }
     advance();
 }

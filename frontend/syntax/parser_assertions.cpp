@@ -11,7 +11,8 @@
 
 namespace robochart::frontend {
 
-/// A part that is kept as text begins here: `instantiate T as …`, or what PRISM and its users write, on a new line.
+/// True if a part that is kept as text begins here: `instantiate T as …`, or a definition of PRISM, at the beginning of
+/// a line.
 bool Parser::at_kept_part() const {
     if (at_word("instantiate")) {
         std::size_t ahead = 2;
@@ -23,14 +24,14 @@ bool Parser::at_kept_part() const {
     return known && peek().first_on_line && peek(1).kind == TokenKind::string;
 }
 
-/// `robocert assertion …`: of another tool, where it begins a line.
+/// `robocert assertion …` at the beginning of a line: it belongs to another tool.
 bool Parser::at_foreign_assertion() const {
     if (!peek().first_on_line || peek(1).first_on_line) return false;
     return peek().kind == TokenKind::identifier && !at_word("timed") && !at_word("untimed") && !at_word("assertion") &&
            !at_word("csp") && !at_word("sleec") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
 }
 
-/// Kept as text, up to the next member, and said to be of no kind that is checked here.
+/// Keeps the text up to the next member, and reports that assertions of this kind are not checked here.
 void Parser::foreign_assertion(File& file) {
     const Span begin = peek().span;
     const std::string word(peek().text);
@@ -82,7 +83,7 @@ void Parser::assertion_member(File& file) {
     while (!at_end() && !at_assertion_member()) advance();
 }
 
-/// `instantiate P::T`, `label "…"`: how a part that is kept as text begins. Of a name in parts the whole.
+/// `instantiate P::T`, `label "…"`: the head of a part that is kept as text. A qualified name is read as a whole.
 KeptPart Parser::kept_part() const {
     KeptPart part{std::string(peek().text), {}, peek().span, false, {}, {}};
     std::size_t at = 1;
@@ -99,7 +100,7 @@ KeptPart Parser::kept_part() const {
     return part;
 }
 
-/// A part that is kept as text: up to the next member.
+/// Keeps a part as text, up to the next member.
 void Parser::keep(File& file) {
     const Span begin = peek().span;
     const bool rewards = at_word("rewards");
@@ -149,7 +150,8 @@ void Parser::assertion_name(Assertion& assertion) {
     expect(":");
 }
 
-/// `sleec assertion N : C conforms to R`, `C does not conform to R`; with `timed` in front or not, it is about time.
+/// `sleec assertion N : C conforms to R`, `C does not conform to R`. It is about time, with or without `timed` before
+/// it.
 void Parser::rule_assertion(File& file) {
     Assertion assertion;
     assertion.time = AssertionTime::timed;
@@ -186,7 +188,7 @@ void Parser::assertion(File& file, AssertionTime time) {
     file.assertions.push_back(std::move(assertion));
 }
 
-/// The grammar asks about clocks without `timed` or `untimed`.
+/// The grammar does not allow `timed` or `untimed` before assertions about clocks.
 void Parser::refuse_time(AssertionTime time, Span word) {
     const std::string text = time == AssertionTime::timed ? "timed" : "untimed";
     if (diagnostics::Diagnostic* finding = report(syntax::clock_time, word, {text}))
@@ -232,7 +234,7 @@ void Parser::assertion_event(Assertion& assertion) {
     if (!accept_word("for")) return;
     if (peek().kind != TokenKind::integer) return expected("a number of time units");
     const Token units = advance();
-    std::int64_t value = 0;  // where the number is too large, the lexer has said so
+    std::int64_t value = 0;  // the lexer reports a number that is too large
     std::from_chars(units.text.data(), units.text.data() + units.text.size(), value);
     assertion.time_units = value;
     assertion.time_units_span = units.span;
@@ -294,7 +296,7 @@ void Parser::assertion_does(Assertion& assertion) {
     assertion.other = qualified_name("the name of a component or CSP process");
 }
 
-/// `deadlock-free`, `tick-tock`: one word.
+/// `deadlock-free` and `tick-tock` are one word.
 void Parser::hyphenated_word(std::string_view first, std::string_view second) {
     const Span begin = peek().span;
     advance();

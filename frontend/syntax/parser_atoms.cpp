@@ -27,7 +27,7 @@ ExprPtr Parser::atom() {
     }
 }
 
-/// Nothing that could begin an expression: an empty one stands for it.
+/// No expression begins here; an error node takes its place.
 ExprPtr Parser::missing_expression() {
     const Span place = missing_place();
     missing("an expression");
@@ -43,13 +43,13 @@ ExprPtr Parser::literal(ExprKind kind) {
     return result;
 }
 
-/// `30.5f`
+/// A suffix of a number, as in `30.5f`.
 void Parser::pass_suffix() {
     const Token suffix = peek();
     const bool adjacent = suffix.span.begin == previous().span.end && !suffix.escaped;
     constexpr std::string_view letters = "fFlLuU";
     if (suffix.kind != TokenKind::identifier || !adjacent) return;
-    if (suffix.text.find_first_not_of(letters) != std::string_view::npos) return;  // `1e5` is no 1
+    if (suffix.text.find_first_not_of(letters) != std::string_view::npos) return;  // `1e5` is not 1 with a suffix
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, suffix.span, {std::string(suffix.text), "a number has no suffix"});
     if (finding != nullptr) finding->fixes.push_back({suffix.span, "", "leave it out"});
@@ -160,8 +160,8 @@ ExprPtr Parser::tuple() {
     return finish(std::move(result), begin);
 }
 
-/// `< a, b >`. Elements stop at the level of `+`, so that `>` closes. A sequence that begins with a set reaches us as
-/// `<{`, the word for deadlines; it is taken apart here.
+/// `< a, b >`. Elements are parsed from the level of `+`, so that `>` closes the sequence. A sequence that begins with
+/// a set arrives as the token `<{` of deadlines, which is split here.
 ExprPtr Parser::sequence() {
     const Nesting nesting(*this);
     ExprPtr result = make(ExprKind::sequence);
@@ -179,7 +179,7 @@ ExprPtr Parser::sequence() {
     return finish(std::move(result), begin);
 }
 
-/// A weaker operator is read as meant, after a message.
+/// A weaker operator is reported and read as intended.
 ExprPtr Parser::sequence_element() {
     constexpr int plus_level = 10;
     ExprPtr element = operand(plus_level);
@@ -225,7 +225,7 @@ ExprPtr Parser::comprehension(Span begin) {
     return finish(std::move(result), begin);
 }
 
-/// `[| a, b; c, d |]`; without `;` a vector.
+/// `[| a, b; c, d |]`; without `;` it is a vector.
 ExprPtr Parser::matrix() {
     ExprPtr result = make(ExprKind::matrix);
     const Span begin = expect("[|");
@@ -242,7 +242,7 @@ ExprPtr Parser::matrix() {
         report(syntax::ragged_matrix, since(row), {std::to_string(entries), std::to_string(result->columns)});
     } while (accept(";"));
     expect("|]");
-    if (ragged) result->columns = 0;  // it has no type
+    if (ragged) result->columns = 0;  // the matrix has no type
     return finish(std::move(result), begin);
 }
 

@@ -6,7 +6,7 @@
 
 namespace robochart::frontend {
 
-/// A member that any context may have by the grammar or that a rule (STM6, C7, C9, RP3) refuses by name.
+/// A member that the grammar allows in any context, or that a rule (STM6, C7, C9, RP3) rejects by name.
 bool Parser::context_member(Context& context) {
     if (at("uses") || at("requires") || at("provides")) return interface_clause(context), true;
     if (at("var") || at("const")) return variable_list(context), true;
@@ -16,7 +16,7 @@ bool Parser::context_member(Context& context) {
     return false;
 }
 
-/// RoboChart.xtext has one name per word; lists occur in old models.
+/// RoboChart.xtext allows one name after each keyword; old models have lists.
 void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
     clause.use = at("uses") ? InterfaceUse::uses : at("requires") ? InterfaceUse::requires_ : InterfaceUse::provides;
@@ -24,7 +24,7 @@ void Parser::interface_clause(Context& context) {
     const std::string_view word = previous().text;
     for (;;) {
         clause.name = qualified_name("the name of an interface");
-        if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;  // and what it declares
+        if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;  // its members are unknown, too
         context.interfaces.push_back(clause);
         if (!at(",")) return;
         const Token next = peek(1);
@@ -96,7 +96,7 @@ std::unique_ptr<Component> Parser::controller() {
     return controller;
 }
 
-/// `stm …` or a reference, into a component.
+/// `stm …` or a reference, as part of a component.
 bool Parser::machine_part(Component& component) {
     if (at("stm")) {
         component.machines.push_back(watched([&] { return machine(); }));

@@ -33,12 +33,12 @@ void Parser::diagram(File& file) {
     file.diagrams.push_back(simple_name("the diagram's name").text());
 }
 
-/// One member of a file; skips to the next declaration after a mistake.
+/// Parses one member of a file; after a mistake, skips to the next declaration.
 void Parser::top_level(File& file) {
     const std::size_t start = at_;
     const bool orphan =
         at("}") || (at_member_word() && !at("stm") && !at("operation") && !at("controller") && !at("robotic"));
-    // The members of one body that was closed too early are one mistake.
+    // If a body was closed too early, its remaining members are reported as one mistake.
     if (orphan && orphans_) quiet_until_ = std::max(quiet_until_, at_ + 1);
     orphans_ = orphan;
     const bool read = guarded([&] {
@@ -123,7 +123,7 @@ std::unique_ptr<Declaration> Parser::enumeration() {
     return type;
 }
 
-/// `{ NEAR, FAR }`, `package p;`
+/// A superfluous separator, as in `{ NEAR, FAR }` and `package p;`.
 void Parser::pass_separator(std::string_view reason) {
     if (at(",") || at(";")) pass_superfluous(reason);
 }
@@ -140,7 +140,7 @@ std::vector<VariablePtr> Parser::parameters() {
     return list;
 }
 
-/// `v:T`, and `= e` where variables and constants allow it. It is known by its name even if its type is not readable.
+/// `v:T`, and `= e` for variables and constants. The variable is declared even if its type cannot be parsed.
 void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
     auto owned = std::make_unique<Variable>(kind);
     Variable& variable = *owned;

@@ -1,4 +1,4 @@
-// Operators by precedence climbing (RoboChart.xtext: Expression to CallExp). Binary operators associate to the left.
+// Operator precedence parser (RoboChart.xtext: Expression to CallExp). Binary operators are left-associative.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// How tightly the form binds that a tree stands for; an operator that binds tighter cannot follow it.
+/// The level of the form at the root of a tree; an operator that binds more tightly cannot follow it.
 int own_level(const Expr& expr) {
     if (expr.kind == ExprKind::if_then_else) return if_level;
     return expr.kind == ExprKind::cast || expr.kind == ExprKind::is_type ? cast_level : concat_level;
@@ -34,7 +34,7 @@ ExprPtr Parser::make(ExprKind kind) {
     return expr;
 }
 
-/// Closes a node: its span and the height of the tree, which bounds every later walk.
+/// Completes a node: its span and the height of the tree, which bounds every later traversal.
 ExprPtr Parser::finish(ExprPtr expr, Span begin) {
     expr->span = since(begin);
     std::uint32_t below = height(expr->callee);
@@ -60,7 +60,7 @@ ExprPtr Parser::expression() {
     return at_quantifier() ? quantified() : operand(0);
 }
 
-/// `forall v:T, … | p @ e`, and the same with exists, exists1, lambda.
+/// `forall v:T, … | p @ e`, and the same form with exists, exists1 and lambda.
 ExprPtr Parser::quantified() {
     ExprPtr result = make(at("forall")    ? ExprKind::forall
                           : at("exists")  ? ExprKind::exists
@@ -106,7 +106,7 @@ ExprPtr Parser::operand(int level) {
     }
 }
 
-/// `=` between expressions is meant as `==`.
+/// `=` between expressions is read as `==`.
 bool Parser::repair_equality(int level) {
     if (!at("=") || level > compare_level) return false;
     const Span span = peek().span;
@@ -158,7 +158,7 @@ ExprPtr Parser::prefix(int level) {
     return result;
 }
 
-/// A weak prefix as operand of a tighter operator needs parentheses; it is read as meant.
+/// A prefix operator as operand of an operator that binds more tightly needs parentheses; it is read as intended.
 void Parser::check_weak_prefix(const Token& word, const Expr& read, int level, int own_level) {
     if (level <= own_level) return;
     diagnostics::Diagnostic* finding = report(syntax::bare_quantifier, word.span, {std::string(word.text)});
@@ -255,7 +255,7 @@ ExprPtr Parser::negation() {
     return finish(std::move(result), begin);
 }
 
-/// In assertion files a point may also end the assertion; a field follows its point at once there.
+/// In assertion files `.` may also end the assertion; there, a field must follow `.` directly.
 bool Parser::at_member_step() const {
     const Token next = peek(1);
     const bool field = next.kind == TokenKind::identifier && next.span.begin == peek().span.end;
@@ -266,7 +266,7 @@ ExprPtr Parser::postfix() {
     return steps(call(), false);
 }
 
-/// Member and index steps: `e.f`, `e[i, j]`; in expressions one index at most, before the members.
+/// Member and index steps: `e.f`, `e[i, j]`. In expressions, at most one index is allowed, before the members.
 ExprPtr Parser::steps(ExprPtr left, bool assigned) {
     while (at_member_step() || at("[")) {
         const bool stepped = left->kind == ExprKind::member || left->kind == ExprKind::index;
@@ -307,7 +307,7 @@ ExprPtr Parser::call() {
     return function;
 }
 
-/// `e, …` up to and with the closing word; may be empty.
+/// `e, …` up to and including the closing token; may be empty.
 void Parser::expression_list(std::vector<ExprPtr>& list, std::string_view close) {
     if (!at(close)) {
         do list.push_back(expression());
@@ -316,12 +316,12 @@ void Parser::expression_list(std::vector<ExprPtr>& list, std::string_view close)
     expect(close);
 }
 
-/// Two items side by side: the comma between them was forgotten.
+/// True if two items are adjacent, so that the comma between them is missing.
 bool Parser::missing_comma() {
     const TokenKind kind = peek().kind;
     const bool item = kind == TokenKind::identifier || kind == TokenKind::integer || kind == TokenKind::real;
     if (!item || peek().first_on_line || peek().escaped || at_ < quiet_until_) return false;
-    if (peek().span.begin == previous().span.end) return false;  // `1e5` is no list
+    if (peek().span.begin == previous().span.end) return false;  // `1e5` is not a list
     const Span place{source_, previous().span.end, previous().span.end};
     diagnostics::Diagnostic* finding = report(syntax::unexpected, peek().span, {"`,`", found()});
     if (finding != nullptr) finding->fixes.push_back({place, ",", "insert"});

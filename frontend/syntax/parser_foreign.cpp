@@ -1,5 +1,4 @@
-// What people write who know another notation: reported with RoboChart's own form, and read on as that
-// (foreign_words.hpp).
+// Forms of other notations: reported with RoboChart's own form, and read as that form (foreign_words.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The type of core that the word stands for.
+/// The type of package core that the word stands for.
 std::string_view type_named(std::string_view word) {
     const ForeignWord* const row = foreign_word(word, ForeignPlace::type);
     return row == nullptr ? word : row->instead;
@@ -20,7 +19,7 @@ std::string_view type_named(std::string_view word) {
 
 }  // namespace
 
-/// Of core, or of another notation for one of core.
+/// True for a type of package core, or another notation's name of one.
 bool Parser::names_core_type(std::string_view word) {
     constexpr std::array<std::string_view, 5> core = {"int", "nat", "real", "boolean", "string"};
     return std::find(core.begin(), core.end(), word) != core.end() || foreign_word(word, ForeignPlace::type) != nullptr;
@@ -41,7 +40,8 @@ bool Parser::replace_foreign(ForeignPlace place) {
     } else {
         throw SyntaxError{};
     }
-    // A word of the grammar may be in a wrong place for other reasons, but hardly in front of a name.
+    // A word of the grammar may be misplaced for other reasons, but a word followed by a name probably is the foreign
+    // one.
     const bool meant = place == ForeignPlace::clause && peek(1).kind == TokenKind::identifier;
     if (token.kind == TokenKind::identifier || meant) quiet_until_ = 0;
     return true;
@@ -69,7 +69,7 @@ void Parser::pass_sign_behind_word() {
     if (at(":") || (at("=") && !peek(1).is("="))) pass_superfluous("what belongs to a word follows it at once");
 }
 
-/// The second of them becomes what is meant.
+/// The second word is replaced by the intended one.
 void Parser::replace_two_words(std::string_view instead, std::string_view reason) {
     const Span span = diagnostics::join(peek().span, peek(1).span);
     const std::string text(sources_.text(source_).substr(span.begin, span.end - span.begin));
@@ -107,7 +107,7 @@ bool Parser::typed_like_c() {
     return true;
 }
 
-/// `initial state A` and `final state B`, behind their first word.
+/// `initial state A` and `final state B`, after their first word.
 bool Parser::pseudo_state(DeclKind kind) {
     const bool meant = at("state") && peek(1).kind == TokenKind::identifier && !peek(1).first_on_line;
     if (!meant || (kind != DeclKind::initial && kind != DeclKind::final)) return false;
@@ -127,7 +127,7 @@ bool Parser::pseudo_state(DeclKind kind) {
     return kind == DeclKind::initial;
 }
 
-/// `and`, `mod`, `<>`, `/=` between two expressions; in assertion files `and` has a meaning.
+/// `and`, `mod`, `<>`, `/=` between two expressions. In assertion files, `and` has a meaning of its own.
 bool Parser::foreign_operator() {
     if (is_assertions_) return false;
     const Token next = peek(1);
@@ -160,8 +160,8 @@ void Parser::bracketed_guard(Transition& transition) {
     expect("]");
 }
 
-/// `e`, `e [c] / a` without `trigger`: what stands on a transition in UML. Says which place in the order the last of
-/// its clauses has; 0 where it is something else.
+/// `e`, `e [c] / a` without `trigger`, as in a UML transition. Returns the position of its last clause in the order of
+/// clauses; 0 if it is something else.
 int Parser::forgotten_trigger(Transition& transition) {
     const Token next = peek(1);
     const bool clause_follows = next.is("[") || next.is("/") || next.is("?") || next.is("!") || next.is(".") ||
@@ -239,7 +239,7 @@ bool Parser::at_foreign_statement() const {
            foreign_word(peek().text, ForeignPlace::statement) != nullptr;
 }
 
-/// `x++` and `x += e`; null where it is neither.
+/// `x++` and `x += e`; null if it is neither.
 StmtPtr Parser::updating_statement() {
     const Token op = peek(1);
     const bool counts = (op.is("+") || op.is("-")) && peek(2).is(op.text) && peek(2).span.begin == op.span.end;
@@ -262,7 +262,7 @@ StmtPtr Parser::updating_statement() {
     return statement;
 }
 
-/// Whether the text declares a clock of this name, and no variable.
+/// True if the text declares a clock of this name and no such variable.
 bool Parser::names_clock(std::string_view word) const {
     bool clock = false;
     for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
@@ -273,7 +273,7 @@ bool Parser::names_clock(std::string_view word) const {
     return clock;
 }
 
-/// `C := 0`; null where it is something else.
+/// `C := 0`; null if it is something else.
 StmtPtr Parser::clock_set_to_zero() {
     const Token name = peek();
     const bool zero = peek(1).is(":") && peek(2).is("=") && peek(3).kind == TokenKind::integer && peek(3).text == "0";
@@ -291,7 +291,7 @@ StmtPtr Parser::clock_set_to_zero() {
     return statement;
 }
 
-/// `if c { S } else { T }`, behind its condition.
+/// `if c { S } else { T }`, after its condition.
 StmtPtr Parser::braced_if(StmtPtr begun) {
     report(syntax::other_notation, peek().span, {"{", "an `if` has the form `if c then S else T end`, without braces"});
     quiet_until_ = 0;
@@ -307,7 +307,7 @@ StmtPtr Parser::braced_if(StmtPtr begun) {
     return begun;
 }
 
-/// `{ S }` where a statement stands
+/// `{ S }` in the place of a statement
 StmtPtr Parser::braced_statement() {
     const Span begin = peek().span;
     report(syntax::other_notation, begin, {"{", "statements stand without braces: `entry a(); b()`"});
@@ -321,7 +321,7 @@ StmtPtr Parser::braced_statement() {
     return group;
 }
 
-/// `event e()`, `event e(int)` and `event e(x : int)`, behind the name.
+/// `event e()`, `event e(int)` and `event e(x : int)`, after the name.
 void Parser::bracketed_event(Event& event) {
     const std::optional<std::size_t> behind = behind_brackets(0);
     constexpr std::size_t most_words = 12;
@@ -347,7 +347,7 @@ void Parser::bracketed_event(Event& event) {
     expect(")");
 }
 
-/// `clock C = 0` and `clock C : real`, behind the name.
+/// `clock C = 0` and `clock C : real`, after the name.
 void Parser::clock_with_value() {
     const bool typed = at(":") && peek(1).kind == TokenKind::identifier;
     const bool set = at("=") && peek(1).kind == TokenKind::integer;
@@ -366,7 +366,7 @@ void Parser::clock_with_value() {
     clock_with_value();
 }
 
-/// `async`, `_async` and `[async]` behind a connection.
+/// `async`, `_async` and `[async]` after a connection.
 bool Parser::bare_async() {
     const auto async = [&](std::size_t ahead) { return at_word("async", ahead) || at_word("_async", ahead); };
     const bool bracketed = at("[") && async(1) && peek(2).is("]");
@@ -382,7 +382,7 @@ bool Parser::bare_async() {
     return true;
 }
 
-/// `50%` where nothing stands behind it that could be divided.
+/// `50%`, if no operand for a remainder follows.
 bool Parser::percentage(Expr& number) {
     const bool literal = number.kind == ExprKind::integer && number.text.size() <= 3;
     const bool ends = peek(1).is("}") || peek(1).is(")") || peek(1).is(";") || peek(1).is("condition") ||
@@ -401,7 +401,7 @@ bool Parser::percentage(Expr& number) {
     return true;
 }
 
-/// `state S` without its braces, behind the name: it is read as a state without actions.
+/// `state S` without braces, after the name: it is read as a state without actions.
 bool Parser::body_left_out() {
     const bool ends = at(";") && peek(1).first_on_line;
     const bool next_member = ((at_member_word() || at("}")) && peek().first_on_line) || ends;
@@ -416,7 +416,7 @@ bool Parser::body_left_out() {
     return true;
 }
 
-/// `P=? [ F p ]`, `Rmax<=3 [ ... ]`: as PRISM writes it. Reported as a whole; the rest of the claim is not read.
+/// `P=? [ F p ]`, `Rmax<=3 [ ... ]`, as in PRISM. Reported as a whole; the rest of the claim is skipped.
 void Parser::prism_query() {
     constexpr std::array<std::string_view, 6> words = {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax"};
     const Token word = peek();
@@ -449,7 +449,7 @@ void Parser::prism_query() {
     throw SyntaxError{};
 }
 
-/// What stands between two words of the text, with PRISM's operators on paths as they are written here.
+/// The text between two tokens, with PRISM's path operators replaced by RoboChart's.
 std::string Parser::prism_path(std::size_t begin, std::size_t end) const {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words = {{{"F", "Finally"},
                                                                                      {"G", "Globally"},

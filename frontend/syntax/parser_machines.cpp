@@ -63,7 +63,7 @@ bool Parser::node_member(NodeContainer& container) {
     return false;
 }
 
-/// A final node with a body is read too, so that FS2 and FS3 can speak of it.
+/// A final node with a body is parsed, too, so that FS2 and FS3 can report it.
 void Parser::node(NodeContainer& container, DeclKind kind) {
     auto owned = std::make_unique<State>(kind);
     State& state = *owned;
@@ -124,7 +124,7 @@ void Parser::transition(NodeContainer& container) {
     transition.span = since(transition.span);
 }
 
-/// `transition t from A to B`: the braces are missing, or the first of them is.
+/// `transition t from A to B` without its braces, or without the opening one.
 void Parser::unbraced_transition(Transition& transition) {
     const std::size_t failures = failures_;
     const Span begin = peek().span;
@@ -156,7 +156,7 @@ void Parser::transition_body(Transition& transition, bool braced) {
     }
     constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
     int last = 0;
-    std::array<std::size_t, 6> begins{};  // of each kind, the token
+    std::array<std::size_t, 6> begins{};  // the first token of each kind of clause
     while (!at("}") && !at_end() && (braced || !(at_member_word() || at_top_level_word()))) {
         const Token next = peek(1);
         const bool clause_follows = next.is("trigger") || next.is("probability") || next.is("#") || next.is("<{") ||
@@ -180,7 +180,8 @@ void Parser::transition_body(Transition& transition, bool braced) {
     }
 }
 
-/// The clause from this token to the last one that was read, in front of the first one of a later kind.
+/// A fix that moves the clause at this token, which ends at the last token read, before the first clause of a later
+/// kind.
 diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std::size_t, 6>& begins, int kind) const {
     std::size_t later = clause;
     for (std::size_t i = static_cast<std::size_t>(kind) + 1; i < begins.size(); ++i)
@@ -196,7 +197,7 @@ diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std
     return {{source_, from, end}, std::string(text.substr(own, end - own)) + gap + between, "write"};
 }
 
-/// Reads a clause and says which place in the order it has.
+/// Parses a clause and returns its position in the order of clauses.
 int Parser::transition_clause(Transition& transition) {
     if (at("trigger")) return trigger(transition), 1;
     if (accept("probability")) {
@@ -229,7 +230,7 @@ int Parser::transition_clause(Transition& transition) {
     expected("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
 
-/// `trigger e…`; the old forms `trigger` and `trigger #C` await nothing.
+/// `trigger e…`; the old forms `trigger` and `trigger #C` wait for no event.
 void Parser::trigger(Transition& transition) {
     const Span word = expect("trigger");
     pass_sign_behind_word();

@@ -1,5 +1,5 @@
-// Probabilistic assertions (Assertions.xtext): properties, what they refer to, and the forms of expressions that are
-// found only in them.
+// Probabilistic assertions (Assertions.xtext): properties, the definitions that they use, and expression forms that
+// only they allow.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Sets a flag for the life of the object.
+/// Sets a flag while the object exists.
 class Raised {
 public:
     explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
@@ -26,7 +26,7 @@ private:
     bool& flag_;
 };
 
-/// The words that begin definitions, and what follows the name behind them.
+/// The words that begin definitions, and the token that follows the name.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> definition_words = {{{"const", ":"},
                                                                                             {"constants", ":"},
                                                                                             {"label", "="},
@@ -41,7 +41,7 @@ constexpr std::array<std::string_view, 4> methods = {"CI", "ACI", "APMC", "SPRT"
 
 // ---------------------------------------------------------------- members
 
-/// `prob …`, or a word of definitions in its own form: not `with constants` or `#label`.
+/// True at `prob …` or at the first word of a definition, but not at `with constants` or `#label`.
 bool Parser::at_probabilistic_part() const {
     if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
     const auto* form = std::find_if(definition_words.begin(), definition_words.end(),
@@ -61,7 +61,7 @@ void Parser::definition_name(std::string& name, Span& span) {
     span = read.span;
 }
 
-/// `prob property P : e`, `prob generate path P : using simulation …`, and what they are with.
+/// `prob property P : e`, `prob generate path P : using simulation …`, and their `with` clauses.
 void Parser::probabilistic_assertion(File& file) {
     ProbabilisticAssertion& assertion = file.probabilistic_assertions.emplace_back();
     const std::size_t before = failures_;
@@ -106,7 +106,7 @@ PathGeneration Parser::path_generation() {
     return path;
 }
 
-/// `with constants …`, `with definitions …`, `with modules …`, `with cmdoptions "…"`: each once, in this order.
+/// `with constants …`, `with definitions …`, `with modules …`, `with cmdoptions "…"`: each at most once, in this order.
 void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
     std::string last;
     int order = -1;
@@ -138,7 +138,7 @@ void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
     }
 }
 
-/// The name of a definition, or what it would define.
+/// The name of a definition, or an inline definition.
 ProbabilisticClause Parser::probabilistic_clause(ProbabilisticKind kind) {
     ProbabilisticClause clause;
     clause.definition.kind = kind;
@@ -356,7 +356,7 @@ Update Parser::update() {
 
 // ---------------------------------------------------------------- expressions
 
-/// Null if none of the forms of probabilistic assertions begins here. A member on the next line is no expression.
+/// Null if no form of probabilistic assertions begins here. A member on the next line is not an expression.
 ExprPtr Parser::probabilistic_atom() {
     if (peek().first_on_line && at_assertion_member()) return missing_expression();
     prism_query();
@@ -373,7 +373,7 @@ bool Parser::at_path_prefix() const {
            (at_word("Weak") && at_word("Until", 1));
 }
 
-/// `Finally <=10 φ`, `Globally [1, 3] φ`; reaches as far to the right as it can.
+/// `Finally <=10 φ`, `Globally [1, 3] φ`; φ extends as far to the right as possible.
 ExprPtr Parser::path_prefix() {
     const Nesting nesting(*this);
     ExprPtr result = make(ExprKind::path);
@@ -401,7 +401,7 @@ ExprPtr Parser::until(ExprPtr left) {
     return finish(std::move(result), begin);
 }
 
-/// The bound on the steps, or null. Its value is an atom, as the formula follows at once.
+/// The bound on the number of steps, or null. Its value is an atom, because the formula follows directly.
 void Parser::step_bound(Expr& path) {
     path.args.emplace_back();
     if (at("[")) {
@@ -478,7 +478,8 @@ ExprPtr Parser::simulation() {
         binding.value = operand(plus_level);
         result->bindings.push_back(std::move(binding));
         const std::size_t name_at = at(",") ? 1 : 0;
-        more = at_word("and", name_at) || (name_at == 1 && peek(2).is("="));  // else the comma of a list around
+        more = at_word("and", name_at) || (name_at == 1 && peek(2).is("="));  // otherwise the comma belongs to an
+                                                                              // enclosing list
         if (more) accept(",");
         accept_word("and");
     }
@@ -505,7 +506,7 @@ ExprPtr Parser::marked() {
     return finish(std::move(result), begin);
 }
 
-/// What may follow a name: `is in S`, `.in`, `.out`, `.in.val`, `.out.val`.
+/// The forms that may follow a name: `is in S`, `.in`, `.out`, `.in.val`, `.out.val`.
 ExprPtr Parser::behind_name(ExprPtr name) {
     const Span begin = name->span;
     if (at("is") && peek(1).is("in")) {

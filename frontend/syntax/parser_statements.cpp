@@ -42,12 +42,12 @@ StmtPtr Parser::statement() {
     return sequence;
 }
 
-/// What ends a list of statements.
+/// True at a token that ends a list of statements.
 bool Parser::at_body_end() const {
     return at("}") || at("end") || at("else") || at(")") || at_end() || at_member_word();
 }
 
-/// Right behind a statement: the first word of another one, without a `;`?
+/// True directly after a statement if the next token begins another one, so that `;` is missing.
 bool Parser::at_statement() const {
     constexpr std::array<std::string_view, 11> after_name = {"=",  "(", "!", "?",   ".",   "[",
                                                              "[|", ";", "}", "end", "else"};
@@ -127,7 +127,7 @@ StmtPtr Parser::if_statement() {
     return result;
 }
 
-/// `wait(e)`; `wait([m,n])` has a form of its own.
+/// `wait(e)`; `wait([m,n])` is a separate form.
 StmtPtr Parser::wait_statement() {
     StmtPtr result = make_statement(StmtKind::wait, expect("wait"));
     expect("(");
@@ -152,8 +152,8 @@ StmtPtr Parser::communication_statement() {
     return result;
 }
 
-/// Behind the bracket that closes the one here; nothing if there is none. Brackets need not be of one kind: ranges are
-/// written `(a, b]`.
+/// The position after the bracket that closes the one here; no value if it is not closed. The brackets may differ,
+/// because ranges are written `(a, b]`.
 std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     constexpr std::array<std::string_view, 8> opening = {"[", "(", "{", "[|", "(|", "<{", "Set(", "Seq("};
     constexpr std::array<std::string_view, 5> closing = {"]", ")", "}", "|]", "|)"};
@@ -169,7 +169,7 @@ std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     return ahead;
 }
 
-/// Is the name here followed by member and index steps and `=`? Anything else with `.` is a communication.
+/// True if the name here is followed by member and index steps and `=`. Any other use of `.` is a communication.
 bool Parser::looks_like_assignment() const {
     std::size_t ahead = 1;
     while (peek(ahead).is("::")) ahead += 2;
@@ -186,7 +186,7 @@ bool Parser::looks_like_assignment() const {
     return peek(ahead).is("=") || (peek(ahead).is(":") && peek(ahead + 1).is("="));
 }
 
-/// `:=` is meant as `=`.
+/// `:=` is read as `=`.
 bool Parser::repair_assignment() {
     if (!at(":")) return false;
     const Span span = diagnostics::join(peek().span, peek(1).span);
@@ -207,7 +207,7 @@ StmtPtr Parser::assignment() {
     return result;
 }
 
-/// The `if` is where the eye looks for it; the place is where it was expected.
+/// The error is at the place where `end` was expected; a note points at the `if`.
 void Parser::if_without_end(Span word) {
     const Span place = missing_place();
     diagnostics::Diagnostic* const finding = missing("`end`, which closes the `if`");
@@ -264,7 +264,7 @@ void Parser::communication_predicate(Communication& communication) {
     expect("|]");
 }
 
-/// A CallExp. What people write beyond it is read as meant, after one message with the fix.
+/// A CallExp. Larger expressions are reported with a fix, and read as intended.
 ExprPtr Parser::communicated_value() {
     const std::size_t start = at_;
     const bool negative = at("-");

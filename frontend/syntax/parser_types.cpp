@@ -1,5 +1,5 @@
-// Types as written (RoboChart.xtext: Type to TypeRef). Lowest `<->` (right), then `->` (right), then `*`
-// (n-ary; behind the first `*` only a name, a set, a sequence or parentheses).
+// Types as written (RoboChart.xtext: Type to TypeRef). The weakest operator is `<->` (right-associative), then `->`
+// (right-associative), then `*` (n-ary; after the first `*`, only a name, a set, a sequence or parentheses may follow).
 #include <fmt/format.h>
 
 #include "frontend/syntax/parser.hpp"

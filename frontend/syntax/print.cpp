@@ -1,4 +1,4 @@
-// Expressions, types and statements. Parentheses of the source are nodes of the tree, so printing adds none.
+// Prints expressions, types and statements. Parentheses of the source are nodes of the tree, so printing adds none.
 #include "frontend/syntax/print.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ std::string binary(const Expr& expr) {
     return fmt::format("{} {} {}", text(expr.args[0]), to_text(*expr.binary), text(expr.args[1]));
 }
 
-/// A sequence that begins with a set is kept apart from the word `<{` of deadlines.
+/// A blank is written after `<` if a set follows, because `<{` is the token of deadlines.
 std::string sequence(const Expr& expr) {
     const std::string elements = list(expr.args);
     return (elements.starts_with("{") ? "< " : "<") + elements + ">";
@@ -115,7 +115,7 @@ std::string binder(const Expr& expr) {
     }
 }
 
-/// A name as an expression: what would begin a path formula is escaped, which is legal everywhere.
+/// A name as an expression. A name that would begin a path formula is escaped, which is always allowed.
 std::string written_value(const QualifiedName& name) {
     constexpr std::array<std::string_view, 10> words = {"Exists", "Finally", "Forall", "Globally", "Next",
                                                         "Prob",   "Release", "Reward", "Until",    "Weak"};
@@ -125,7 +125,7 @@ std::string written_value(const QualifiedName& name) {
 
 }  // namespace
 
-/// `Set` and `Seq` are reserved only before a bracket; escaping them always is legal and simple.
+/// `Set` and `Seq` are reserved only before a bracket, but escaping them is always allowed.
 std::string written_name(std::string_view name) {
     const bool escaped = is_reserved(name) || name == "Set" || name == "Seq";
     return (escaped ? "^" : "") + std::string(name);
@@ -198,7 +198,7 @@ std::string to_text(const Expr& expr) {
 
 std::string to_text(const TypeExpr& type) {
     const auto arg = [&](std::size_t i) { return to_text(*type.args[i]); };
-    // Operands that bind no tighter than the operator around them need parentheses.
+    // An operand that does not bind more tightly than the operator needs parentheses.
     const auto operand = [&](std::size_t i) {
         const TypeKind kind = type.args[i]->kind;
         const bool open = kind == TypeKind::product || kind == TypeKind::relation || kind == TypeKind::function;

@@ -1,4 +1,4 @@
-// Whole files as RoboChart text, one member a line. See print.hpp.
+// Prints whole files as RoboChart text, one member a line. See print.hpp.
 #include <fmt/format.h>
 
 #include "frontend/syntax/print.hpp"

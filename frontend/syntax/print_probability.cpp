@@ -1,4 +1,4 @@
-// Probabilistic assertions as text. See print.hpp.
+// Prints probabilistic assertions. See print.hpp.
 #include <fmt/format.h>
 
 #include "frontend/syntax/print.hpp"
@@ -91,7 +91,7 @@ std::string module(const ProbabilisticModule& each) {
     return out + "}";
 }
 
-/// What stands behind the name of a definition and its `:` or `=`.
+/// The text after the name of a definition and its `:` or `=`.
 std::string body(const ProbabilisticDefinition& definition) {
     switch (definition.kind) {
         case ProbabilisticKind::constant:

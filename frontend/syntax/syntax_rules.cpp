@@ -1,4 +1,4 @@
-// See syntax_rules.hpp. Codes RC-P: reading a text; RC-F: finding files. Retired codes are never used again.
+// See syntax_rules.hpp. Codes RC-P are about parsing, codes RC-F about finding files. Retired codes are never reused.
 #include "frontend/syntax/syntax_rules.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The rule table of the reader: everything that can be wrong with a text before names are looked at.
+// The rule table of the parser: all mistakes of a text that are found before names are resolved.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,9 @@ extern const Rule unexpected, too_deep, open_comment, open_string, strange_chara
     foreign_assertion, other_notation, probabilistic_clause_order;
 extern const Rule unreadable, empty_input, no_files, empty_file;
 
-/// All of them, by code.
+/// All rules, sorted by code.
 [[nodiscard]] const std::vector<const Rule*>& all();
-/// Is it a rule of reading?
+/// True if the rule is one of parsing.
 [[nodiscard]] bool is_syntax(const Rule&);
 
 }  // namespace robochart::frontend::syntax

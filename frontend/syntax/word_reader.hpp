@@ -1,5 +1,5 @@
-// The words of a text in RoboChart's notation one after the other, for the small notations beside models: scenarios,
-// mappings. After the first syntax error nothing more is read.
+// Reads the tokens of a text in RoboChart's notation one after another, for the small notations used with models:
+// scenarios, mappings. Reading stops at the first syntax error.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace robochart::frontend {
 
-/// A word of the text and its place.
+/// A token and its place.
 struct Word {
     std::string text;
     diagnostics::Span span;
@@ -22,7 +22,8 @@ struct Word {
 
 class WordReader {
 public:
-    /// `syntax` is reported with what was expected and what was found, and with what `advice` says of it.
+    /// A syntax error is reported by the rule `syntax`, with what was expected, what was found, and the matching row of
+    /// `advice`.
     WordReader(const diagnostics::SourceManager&, diagnostics::SourceId, const diagnostics::Rule& syntax,
                diagnostics::Diagnostics&, std::span<const diagnostics::Advice> advice = {});
 
@@ -32,22 +33,22 @@ public:
     [[nodiscard]] bool at_number() const;
     [[nodiscard]] Token token() const { return stream_.tokens.at(next_); }
     [[nodiscard]] diagnostics::Span last_span() const { return last_; }
-    /// The text from a place to the last word read, on one line.
+    /// The text from a place to the last token read, on one line.
     [[nodiscard]] std::string text_since(diagnostics::Span from) const;
 
-    /// Takes the word if it is the next one.
+    /// Takes the next token if it is this word; returns false otherwise.
     bool take(std::string_view word);
     void expect(std::string_view word);
-    /// Any name; `what` for the message.
+    /// Takes any name; `what` is used in the message.
     Word name(std::string_view what);
     /// `a::b::c`.
     Word qualified_name(std::string_view what);
     /// A string without its quotes.
     std::string quoted(std::string_view what);
 
-    /// `words`: those that may stand here; the nearest is suggested.
+    /// `words`: the words that are allowed here; the nearest is suggested.
     void fail(std::string_view expected, const std::vector<std::string>& words = {});
-    /// Valid until the next report; null behind a syntax error, where nothing is reported.
+    /// The result is valid until the next report. After a syntax error nothing is reported, and the result is null.
     diagnostics::Diagnostic* report(const diagnostics::Rule&, diagnostics::Span, std::vector<std::string> arguments);
 
 protected:

@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Core is known everywhere, the toolkits where they are imported.
+/// Core is always visible; toolkits are visible where they are imported.
 bool imports(const File& file, std::string_view package) {
     if (package == core_package) return true;
     return std::any_of(file.imports.begin(), file.imports.end(),
@@ -41,8 +41,8 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     std::set<std::string_view> added;
     for (const auto& file : model.files)
         for (const Toolkit& toolkit : toolkits())
-            if (file->package.text() == toolkit.package) added.insert(toolkit.package);  // the project brings its own
-    // The list grows while it is walked: toolkits import each other.
+            if (file->package.text() == toolkit.package) added.insert(toolkit.package);  // the project has its own
+    // The list grows during the iteration, because toolkits import each other.
     for (std::size_t i = 0; i < model.files.size(); ++i)
         for (const Toolkit& toolkit : toolkits()) {
             if (!imports(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;

@@ -20,8 +20,8 @@ inline constexpr std::string_view core_package = "core";
 
 [[nodiscard]] const std::vector<Toolkit>& toolkits();
 
-/// Makes the model's toolkits core, those that its files import, and those that they import in turn. Trees of toolkits
-/// that the model has already are kept, so that it may be called again after a change.
+/// Makes the toolkits of the model core, those that its files import, and those that they import in turn. Trees that
+/// the model already contains are kept, so it may be called again after a change.
 void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
 
 }  // namespace robochart::frontend

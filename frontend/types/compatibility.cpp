@@ -1,4 +1,5 @@
-// compat(a, b) of the type provider: may a value of type a be used where b is expected (language reference 2, Types).
+// compat(a, b) of the type provider: whether a value of type a may be used where b is expected (language reference 2,
+// Types).
 #include <algorithm>
 
 #include "frontend/types/type_algebra.hpp"
@@ -99,7 +100,7 @@ bool is_free(const Type& type) {
 bool compatible(const TypePtr& written_from, const TypePtr& written_to) {
     const TypePtr from = simplify(written_from);
     const TypePtr to = simplify(written_to);
-    // What could not be typed has been reported at its place.
+    // An expression without a type has been reported already.
     if (!from || !to || is_free(*from) || is_free(*to)) return true;
     if (from->form == to->form) return same_form(*from, *to);
     // nat -> int -> real

@@ -1,4 +1,4 @@
-// Building and combining semantic types (private to the front end).
+// Constructs and combines semantic types (private to the front end).
 #pragma once
 
 #include <map>
@@ -15,18 +15,19 @@ namespace robochart::frontend {
 /// A product of one type is that type.
 [[nodiscard]] TypePtr simplify(const TypePtr& type);
 [[nodiscard]] bool is_number(const TypePtr& type);
-/// Sets, relations, functions and sequences as the set they are; null for others.
+/// Sets, relations, functions and sequences as set types; null for other types.
 [[nodiscard]] TypePtr as_set(const TypePtr& type);
-/// Products, vectors and matrices as products; null for others.
+/// Products, vectors and matrices as product types; null for other types.
 [[nodiscard]] TypePtr as_product(const TypePtr& type);
-/// The smallest type both fit in; null if there is none.
+/// The smallest type that contains both; null if there is none.
 [[nodiscard]] TypePtr joined(const TypePtr& a, const TypePtr& b);
 
-/// What type variables of a generic function stand for in a call.
+/// The types that the type variables of a generic function have in a call.
 using TypeBindings = std::map<std::string, TypePtr>;
-/// Fits an argument to a parameter's type, binding variables. False if it does not fit.
+/// Matches an argument type with a parameter type and binds type variables. Returns false if it does not match.
 [[nodiscard]] bool match(const TypePtr& formal, const TypePtr& actual, TypeBindings& bindings);
-/// The type with bound variables replaced; unbound ones become `any`, unbound numbers `nat`, which fits every number.
+/// The type with bound variables replaced. Unbound variables become `any`; unbound numeric variables become `nat`,
+/// which fits every number.
 [[nodiscard]] TypePtr substitute(const TypePtr& type, const TypeBindings& bindings);
 
 }  // namespace robochart::frontend

@@ -1,4 +1,4 @@
-// Calls of generic functions: parameters with type variables `?X` against the types of the arguments.
+// Calls of generic functions: matches parameter types with variables `?X` against the types of the arguments.
 #include "frontend/types/type_algebra.hpp"
 
 namespace robochart::frontend {
@@ -7,7 +7,7 @@ namespace {
 
 bool bind(const Type& variable, const TypePtr& actual, TypeBindings& bindings) {
     if (variable.numeric && actual->form != TypeForm::variable && !is_number(actual)) {
-        bindings[variable.name] = make_type(TypeForm::real);  // the widest that would fit
+        bindings[variable.name] = make_type(TypeForm::real);  // the largest type that would be allowed
         return false;
     }
     const auto [slot, fresh] = bindings.emplace(variable.name, actual);

@@ -1,4 +1,4 @@
-// From types as written to semantic types.
+// Converts types as written to semantic types.
 #include <array>
 #include <charconv>
 
@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The types of package core, known everywhere.
+/// The types of package core, which are always visible.
 TypePtr core_type(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, TypeForm>, 5> core = {{{"nat", TypeForm::nat},
                                                                             {"int", TypeForm::integer},
@@ -54,7 +54,7 @@ TypePtr Typer::named_type(TypeExpr& written, Surroundings& around) {
     return written.target != nullptr ? declared(static_cast<const TypeDeclaration&>(*written.target)) : nullptr;
 }
 
-/// Sizes are literals or constants; a constant with a literal value has a known size.
+/// Sizes are literals or constants. The size is known if the constant has a literal value.
 void Typer::size(Expr& expr, Surroundings& around, long& value) {
     const TypePtr type = this->type(expr, around);
     const Expr& inner = strip(expr);

@@ -90,7 +90,7 @@ TypePtr Typer::compute(Expr& expr, Surroundings& around) {
         case ExprKind::in_state:
         case ExprKind::event:
         case ExprKind::marked:
-        case ExprKind::simulation:  // of probabilistic assertions, which have no types yet
+        case ExprKind::simulation:  // in probabilistic assertions, which are not typed yet
         case ExprKind::error:
             break;
     }
@@ -103,7 +103,7 @@ void Typer::boolean(const ExprPtr& expr, Surroundings& around, const std::string
         finder_.out().report(rules::condition_boolean, expr->span, {what, to_string(type)});
 }
 
-/// Tuples keep the types of their parts; sets, sequences and ranges have one type for all.
+/// Each part of a tuple keeps its type; the elements of sets, sequences and ranges have one common type.
 TypePtr Typer::elements(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return range(expr, around);
     if (expr.kind != ExprKind::tuple)
@@ -114,7 +114,7 @@ TypePtr Typer::elements(Expr& expr, Surroundings& around) {
     return known ? make_type(TypeForm::product, std::move(parts)) : nullptr;
 }
 
-/// All numbers between two: a set of the wider type of the two.
+/// All numbers between two numbers: a set of the larger of the two types.
 TypePtr Typer::range(Expr& expr, Surroundings& around) {
     TypePtr both = make_type(TypeForm::nat);
     for (const ExprPtr& arg : expr.args) {
@@ -161,10 +161,10 @@ TypePtr Typer::matrix(Expr& expr, Surroundings& around) {
         return rows == 1 ? make_vector(all->args[0], columns) : make_matrix(all->args[0], rows, columns);
     }
     const TypePtr operand = simplify(type(expr.args[0], around));
-    // `last(<>)` and the like may be of every type.
+    // `last(<>)` and similar expressions may have any type.
     if (!operand || operand->form == TypeForm::any) return nullptr;
     const bool transposes = expr.kind == ExprKind::transpose;
-    // A vector is a column: transposed it is one row.
+    // A vector is a column, so its transpose has one row.
     if (operand->form == TypeForm::vector && transposes) return make_matrix(operand->args[0], 1, operand->sizes[0]);
     const bool square = operand->form == TypeForm::matrix &&
                         (operand->sizes[0] < 0 || operand->sizes[1] < 0 || operand->sizes[0] == operand->sizes[1]);
@@ -222,7 +222,7 @@ TypePtr Typer::bound_body(Expr& expr, Surroundings& around, const TypePtr& varia
     return make_type(TypeForm::boolean);
 }
 
-/// Later bindings of one `let` see the earlier ones.
+/// Later bindings of a `let` see the earlier ones.
 TypePtr Typer::let(Expr& expr, Surroundings& around) {
     const std::size_t outer = around.bound.size();
     for (Binding& binding : expr.bindings) {

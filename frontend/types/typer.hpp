@@ -1,6 +1,6 @@
-// Names and types inside types, expressions, statements and communications (private to the front end).
-// Every method fills the `target` and `type` fields it comes by and reports what is wrong; a part that is wrong gets
-// no type, and rules about unknown types stay silent.
+// Resolves names and computes types inside types, expressions, statements and communications (private to the front
+// end). Every method fills the `target` and `type` fields that it visits and reports mistakes. A wrong part gets no
+// type, and rules ignore parts without a type.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@
 
 namespace robochart::frontend {
 
-/// What surrounds an expression.
+/// The context of an expression.
 struct Surroundings {
     Place place;
-    const Scope* scope = nullptr;        ///< machine, operation, interface …; null at file level
+    const Scope* scope = nullptr;        ///< of the machine, operation, interface …; null at file level
     const Function* function = nullptr;  ///< for `result` and its parameters
-    const Machine* machine = nullptr;    ///< for sinceEntry
-    std::vector<const Variable*> bound;  ///< variables of binders around, innermost last
+    const Machine* machine = nullptr;    ///< for `sinceEntry`
+    std::vector<const Variable*> bound;  ///< variables of enclosing binders, innermost last
 };
 
 class Typer {
@@ -33,7 +33,7 @@ public:
     // Expressions (typer.cpp, typer_names.cpp, typer_operators.cpp, typer_binders.cpp, typer_calls.cpp)
     TypePtr type(Expr& expr, Surroundings& around);
     TypePtr type(const ExprPtr& expr, Surroundings& around) { return expr ? type(*expr, around) : nullptr; }
-    /// Types an expression that must be boolean; `what` begins the message.
+    /// Types an expression that must be boolean; the message begins with `what`.
     void boolean(const ExprPtr& expr, Surroundings& around, const std::string& what);
 
     // Statements (typer_statements.cpp)
@@ -94,10 +94,10 @@ private:
     void received(const Communication& communication, const Event& event);
     const Variable* stored_into(const QualifiedName& name, Surroundings& around);
 
-    /// What is missing where a member of a component is not found, if it is not the member alone.
+    /// The reason why a member of a component was not found, if more than the member is missing.
     struct Missing {
-        bool reported = false;               ///< it has been reported, or cannot be known
-        const Context* interface = nullptr;  ///< declares the member, and the component has no clause for it
+        bool reported = false;               ///< already reported, or impossible to know
+        const Context* interface = nullptr;  ///< declares the member, but the component has no clause for it
     };
     Missing missing(std::string_view name, DeclKind kind, const Surroundings& around);
     void note_missing(const Missing& missing, std::string_view clause, std::string_view name,
@@ -106,9 +106,9 @@ private:
     Finder& finder_;
 };
 
-/// The innermost expression inside parentheses.
+/// Removes parentheses around an expression.
 [[nodiscard]] const Expr& strip(const Expr& expr);
-/// "1 argument", "2 arguments" and the like: the ending.
+/// The plural ending for n items, as in "1 argument" and "2 arguments".
 [[nodiscard]] std::string plural(std::size_t n);
 
 }  // namespace robochart::frontend

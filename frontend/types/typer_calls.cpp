@@ -61,7 +61,7 @@ TypePtr Typer::call_literal(Expr& expr, const EnumLiteral& literal, const std::v
     return declared(static_cast<const TypeDeclaration&>(*literal.parent));
 }
 
-/// A function value, or a sequence as function from places to elements.
+/// Applies a function value, or a sequence, which is a function from positions to elements.
 TypePtr Typer::apply(Expr& expr, const TypePtr& function, const std::vector<TypePtr>& args, const std::string& name) {
     if (function->form == TypeForm::any || function->form == TypeForm::variable) return nullptr;
     const bool is_function = function->form == TypeForm::function;
@@ -133,7 +133,7 @@ void Typer::indices(const Expr& expr) {
     }
 }
 
-/// The parts of a tuple have types of their own, so the place must be a literal.
+/// The parts of a tuple have different types, so the index must be a literal.
 TypePtr Typer::tuple_part(Expr& expr, const TypePtr& tuple) {
     const Expr& place = strip(*expr.args[1]);
     std::size_t number = 0;

@@ -1,4 +1,4 @@
-// What names in expressions stand for: bound variables, the component's members, literals, functions.
+// Resolves names in expressions: bound variables, members of the component, literals, functions.
 #include <fmt/format.h>
 
 #include <deque>
@@ -26,7 +26,7 @@ std::string described(const Declaration* component) {
     return component != nullptr ? fmt::format("{} `{}`", to_text(component->kind), component->name) : "this file";
 }
 
-/// The state or final state below a container that a name leads to, outermost first.
+/// The state or final state with this name below a container, searched breadth-first from the outside.
 const State* breadth_first(const NodeContainer& top, const QualifiedName& name, DeclKind kind) {
     std::deque<const NodeContainer*> level{&top};
     while (!level.empty()) {
@@ -93,7 +93,8 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     }
 }
 
-/// A function as a value; without parameters it would be of a type that nothing has, so its result was meant.
+/// A function used as a value. If it has no parameters, its result was meant, because no value has the type of such a
+/// function.
 TypePtr Typer::bare_function(const Expr& expr, const Function& function) {
     if (!function.parameters.empty()) return function_value(function);
     auto& finding = finder_.out().report(rules::function_bare, expr.span, {function.name});

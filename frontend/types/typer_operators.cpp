@@ -1,4 +1,4 @@
-// Types of operators: `nat - nat` is an int, `/` always real, `%` keeps the type of its operands, comparisons are on
+// Types of operators: `nat - nat` is an int, `/` is always real, `%` keeps the type of its operands, comparisons are on
 // reals, `*` of vectors is the dot product.
 #include "diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
@@ -41,7 +41,7 @@ TypePtr product(const TypePtr& left, const TypePtr& right) {
     if (!left_block) return nullptr;
     const bool left_vector = is_form(left, TypeForm::vector);
     const bool right_vector = is_form(right, TypeForm::vector);
-    // A vector is a column, n rows of one entry; the product of two is the dot product.
+    // A vector is a column of n rows with one entry; the product of two vectors is the dot product.
     const bool column_first = left_vector && !right_vector;
     if (!sizes_match(column_first ? 1 : left->sizes.back(), right->sizes.front())) return nullptr;
     if (left_vector && right_vector) return element;
@@ -50,7 +50,7 @@ TypePtr product(const TypePtr& left, const TypePtr& right) {
     return make_matrix(element, left->sizes[0], right->sizes[1]);
 }
 
-/// Sums and differences of numbers and of vectors or matrices of one size.
+/// Sums and differences of numbers, and of vectors or matrices of equal size.
 TypePtr sum(const TypePtr& left, const TypePtr& right, bool minus) {
     const TypePtr both = joined(left, right);
     if (!both) return nullptr;
@@ -129,7 +129,7 @@ TypePtr Typer::logical(Expr& expr, const TypePtr& left, const TypePtr& right) {
 TypePtr Typer::comparison(Expr& expr, const TypePtr& left, const TypePtr& right) {
     const TypePtr boolean = make_type(TypeForm::boolean);
     if (!left || !right) return boolean;
-    // Comparisons of time have rules of their own (CE2, TE4).
+    // Comparisons with clocks have separate rules (CE2, TE4).
     for (const ExprPtr& arg : expr.args)
         if (strip(*arg).kind == ExprKind::since || strip(*arg).kind == ExprKind::since_entry) return boolean;
     const bool equality = *expr.binary == BinaryOp::equal || *expr.binary == BinaryOp::not_equal;
@@ -146,7 +146,7 @@ TypePtr Typer::membership(Expr& expr, const TypePtr& left, const TypePtr& right)
     if (set && (compatible(left, set->args[0]) || compatible(set->args[0], left))) return boolean;
     auto& finding = report_mismatch(expr, left, right);
     if (!is_form(right, TypeForm::sequence) || !compatible(left, right->args[0])) return boolean;
-    // A sequence is the set of its pairs of place and element; the element alone was meant to be looked for.
+    // A sequence is a set of pairs of position and element, but the author meant the element alone.
     finding.notes.push_back({{},
                              "a sequence is a set of pairs `(| place, element |)`; `ran` of relation_toolkit is the "
                              "set of its elements"});

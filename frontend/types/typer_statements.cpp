@@ -1,4 +1,4 @@
-// Names and types in statements and communications.
+// Resolves names and computes types in statements and communications.
 #include <fmt/format.h>
 
 #include "frontend/rules/rules.hpp"
@@ -48,7 +48,7 @@ void Typer::wait(const ExprPtr& duration, Surroundings& around) {
         finder_.out().report(rules::wait_type, duration->span, {to_string(type)});
 }
 
-/// `C = 0` and `reset(C)` of a clock that is no variable: what is meant is `#C`.
+/// `C = 0` and `reset(C)` for a clock C that is not a variable: `#C` is meant.
 bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around) {
     const bool plain = named.kind == ExprKind::name && named.name.parts.size() == 1;
     if (!plain || around.scope == nullptr) return false;
@@ -119,7 +119,7 @@ void Typer::call(Stmt& statement, Surroundings& around) {
     }
 }
 
-/// A call sees required signatures only, so say where one could be required from.
+/// A call sees only required signatures, so the message says where the operation could be required from.
 void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
@@ -224,7 +224,8 @@ void Typer::communication(Communication& communication, Surroundings& around, bo
     if (event != nullptr) communicated(communication, *event, around);
 }
 
-/// RoboTool asks for compat(variable, event), which narrows; a wider variable is just as good, and safer.
+/// RoboTool checks compat(variable, event), which allows narrowing. A wider variable is allowed here, too, and is
+/// safer.
 void Typer::received(const Communication& communication, const Event& event) {
     const auto* variable = static_cast<const Variable*>(communication.variable_target);
     if (variable == nullptr || !variable->type || compatible(event.type, variable->type)) return;
@@ -235,7 +236,7 @@ void Typer::received(const Communication& communication, const Event& event) {
         .notes.push_back({event.name_span, "the event is declared here"});
 }
 
-/// Rules Tg2, Tg5 and the types of what is communicated.
+/// Rules Tg2 and Tg5, and the types of communicated values.
 void Typer::communicated(Communication& communication, const Event& event, Surroundings&) {
     const bool simple = communication.kind == CommKind::simple;
     const bool input = communication.kind == CommKind::input;

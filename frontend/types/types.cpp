@@ -1,4 +1,4 @@
-// Text of types; compatibility is in compatibility.cpp.
+// Prints types; compatibility is in compatibility.cpp.
 #include "frontend/types/types.hpp"
 
 #include <fmt/format.h>
@@ -23,11 +23,11 @@ std::string operand(const TypePtr& type) {
 std::string product(const Type& type) {
     std::string out;
     for (const TypePtr& arg : type.args) out += (out.empty() ? "" : " * ") + operand(arg);
-    // The argument type of a function of one or no parameter is a product too.
+    // The argument type of a function with one or no parameter is a product as well.
     return type.args.size() == 1 ? out : type.args.empty() ? "()" : out;
 }
 
-/// A product binds tighter than arrows and needs no parentheses beside them.
+/// A product binds more tightly than arrows, so it needs no parentheses next to them.
 std::string beside_arrow(const TypePtr& type) {
     return type && type->form == TypeForm::product ? product(*type) : operand(type);
 }

@@ -1,5 +1,5 @@
-// Semantic types of RoboChart expressions and the compatibility relation of RoboChartTypeProvider
-// (reference: RoboChart manual, type system; rules RC-T in docs/rules).
+// Semantic types of RoboChart expressions, and the compatibility relation of RoboChartTypeProvider (reference:
+// RoboChart manual, type system; rules RC-T in docs/rules).
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace robochart::frontend {
 
-/// What a type is built from. `any` is the element type of `<>` and `{}`.
+/// The form of a type. `any` is the element type of `<>` and `{}`.
 enum class TypeForm {
     any,
     boolean,
@@ -31,19 +31,19 @@ enum class TypeForm {
     matrix
 };
 
-/// A type of the language, as the type checker computes with it.
+/// A type of the language, as the type checker uses it.
 struct Type {
     TypeForm form = TypeForm::any;
     std::string name;                              ///< variable ?X; declared types: Names::type_name
-    const TypeDeclaration* declaration = nullptr;  ///< given, enumeration, record
+    const TypeDeclaration* declaration = nullptr;  ///< for given types, enumerations, records
     std::vector<TypePtr> args;                     ///< operands; function: {argument, result}
     std::vector<long> sizes;                       ///< vector: {n}, matrix: {rows, columns}; -1 unknown
-    bool numeric = false;                          ///< variable: ?Number of a toolkit, which is nat, int or real
+    bool numeric = false;  ///< variable: ?Number of a toolkit, which stands for nat, int or real
 };
 
 /// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
 [[nodiscard]] std::string to_string(const TypePtr&);
-/// compat(a, b): a value of type `from` may be used where `to` is expected.
+/// compat(a, b): true if a value of type `from` may be used where `to` is expected.
 [[nodiscard]] bool compatible(const TypePtr& from, const TypePtr& to);
 
 }  // namespace robochart::frontend
