@@ -1,4 +1,4 @@
-// The rule table of this component: what the IR cannot express, and what is wrong with an instantiation.
+// The rule table of this component: constructs that the IR cannot express, and mistakes in an instantiation.
 #pragma once
 
 #include <span>
@@ -28,7 +28,7 @@ extern const diagnostics::Rule declared_twice;               // RC-S22
 extern const diagnostics::Rule no_literals;                  // RC-S23
 extern const diagnostics::Rule constant_named_twice;         // RC-S24
 
-/// Every rule above, in order of code.
+/// All rules above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
 
 }  // namespace robochart::ir::rules

@@ -1,4 +1,4 @@
-// Finite carriers of types, default values and membership (semantics 3.6, 3.13).
+// Finite carriers of types, default values and membership in carriers (semantics 3.6, 3.13).
 #include <algorithm>
 #include <stdexcept>
 
@@ -103,7 +103,7 @@ Values Carriers::repeated(const Values& base, std::size_t count) const {
     return tuples(std::vector<Values>(count, base));
 }
 
-/// All sets of members of `base` (ascending, without duplicates).
+/// All subsets of `base`, which is ascending and has no duplicates.
 Values Carriers::subsets(const Values& base) const {
     Values result{{}};
     for (const auto& item : base) {
@@ -119,7 +119,7 @@ Values Carriers::subsets(const Values& base) const {
     return result;
 }
 
-/// All total functions as sets of pairs (RoboTool's Function(A, B)).
+/// All total functions, as sets of pairs (RoboTool's Function(A, B)).
 Values Carriers::functions(const Type& type) {
     const Values domain = of(type.args.at(0));
     Values result = repeated(of(type.args.at(1)), domain.size());
@@ -211,7 +211,7 @@ bool rows_in(const System& system, const Instantiation& instantiation, const Typ
            });
 }
 
-/// Components of a vector, as many as its size says, each the default of its element type.
+/// `count` components of a vector, all equal to the default of the element type.
 Value filled(std::int64_t count, const Value& item) {
     return {0, Values(static_cast<std::size_t>(std::max<std::int64_t>(count, 0)), item)};
 }
@@ -288,7 +288,7 @@ Value default_value(const System& system, const Instantiation& instantiation, Ty
             return filled(type.sizes.at(0),
                           filled(type.sizes.at(1), default_value(system, instantiation, type.args.at(0))));
         case TypeKind::function: {
-            // A total function needs an image for every argument: the least one.
+            // A total function maps every argument, here to the default of the result type.
             const Value image = default_value(system, instantiation, type.args.at(1));
             for (const Value& argument : carrier(system, instantiation, type.args.at(0)))
                 value.parts.push_back({0, {argument, image}});

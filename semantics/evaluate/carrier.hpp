@@ -9,13 +9,13 @@
 
 namespace robochart::ir {
 
-/// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error above
-/// `limit`.
+/// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error if there
+/// are more than `limit`.
 [[nodiscard]] std::vector<Value> carrier(const System&, const Instantiation&, TypeId, std::size_t limit = 1U << 20U);
-/// The initial value of a variable without one (semantics 3.6): 0, true for booleans, first literal, empty sequence or
-/// set.
+/// The initial value of a variable without one (semantics 3.6): 0, true, the first literal, the empty sequence or the
+/// empty set.
 [[nodiscard]] Value default_value(const System&, const Instantiation&, TypeId);
-/// Whether a value belongs to the finite carrier of a type.
+/// True if a value belongs to the finite carrier of a type.
 [[nodiscard]] bool in_carrier(const System&, const Instantiation&, TypeId, const Value&);
 
 }  // namespace robochart::ir

@@ -1,4 +1,4 @@
-// What the names of an expression stand for, and what is wrong where it has no value.
+// The values of the names in an expression, and the error of an expression without a value.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@
 
 namespace robochart::ir {
 
-/// An expression has no value: division by zero, index out of range, beyond 64 bits.
+/// An expression has no value: division by zero, index out of range, or a result beyond 64 bits.
 class EvaluationFault : public std::runtime_error {
 public:
     EvaluationFault(const std::string& cause, diagnostics::Span where) : std::runtime_error(cause), span(where) {}
     diagnostics::Span span;
 };
 
-/// What the names of a machine's expressions stand for. Vectors may be shorter than the machine's where an expression
-/// does not use the rest; using a missing one is a fault.
+/// The values of the names in a machine's expressions. A vector may be shorter than the machine's if an expression does
+/// not use the rest; using a missing value is a fault.
 struct Environment {
     std::vector<Value> variables;      ///< by VariableId
     std::vector<Value> constants;      ///< by ConstantId
     std::vector<std::int64_t> clocks;  ///< by ClockId, in time units; sinceEntry clocks included
-    std::optional<Value> trigger;      ///< the value a trigger brings
+    std::optional<Value> trigger;      ///< the value received by a trigger
 };
 
 }  // namespace robochart::ir

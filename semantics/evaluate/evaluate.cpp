@@ -1,5 +1,5 @@
-// Evaluation of expressions: names, logic, comparisons, and which family an expression belongs to. The rules are in
-// evaluate.hpp.
+// Evaluates expressions: names, logic, comparisons, and the dispatch to families of expressions. evaluate.hpp states
+// the rules.
 #include "semantics/evaluate/evaluate.hpp"
 
 #include <algorithm>

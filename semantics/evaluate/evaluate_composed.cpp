@@ -1,4 +1,4 @@
-// Values with parts; conventions in evaluate.hpp.
+// Values with parts; evaluate.hpp states the conventions.
 #include "semantics/evaluate/evaluate_composed.hpp"
 
 #include <algorithm>

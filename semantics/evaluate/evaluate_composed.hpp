@@ -1,4 +1,4 @@
-// Values with parts: building and taking apart (private to this component).
+// Constructs values with parts and accesses the parts (private to this component).
 #pragma once
 
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace robochart::ir {
 
-/// The set of some values: ascending, without duplicates.
+/// The set of these values: ascending, without duplicates.
 [[nodiscard]] Value set_of(std::vector<Value> members);
-/// Elements row by row as rows of so many columns.
+/// A matrix from its elements, which are given row by row.
 [[nodiscard]] Value matrix_of(std::vector<Value> elements, std::int64_t columns);
-/// { low to high }. Throws std::length_error when it is huge.
+/// { low to high }. Throws std::length_error if it is too large.
 [[nodiscard]] Value range_set(std::int64_t low, std::int64_t high, diagnostics::Span where);
-/// A sequence as the set of its pairs of place and element.
+/// A sequence as the set of its pairs of position and element.
 [[nodiscard]] Value pairs_of(const Value& sequence);
-/// The characters of a string as parts.
+/// A string as a value with one part per character.
 [[nodiscard]] Value string_value(const diagnostics::ForeignText&);
-/// The part at a 1-based place; a fault outside.
+/// The part at a 1-based position; a position outside is a fault.
 [[nodiscard]] Value part(const Value& whole, std::int64_t place, diagnostics::Span where);
-/// A function value (pairs) at its arguments; a fault outside its domain.
+/// A function value (a set of pairs) applied to arguments; arguments outside its domain are a fault.
 [[nodiscard]] Value applied(const Value& function, const std::vector<Value>& arguments, diagnostics::Span where);
-/// Whether `whole` has `item` among its parts.
+/// True if `item` is one of the parts of `whole`.
 [[nodiscard]] bool is_part(const Value& whole, const Value& item);
-/// The bound values from index `from` on: one as it is, several as a tuple.
+/// The bound values from index `from`: a single value unchanged, several as a tuple.
 [[nodiscard]] Value bound_tuple(const std::vector<std::pair<std::string, Value>>& bindings, std::size_t from);
 
 }  // namespace robochart::ir

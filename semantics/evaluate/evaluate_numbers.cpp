@@ -1,4 +1,4 @@
-// Evaluation of arithmetic, of numbers and of vectors and matrices entry by entry (semantics 3.13).
+// Evaluates arithmetic on numbers, and on vectors and matrices entry by entry (semantics 3.13).
 #include <algorithm>
 #include <stdexcept>
 
@@ -11,7 +11,7 @@ namespace robochart::ir {
 
 namespace {
 
-/// The result before clipping; nothing if it lies beyond 64 bits, hence outside every carrier.
+/// The result before clipping; no value if it does not fit into 64 bits, so that it is outside every carrier.
 std::optional<std::int64_t> exact(ExprKind kind, bool real, std::int64_t scale, std::int64_t left, std::int64_t right) {
     if (kind == ExprKind::plus) return checked_add(left, right);
     if (kind == ExprKind::minus) return checked_subtract(left, right);
@@ -23,7 +23,7 @@ std::optional<std::int64_t> exact(ExprKind kind, bool real, std::int64_t scale, 
 
 }  // namespace
 
-/// RoboTool's Plus, Minus, ... on numbers of a type.
+/// RoboTool's Plus, Minus, ... on numbers of one type.
 Value Evaluator::clipped(const Expr& expr, ExprKind op, TypeId type, const Value& left, const Value& right) {
     const bool divides = op == ExprKind::divide || op == ExprKind::modulus;
     if (divides && right.number == 0) fault(expr, "division by zero");
@@ -43,7 +43,7 @@ Value Evaluator::arithmetic(const Expr& expr) {
     return left_block && right_block ? product(expr, entry, left, right) : scaled_block(expr, entry, left, right);
 }
 
-/// Entry by entry.
+/// Applies the operator entry by entry.
 Value Evaluator::zipped(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
     if (left.parts.empty()) return clipped(expr, expr.kind, entry, left, right);
     if (left.parts.size() != right.parts.size()) fault(expr, "the sizes differ");
@@ -53,7 +53,7 @@ Value Evaluator::zipped(const Expr& expr, TypeId entry, const Value& left, const
     return result;
 }
 
-/// A number times every entry, the operands in their order: clipping keeps the first.
+/// Multiplies every entry by a number. The operands keep their order, because clipping returns the first one.
 Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
     if (left.parts.empty() && right.parts.empty()) return clipped(expr, ExprKind::times, entry, left, right);
     Value result;
@@ -63,7 +63,7 @@ Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left,
     return result;
 }
 
-/// A vector is a column.
+/// The rows of a matrix; a vector is a column.
 std::vector<std::vector<Value>> Evaluator::rows(const Value& block, TypeId type) {
     std::vector<std::vector<Value>> result;
     for (const Value& part : block.parts)
@@ -71,7 +71,7 @@ std::vector<std::vector<Value>> Evaluator::rows(const Value& block, TypeId type)
     return result;
 }
 
-/// Rows times columns, sums from the left; two vectors: their dot product.
+/// Matrix product, with sums computed from the left; for two vectors, the dot product.
 Value Evaluator::product(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
     const TypeId left_type = argument(expr, 0).type;
     const bool dot = kind(left_type) == TypeKind::vector && kind(argument(expr, 1).type) == TypeKind::vector;

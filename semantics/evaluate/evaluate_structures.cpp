@@ -1,5 +1,5 @@
-// Evaluation of what makes values with parts, takes them apart, or runs over the values of a type: constructors,
-// access, ranges, quantifiers and other binders, functions of the model and of the toolkits.
+// Evaluates expressions that construct values with parts, access parts, or iterate over the values of a type:
+// constructors, access, ranges, quantifiers and other binders, functions of the model and of the toolkits.
 #include <algorithm>
 #include <utility>
 
@@ -61,8 +61,8 @@ Value Evaluator::function_call(const Expr& expr) {
     return function_result(system_.functions.at(expr.function.index), arguments, expr);
 }
 
-/// A function without definition is the constant 0, true or first literal (semantics 3.13); with postconditions, the
-/// first value that satisfies them, that constant before all others.
+/// A function without definition always has the default value of its result type: 0, true or the first literal
+/// (semantics 3.13). With postconditions, it has the first value that satisfies them; the default value is tried first.
 Value Evaluator::function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
     const Value constant = default_value(system_, instantiation_, function.result);
     if (function.postconditions.empty()) return constant;
@@ -93,7 +93,7 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
     return *found;
 }
 
-/// A function as the set of its pairs: where its precondition holds.
+/// A function as the set of its pairs, for the arguments that satisfy its precondition.
 Value Evaluator::function_pairs(const Expr& expr) {
     const Function& function = system_.functions.at(expr.function.index);
     std::vector<Value> pairs;
@@ -113,7 +113,7 @@ Value Evaluator::toolkit_call(const Expr& expr) {
     return toolkit_result(expr.text, operands(expr), carriers, expr.span);
 }
 
-/// Whole numbers between the bounds, or the reals of the carrier between them.
+/// The whole numbers between the bounds, or the reals of the carrier between them.
 Value Evaluator::range(const Expr& expr) {
     const std::int64_t low = operand(expr, 0).number;
     const std::int64_t high = operand(expr, 1).number;

@@ -1,4 +1,4 @@
-// Evaluation of what changes or asks for the type of a value: casts, conversions, type tests.
+// Evaluates expressions that change or test the type of a value: casts, conversions, type tests.
 #include <algorithm>
 
 #include "semantics/evaluate/evaluate.hpp"
@@ -10,7 +10,7 @@ namespace robochart::ir {
 
 namespace {
 
-/// The types of the parts of a value: one for each part.
+/// The types of the parts of a value, one per part.
 std::vector<TypeId> part_types(const System& system, const Type& type, std::size_t parts) {
     if (type.kind == TypeKind::product || type.kind == TypeKind::record) return type.args;
     if (type.kind != TypeKind::matrix) return std::vector<TypeId>(parts, type.args.at(0));
@@ -23,7 +23,7 @@ std::vector<TypeId> part_types(const System& system, const Type& type, std::size
 
 }  // namespace
 
-/// The value as one of another type: numbers in its unit, sequences as sets of pairs where it is made of those.
+/// Converts the value to another type: numbers to its unit, sequences to sets of pairs if the type consists of pairs.
 Value Evaluator::converted(const Expr& expr, const Value& value, TypeId from, TypeId to) {
     if (from == to || !from.valid() || !to.valid()) return value;
     const Type& source = system_.type(from);
@@ -41,7 +41,7 @@ Value Evaluator::converted(const Expr& expr, const Value& value, TypeId from, Ty
     return {*result, {}};
 }
 
-/// The types of the two places of pairs; a set's elements that are no pairs have none.
+/// The types of the two components of a pair; empty if the elements of the set are not pairs.
 std::vector<TypeId> Evaluator::pair_types(const Type& type) {
     if (type.args.size() == 2) return type.args;
     const Type& element = system_.type(type.args.at(0));

@@ -1,5 +1,5 @@
-// The class behind evaluate.hpp, by structural recursion: one member function per family of expressions, over four
-// sources. Private to this component.
+// The class that implements evaluate.hpp by structural recursion: one member function per family of expressions, in
+// four source files. Private to this component.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace robochart::ir {
     return kind == TypeKind::vector || kind == TypeKind::matrix;
 }
 
-/// Functions may call themselves in their pre- and postconditions, so deep and no deeper.
+/// Functions may call themselves in their pre- and postconditions, so the nesting of calls is limited.
 inline constexpr int deepest_call = 64;
 
 class Evaluator {
@@ -29,9 +29,10 @@ public:
         : system_(system), instantiation_(instantiation), machine_(machine), environment_(environment) {}
 
     Value value(const Expr& expr);
-    /// Whether all preconditions of functions that the expression calls hold, asked as the semantics asks them.
+    /// True if the preconditions of all functions that the expression calls are true, evaluated in the order of the
+    /// semantics.
     bool defined(const Expr& expr);
-    /// Whether the function's preconditions hold of the arguments.
+    /// True if the function's preconditions are true for these arguments.
     bool may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
 
 private:
@@ -42,10 +43,10 @@ private:
     Value literal(const Expr& expr);
     Value name(const Expr& expr);
     static Value truth_value(bool holds) { return {holds ? 1 : 0, {}}; }
-    /// What `holds` says of the operands.
+    /// The result of `holds` for the operands.
     template <class Holds>
     Value compared(const Expr& expr, const Holds& holds);
-    /// The same of numbers.
+    /// The same for numbers.
     template <class Holds>
     Value ordered(const Expr& expr, const Holds& holds);
     Value arithmetic(const Expr& expr);
@@ -65,7 +66,7 @@ private:
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
     Value access(const Expr& expr);
-    /// The body's values, or what stands for them, for the bound values that satisfy the predicate, in their order.
+    /// The values of the body (or what takes its place) for all bound values that satisfy the predicate, in order.
     std::vector<Value> where_satisfied(const Expr& expr);
     static Value only(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);
@@ -84,7 +85,7 @@ private:
     bool truth(const Expr& expr, std::size_t index) { return operand(expr, index).number != 0; }
     TypeKind kind(TypeId id) { return id.valid() ? system_.type(id).kind : TypeKind::unit; }
     std::vector<Value> operands(const Expr& expr);
-    /// Runs `body` for every combination of the bound variables' values.
+    /// Runs `body` for every combination of values of the bound variables.
     template <class Body>
     void each_binding(const Expr& expr, std::size_t index, const Body& body) {
         if (index == expr.bound_names.size()) return body();
@@ -102,7 +103,7 @@ private:
     const Machine* machine_;
     const Environment& environment_;
     std::vector<std::pair<std::string, Value>> bindings_;
-    int depth_ = 0;  ///< functions being searched for
+    int depth_ = 0;  ///< nesting of function calls being evaluated
 };
 
 }  // namespace robochart::ir

@@ -16,7 +16,7 @@ bool binds(ExprKind kind) {
 
 namespace {
 
-/// Whether the value depends on the state: such expressions need not be tried.
+/// True if the value depends on the state, so that it cannot be evaluated in advance.
 bool depends_on_state(const Expr& expr) {
     bool result = false;
     visit_operands(expr, [&](const Expr& part) {
@@ -30,12 +30,12 @@ bool depends_on_state(const std::vector<ExprPtr>& exprs) {
     return std::any_of(exprs.begin(), exprs.end(), [](const ExprPtr& expr) { return expr && depends_on_state(*expr); });
 }
 
-/// A set or a sequence with an item in it, whatever that is.
+/// True for a set or sequence literal with at least one element, whatever its value is.
 bool lists_something(const Expr& expr) {
     return (expr.kind == ExprKind::set || expr.kind == ExprKind::sequence) && !expr.args.empty();
 }
 
-/// Whether the answer is known to be true: not where something in it is not known.
+/// True if the answer can be computed and is true.
 template <class Answer>
 bool surely(const Answer& answer) {
     try {
@@ -49,7 +49,7 @@ bool surely(const Answer& answer) {
 
 }  // namespace
 
-/// Inner calls come first: the condition of an outer one may need their values.
+/// Inner calls are checked first, because the precondition of an outer call may need their values.
 bool Evaluator::defined(const Expr& expr) {
     if (!has_preconditions(expr)) return true;
     if (binds(expr.kind)) return defined_for_all(expr);
@@ -69,7 +69,7 @@ bool Evaluator::defined(const Expr& expr) {
            may_be_called(system_.functions.at(expr.function.index), operands(expr), expr);
 }
 
-/// The predicate for all values of the bound variables, the body where the predicate holds.
+/// The predicate must be defined for all bound values, the body for those that satisfy the predicate.
 bool Evaluator::defined_for_all(const Expr& expr) {
     bool result = true;
     each_binding(expr, 0, [&] { result = result && (!expr.args.at(0) || defined(*expr.args[0])); });
@@ -120,7 +120,7 @@ bool precondition_can_fail(const System& system, const Instantiation& inst, cons
     if ((call.kind != ExprKind::call && call.kind != ExprKind::function_value) || !call.function.valid()) return false;
     const Function& function = system.functions.at(call.function.index);
     if (function.preconditions.empty()) return false;
-    // Without arguments: it holds whatever they are.
+    // Evaluated without arguments: the precondition is true for all of them.
     if (surely([&] { return precondition_holds(system, inst, function, {}); })) return false;
     return call.kind == ExprKind::function_value || depends_on_state(call.args) || !surely([&] {
                std::vector<Value> arguments;

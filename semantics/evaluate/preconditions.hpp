@@ -1,4 +1,4 @@
-// Preconditions of the functions that expressions call (semantics 3.5): whether they hold, and whether that can be
+// Preconditions of the functions that expressions call (semantics 3.5): whether they are true, and whether this can be
 // decided without running the model.
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace robochart::ir {
 
-/// Whether the expression has variables of its own: preconditions inside are asked for each of their values.
+/// True if the expression binds variables: preconditions inside are checked for each of their values.
 [[nodiscard]] bool binds(ExprKind);
 
-/// Whether the function may be called with these arguments; the functions that its preconditions call are asked first.
-/// Throws as evaluate() does.
+/// True if the function may be called with these arguments. The preconditions of functions that its precondition calls
+/// are checked first. Throws like evaluate().
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,
                                       const std::vector<Value>& arguments);
 
-/// Whether the precondition of this call can be false: of a function of the model or of a toolkit, or of a function as
-/// a value, which has a pair wherever it holds. False for what is no call, and where constants (by ConstantId) and
-/// literals alone make it true.
+/// True if the precondition of this call can be false. The function may be one of the model or of a toolkit, or a
+/// function used as a value, which has a pair for every argument that satisfies the precondition. False if the
+/// expression is not a call, or if constants (by ConstantId) and literals alone make the precondition true.
 [[nodiscard]] bool precondition_can_fail(const System&, const Instantiation&, const std::vector<Value>& constants,
                                          const Expr& call);
-/// Whether some call in the expression has a precondition that can be false. A function as a value is not called.
+/// True if some call in the expression has a precondition that can be false. A function used as a value is not a call.
 [[nodiscard]] bool preconditions_can_fail(const System&, const Instantiation&, const std::vector<Value>& constants,
                                           const Expr&);
 

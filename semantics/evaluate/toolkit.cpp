@@ -1,4 +1,4 @@
-// Values of the toolkit functions, over sets and sequences as evaluate.hpp has them: sets ascending, functions and
+// Values of the toolkit functions. Sets and sequences are represented as in evaluate.hpp: sets ascending, functions and
 // relations as sets of pairs.
 #include "semantics/evaluate/toolkit.hpp"
 
@@ -117,7 +117,7 @@ bool occurs(const Value& part, const Value& whole, bool at_start, bool at_end) {
         if (slice(whole, at, at + part.parts.size()) == part) return true;
     return false;
 }
-/// Elements in the order of their numbers.
+/// The elements in the order of their numbers.
 Value squashed(const Value& pairs) {
     Value result;
     for (const Value& p : pairs.parts) result.parts.push_back(second(p));
@@ -131,7 +131,7 @@ bool nonempty(const Value& value) {
 struct Entry {
     std::function<Value(Arguments, CarrierList)> value;
     std::vector<std::size_t> carriers = {};
-    bool needs_nonempty = false;  ///< precondition: the first argument has a part
+    bool needs_nonempty = false;  ///< precondition: the first argument is not empty
 };
 
 using Table = std::map<std::string, Entry>;

@@ -1,6 +1,6 @@
-// The functions of the toolkit libraries: which there are, what they need to know, and their values. The libraries
-// (frontend/toolkits/library) say what they mean by contract; csp_emit writes them in CSPM, here is the reference for
-// that.
+// The functions of the toolkit libraries: which exist, what they depend on, and their values. The libraries
+// (frontend/toolkits/library) specify them by contract, and csp_emit writes them in CSPM; this is the reference for
+// both.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace robochart::ir {
 
-/// For functions whose result depends on all values of a type: which of the type variables of the signature (by order
-/// of first occurrence) these are.
+/// Which type variables of the signature (by order of first occurrence) the result depends on through all values of the
+/// type.
 [[nodiscard]] std::vector<std::size_t> toolkit_carriers(const std::string& function);
-/// Whether the function has a precondition that can be false.
+/// True if the function has a precondition that can be false.
 [[nodiscard]] bool toolkit_precondition(const std::string& function);
-/// The value of `set_toolkit_union` and the like; a fault outside its precondition. `carriers`: the values of the types
-/// that toolkit_carriers names.
+/// The value of a call such as `set_toolkit_union`; a call that violates the precondition is a fault. `carriers`: the
+/// values of the types that toolkit_carriers returns.
 [[nodiscard]] Value toolkit_result(const std::string& function, const std::vector<Value>& arguments,
                                    const std::vector<std::vector<Value>>& carriers, diagnostics::Span where);
 

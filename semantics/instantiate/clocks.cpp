@@ -1,4 +1,4 @@
-// Where a clock may saturate (semantics 3.10 lets clocks stop at their type's greatest value).
+// The value at which a clock may saturate (semantics 3.10 stops clocks at the greatest value of their type).
 #include <algorithm>
 #include <set>
 
@@ -11,7 +11,7 @@
 namespace robochart::ir {
 namespace {
 
-/// A whole number not below any value the expression can take, in time units.
+/// A whole number that is at least as large as every value of the expression, in time units.
 std::int64_t upper_bound(const System& system, const Instantiation& instantiation, const Machine& machine,
                          const Expr& expr) {
     const TypeKind kind = expr.type.valid() ? system.type(expr.type).kind : TypeKind::nat;
@@ -20,7 +20,7 @@ std::int64_t upper_bound(const System& system, const Instantiation& instantiatio
                           : kind == TypeKind::integer ? instantiation.integer
                                                       : instantiation.nat;
     std::int64_t bound = carrier.empty() ? 0 : carrier.back();
-    // Constants may take another value in another context (their part of a controller), so only literals are exact.
+    // A constant may have another value in another context (its component of a controller), so only literals are exact.
     bool exact = true;
     visit_operands(expr, [&](const Expr& part) { exact = exact && part.kind != ExprKind::constant; });
     if (const auto value = evaluate_constant(system, instantiation, &machine, expr))
@@ -56,7 +56,7 @@ void Saturation::comparison(const Machine& machine, ClockId clock, const Expr& e
     }
 }
 
-/// The machine's own comparisons, then those of the operations it calls that use the same clock as the caller's.
+/// The machine's own comparisons, then those of operations that it calls and that share the caller's clock.
 void Saturation::machine(const Machine& machine, ClockId clock) {
     if (!seen_.insert(machine.package + "::" + machine.path).second) return;
     visit_expressions(machine, [&](const Expr& root, ExprRole) {

@@ -1,4 +1,5 @@
-// A comparison such as `n > limit` is never true if the carrier ends at the limit.
+// Extends carriers beyond the numbers in comparisons. A comparison such as `n > limit` would never be true if the
+// carrier ended at the limit.
 #include "semantics/instantiate/compared.hpp"
 
 #include <algorithm>
@@ -15,12 +16,12 @@
 namespace robochart::ir {
 namespace {
 
-constexpr std::size_t most_of_expression = 64;  // of one expression without variables
-constexpr int most_depth = 16;                  // of constants defined by constants
+constexpr std::size_t most_of_expression = 64;  // values of one expression without variables
+constexpr int most_depth = 16;                  // nesting of constants that are defined by constants
 
 // ---------------------------------------------------------------- decimals
 
-/// Both in units of the finer of the two.
+/// Two decimals with the same number of decimal places.
 struct Aligned {
     std::int64_t left, right;
     std::uint32_t decimals;
@@ -46,7 +47,7 @@ bool is_whole(const Decimal& value) {
     return *floor_modulus(value.unscaled, power_of_ten(value.decimals).value_or(1)) == 0;
 }
 
-/// Numbers that do not fit are in no carrier, and in no order.
+/// Decimals that cannot be aligned are in no carrier and are not ordered.
 bool less(const Decimal& a, const Decimal& b) {
     const auto both = aligned(a, b);
     return both ? both->left < both->right : floor_of(a) < floor_of(b);
@@ -74,7 +75,7 @@ std::optional<Decimal> product(const Decimal& a, const Decimal& b) {
     return Decimal{*value, a.decimals + b.decimals};
 }
 
-/// Rounded down to a whole number.
+/// The quotient, rounded down to a whole number.
 std::optional<Decimal> quotient(const Decimal& a, const Decimal& b) {
     const auto both = aligned(a, b);
     const auto value = both ? floor_divide(both->left, both->right) : std::nullopt;
@@ -86,7 +87,7 @@ std::optional<Decimal> quotient(const Decimal& a, const Decimal& b) {
 using Values = std::vector<Decimal>;
 using Chosen = std::map<std::string, ExprPtr>;
 
-/// The number that a block Instantiations defines a name as; nothing if it is another expression.
+/// The number that a block Instantiations assigns to a name; no value if it is another expression.
 std::optional<std::int64_t> defined_number(const std::string& text, const std::string& name) {
     const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -106,13 +107,14 @@ bool is_instantiations(const CspBlock& block) {
     return block.name == "Instantiations" || block.name == "instantiations";
 }
 
-/// What expressions without variables can be.
+/// The possible values of expressions without variables.
 class KnownValues {
 public:
     KnownValues(const System& system, const Chosen& chosen, std::int64_t longest)
         : system_(system), chosen_(chosen), longest_(longest) {}
 
-    /// Nothing if it depends on what the machine does. `machine` declares the constants; null: there are none.
+    /// No value if the expression depends on the state of a machine. `machine` declares the constants; null: it uses
+    /// none.
     [[nodiscard]] std::optional<Values> of(const Expr&, const Machine*, int depth = 0) const;
     [[nodiscard]] bool is_length(const Expr& expr) const {
         const bool size = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size";
@@ -184,7 +186,7 @@ const Values& KnownValues::constant(const std::string& name, int depth) const {
     return constants_[name] = found;
 }
 
-/// Constants of one name are taken for one: that is how a required constant gets its value.
+/// All constants of one name are treated as one, because a required constant takes its value from another of its name.
 Values KnownValues::values_of(const std::string& name, int depth) const {
     Values values;
     for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);
@@ -220,7 +222,8 @@ public:
         : system_(system), known_(known), result_(result) {}
 
     void look_at(const Expr&, const Machine*);
-    /// Two variables are compared by order: their type holds a number beyond each that one of them may have.
+    /// If two variables are compared by order, their type must contain a number beyond each value that one of them may
+    /// have.
     void add_extremes(const Literals&);
     void add_between(const Literals&);
 
@@ -237,8 +240,8 @@ private:
     const System& system_;
     const KnownValues& known_;
     Compared& result_;
-    std::set<TypeKind> unlike_variables_;  // types of which two values that may change are compared by order
-    Values thresholds_;                    // what reals are compared with by order
+    std::set<TypeKind> unlike_variables_;  // types with order comparisons of two values that can both change
+    Values thresholds_;                    // numbers that reals are compared with by order
 };
 
 void Comparisons::look_at(const Expr& expr, const Machine* machine) {
@@ -259,7 +262,7 @@ void Comparisons::look_at(const Expr& expr, const Machine* machine) {
     compare(right, left, machine, ordered);
 }
 
-/// `subject` with what `with` can be, if that is known and the subject may change.
+/// Records the values that `with` can have, if they are known and the subject can change.
 void Comparisons::compare(const Expr& subject, const Expr& with, const Machine* machine, bool ordered) {
     const bool changes = known_.is_length(subject) || !known_.of(subject, machine);
     if (!changes) return;
@@ -270,7 +273,7 @@ void Comparisons::compare(const Expr& subject, const Expr& with, const Machine* 
     }
 }
 
-/// What the parts of the subject have to be so that it can be on either side of the value.
+/// Records the values that parts of the subject need so that the subject can be on either side of the value.
 void Comparisons::add(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
     if (known_.is_length(subject) || known_.of(subject, machine)) return;
     const TypeKind type = kind(subject);
@@ -297,7 +300,7 @@ void Comparisons::add_operands(const Expr& subject, const Decimal& value, const 
     const Decimal next = sum(value, {1, 0}).value_or(value);
     if (subject.kind == ExprKind::cast) {
         inverted(*subject.args[0], value);
-        if (kind(*subject.args[0]) == TypeKind::real) inverted(*subject.args[0], next);  // it is rounded down
+        if (kind(*subject.args[0]) == TypeKind::real) inverted(*subject.args[0], next);  // the cast rounds down
     } else if (subject.kind == ExprKind::negate) {
         inverted(*subject.args[0], negated(value));
     } else if (subject.kind == ExprKind::plus) {
@@ -344,7 +347,7 @@ void Comparisons::add_extremes(const Literals& literals) {
         for (const Decimal& value : literals.real) add_beyond(value);
 }
 
-/// The whole numbers around are in the carrier, and so are all literals.
+/// The whole numbers around the thresholds are in the carrier already, and so are all literals.
 void Comparisons::add_between(const Literals& literals) {
     std::ranges::sort(thresholds_, less);
     for (std::size_t i = 1; i < thresholds_.size(); ++i) {

@@ -1,7 +1,7 @@
 // The numbers that values of a type are compared with (private to this component). RoboTool's carriers end at the
-// greatest literal. Here they reach one number beyond each that values of the type are compared with, on both sides,
-// and reals have one between each two neighbours, so that each comparison has either answer; not where an option or a
-// block Instantiations gives the carrier.
+// greatest literal. Here a carrier also contains, on both sides, one number beyond each number that values of the type
+// are compared with. Carriers of reals contain one number between each two neighbours. So each comparison can be true
+// and can be false. This does not apply if an option or a block Instantiations gives the carrier.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,20 @@
 
 namespace robochart::ir {
 
-/// Numbers that a carrier needs so that each comparison has either answer, whatever the number is compared with.
+/// The numbers that a carrier needs so that each comparison can be true and can be false.
 struct Compared {
-    std::set<std::int64_t> nat, integer;  ///< the numbers beside those that values are compared with
-    std::set<std::int64_t> real;          ///< whole numbers beyond them
-    std::vector<Decimal> between;         ///< one between each two neighbours that reals are compared with by order
+    std::set<std::int64_t> nat, integer;  ///< the neighbours of the numbers that values are compared with
+    std::set<std::int64_t> real;          ///< the whole numbers around them
+    std::vector<Decimal> between;  ///< one number between each two neighbours that reals are compared with by order
 };
 
-/// From comparisons of guards, conditions and contracts. Constants count with each value that the model, an option, an
-/// assertion or a csp block gives to one of the name; `chosen` are the values that options give, by the names in
-/// scripts; `longest` is the length of the longest sequences.
+/// Collects the numbers from comparisons in guards, conditions and contracts. A constant counts with each value that
+/// the model, an option, an assertion or a csp block gives to a constant of its name. `chosen`: the values given by
+/// options, by the names in scripts. `longest`: the length of the longest sequences.
 [[nodiscard]] Compared compared(const System&, const std::map<std::string, ExprPtr>& chosen, const Literals&,
                                 std::int64_t longest);
 
-/// Whether a block Instantiations defines a carrier of numbers: what the types hold is the user's choice then.
+/// True if a block Instantiations defines a carrier of numbers; the values of the types are then the user's choice.
 [[nodiscard]] bool carriers_given(const System&);
 
 }  // namespace robochart::ir

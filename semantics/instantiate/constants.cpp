@@ -1,4 +1,4 @@
-// Values of constants (semantics 3.13: without a value 0, or the first literal).
+// Values of constants (semantics 3.13: a constant without a value is 0, or the first literal).
 #include "semantics/instantiate/constants.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using diagnostics::Diagnostics;
 
-/// Whether an option's name means this constant: its own name, or the end of its path from a "::" on.
+/// True if an option's name refers to this constant: it is the path or the end of the path after a "::".
 bool means(const std::string& option, const std::string& path) {
     if (option.size() > path.size()) return false;
     const std::size_t start = path.size() - option.size();
@@ -72,7 +72,7 @@ ExprPtr literal_of(const Type& declaration, const std::string& text, TypeId type
     return nullptr;
 }
 
-/// A RoboChart literal of a type; null if the text is none.
+/// A RoboChart literal of a type; null if the text is not one.
 ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) {
     const Type& type = system.type(id);
     switch (type.kind) {
@@ -123,7 +123,7 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
         return std::any_of(stronger.begin(), stronger.end(),
                            [&](const auto& option) { return means(option.first, path); });
     };
-    // Who sets the machine's own constant sets it in its parts too.
+    // An option that sets the machine's own constant also sets it where controllers run the machine.
     const auto own = own_constants(system);
     std::set<std::string> set_by_machine;
     for (const NamedConstant& each : constants)
@@ -148,7 +148,7 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
 ChosenConstants chosen_constants(const System& system, const GivenConstants& options, Literals& literals,
                                  Diagnostics& diagnostics) {
     ChosenConstants chosen;
-    std::map<std::string, std::string> chosen_by;  // which option names a constant, by its path
+    std::map<std::string, std::string> chosen_by;  // the option that names a constant, by the constant's path
     std::set<std::pair<std::string, std::string>> refused;
     const auto constants = named_constants(system);
     for (const auto& [option, text] : options) {
@@ -190,7 +190,7 @@ void set_constants(const System& system, const ChosenConstants& chosen, Instanti
 
 namespace {
 
-/// The value behind a source; a constant expression may use the machine's other constants up to a bounded depth.
+/// The value from a source. A constant expression may use other constants of the machine, nested up to a limit.
 std::optional<Value> source_value(const System& system, const Instantiation& instantiation,
                                   const ConstantSource& source, const std::vector<Value>& before) {
     const auto it = instantiation.constants.find(source.name);

@@ -1,4 +1,4 @@
-// Values of constants: options, defaults, and expressions that are constant (private to this component).
+// Values of constants from options, defaults and constant expressions (private to this component).
 #pragma once
 
 #include <map>
@@ -14,11 +14,11 @@ namespace robochart::ir {
 /// Constants set by options: qualified name -> the literal as an expression.
 using ChosenConstants = std::map<std::string, ExprPtr>;
 
-/// Reads the options, reports wrong ones, among them two that name one constant, and adds the numbers they bring to the
+/// Reads the options, reports wrong ones (including two that name the same constant), and adds their numbers to the
 /// literals.
 [[nodiscard]] ChosenConstants chosen_constants(const System&, const GivenConstants& options, Literals&,
                                                diagnostics::Diagnostics&);
-/// Fills Instantiation::constants from the options and the defaults; carriers and scale must be there.
+/// Fills Instantiation::constants from the options and the defaults. Carriers and scale must be set before.
 void set_constants(const System&, const ChosenConstants&, Instantiation&);
 
 }  // namespace robochart::ir

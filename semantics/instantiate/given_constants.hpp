@@ -1,4 +1,4 @@
-// Values of constants from several sources: the command line before a scenario, a swarm or a log.
+// Values of constants from several sources: those of the command line override those of a scenario, a swarm or a log.
 #pragma once
 
 #include <map>
@@ -8,14 +8,15 @@
 
 namespace robochart::ir {
 
-/// Values of constants as InstantiationOptions has them: "NAME", "P::S::NAME" or its end, "S::NAME", -> RoboChart
-/// literal. A name means every constant whose path it is or ends; no two names of one source mean one constant
-/// (RC-S24).
+/// Values of constants as in InstantiationOptions: "NAME", "P::S::NAME" or an end of it, such as "S::NAME", ->
+/// RoboChart literal. A name refers to every constant whose path equals it or ends with it. Two names of one source
+/// must not refer to the same constant (RC-S24).
 using GivenConstants = std::map<std::string, std::string>;
 
-/// Of `weaker` the names that `stronger` does not override, however they are spelled. One that it overrides in part
-/// stays, so that both together are refused (RC-S24): values flow from a constant to those of its parts, and nobody
-/// would know which was meant. Names that the system does not have stay.
+/// The names of `weaker` that `stronger` does not override, however they are written. A name of which `stronger`
+/// overrides only some constants stays, so that both together are rejected (RC-S24). Otherwise it would be unclear
+/// which value is meant, because a constant passes its value to those of its components. Names that the system does not
+/// have stay, too.
 [[nodiscard]] GivenConstants not_overridden(const System&, const GivenConstants& weaker,
                                             const GivenConstants& stronger);
 

@@ -1,4 +1,4 @@
-// Choosing finite carriers, the scale and constants; defaults and choices are in instantiation.hpp.
+// Chooses finite carriers, the scale and constants. instantiate.hpp states the defaults.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ constexpr std::int64_t most_values = 1 << 20;
 struct Range {
     std::int64_t low = 0;
     std::int64_t high = 0;
-    bool chosen = false;  ///< by an option
+    bool chosen = false;  ///< given by an option
 
     void include(std::int64_t value) {
         low = std::min(low, value);
@@ -34,13 +34,13 @@ struct Range {
     [[nodiscard]] bool has(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// nat, int, real in this order: each is usable as the next.
+/// The ranges of nat, int and real, in this order; each type can be used as the next.
 struct Ranges {
     std::array<Range, 3> by_type{Range{0, 2, false}, Range{-2, 2, false}, Range{-2, 2, false}};
     static constexpr std::array<const char*, 3> names{"nat", "int", "real"};
 };
 
-/// The least whole number not below a decimal, or the greatest not above it.
+/// The least whole number not below a decimal (`up`), or the greatest not above it.
 std::int64_t whole(const Decimal& decimal, bool up) {
     const std::int64_t divisor = power_of_ten(decimal.decimals).value_or(1);
     const std::int64_t down = *floor_divide(decimal.unscaled, divisor);
@@ -54,7 +54,7 @@ void include(Range& range, const Decimal& decimal) {
         range.high = std::max(range.high, whole(decimal, false));
 }
 
-/// Sizes that are counted from 0: lengths of sequences, times of clocks, elements of given types.
+/// Sizes that count from 0: lengths of sequences, times of clocks, elements of given types.
 bool is_size(const std::string& name) {
     return name == "Seq" || name == "clock" || name == "given";
 }
@@ -88,7 +88,7 @@ void report_outside(const Range& range, const char* name, const std::string& lit
                        {literal, std::to_string(range.low), std::to_string(range.high), name});
 }
 
-/// Literals widen a default range; a chosen range stays, and literals outside are pointed out.
+/// Literals widen a default range. A range chosen by an option is not changed, and literals outside it are reported.
 void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
     const std::array<const std::set<std::int64_t>*, 2> whole_numbers{&literals.nat, &literals.integer};
     for (std::size_t i = 0; i < whole_numbers.size(); ++i)
@@ -108,8 +108,8 @@ void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
             report_outside(real, Ranges::names[2], to_string(literal), {}, diagnostics);
 }
 
-/// Where nobody chose a range, it reaches beyond what its values are compared with, within the chosen ranges of the
-/// types that must hold it.
+/// Extends ranges that no option chose beyond the numbers that values are compared with. They stay within the chosen
+/// ranges of the types that contain them.
 void reach_beyond(const Compared& compared, Ranges& ranges) {
     const std::array<const std::set<std::int64_t>*, 3> numbers{&compared.nat, &compared.integer, &compared.real};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -122,7 +122,7 @@ void reach_beyond(const Compared& compared, Ranges& ranges) {
     }
 }
 
-/// nat within int within real, by widening the ranges that nobody chose.
+/// Makes nat a part of int and int a part of real by widening ranges that no option chose.
 void nest(Ranges& ranges, Diagnostics& diagnostics) {
     for (std::size_t i = 1; i < ranges.by_type.size(); ++i) {
         const Range inner = ranges.by_type[i - 1];
@@ -142,12 +142,12 @@ void nest(Ranges& ranges, Diagnostics& diagnostics) {
     }
 }
 
-/// Where the model has the number that makes a range large; unknown where an option does.
+/// The place of the number in the model that makes a range large; unknown if an option chose the range.
 diagnostics::Span cause_of(const Range& range, const Literals& literals) {
     if (range.chosen) return {};
-    const bool upwards = range.high > -(range.low + 1);  // no overflow at the least number
+    const bool upwards = range.high > -(range.low + 1);  // cannot overflow, even for the least number
     auto found = literals.places.find(upwards ? range.high : range.low);
-    // A range may reach one number beyond the model's.
+    // A range may extend one number beyond a number of the model.
     if (found == literals.places.end()) found = literals.places.find(upwards ? range.high - 1 : range.low + 1);
     return found == literals.places.end() ? diagnostics::Span{} : found->second;
 }
@@ -166,15 +166,15 @@ std::vector<std::int64_t> numbers(const Range& range, const char* name, const Li
     return result;
 }
 
-/// The smallest power of ten that makes every decimal literal whole.
+/// The smallest power of ten that makes every decimal literal a whole number.
 std::int64_t scale_of(const Literals& literals) {
     std::uint32_t places = 0;
     for (const auto* list : {&literals.real, &literals.real_time})
         for (const auto& decimal : *list) places = std::max(places, decimal.decimals);
-    return power_of_ten(places).value_or(1);  // parse_decimal keeps 18 places at most
+    return power_of_ten(places).value_or(1);  // parse_decimal accepts at most 18 decimal places
 }
 
-/// Whole numbers of the range and every decimal literal, in units of 1/scale.
+/// The whole numbers of the range and every decimal literal, in units of 1/scale.
 std::vector<std::int64_t> real_numbers(const Range& range, const Literals& literals, std::int64_t scale,
                                        Diagnostics& diagnostics) {
     std::set<std::int64_t> units;
@@ -192,7 +192,7 @@ std::vector<std::int64_t> real_numbers(const Range& range, const Literals& liter
     return {units.begin(), units.end()};
 }
 
-/// Where the clocks of the model may saturate without changing a comparison.
+/// The value at which all clocks of the model may saturate without changing a comparison.
 std::int64_t clock_need(const System& system, const Instantiation& instantiation) {
     std::int64_t result = 0;
     for (const auto& machine : system.machines)
@@ -201,7 +201,7 @@ std::int64_t clock_need(const System& system, const Instantiation& instantiation
     return result;
 }
 
-/// What the options say of sizes. Clocks must be able to pass what they are compared with.
+/// Sets the sizes from options. Clocks must be able to exceed the numbers that they are compared with.
 void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instantiation& instantiation,
                Diagnostics& diagnostics) {
     for (const auto& [name, bounds] : options.ranges) {

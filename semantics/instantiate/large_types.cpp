@@ -18,9 +18,9 @@ class Sizes {
 public:
     Sizes(const System& system, const Instantiation& instantiation) : system_(system), instantiation_(instantiation) {}
 
-    /// How many values the type has.
+    /// The number of values of the type.
     [[nodiscard]] double of(TypeId id) const;
-    /// The carriers of numbers that it is made of.
+    /// Collects the number types that the type consists of.
     void numbers(TypeId id, std::set<TypeKind>& found) const {
         const Type& type = system_.type(id);
         if (type.kind == TypeKind::nat || type.kind == TypeKind::integer || type.kind == TypeKind::real)
@@ -89,7 +89,7 @@ double Sizes::of(TypeId id) const {
     return 1;
 }
 
-/// Types whose values are communicated, so that each of them is looked at.
+/// Types whose values are communicated, so that each value is enumerated.
 std::vector<TypeId> communicated(const System& system) {
     std::vector<TypeId> result;
     const auto add = [&](const auto& component) {
@@ -104,7 +104,7 @@ std::vector<TypeId> communicated(const System& system) {
     return result;
 }
 
-/// The model's number farthest from 0 that widens one of these carriers, with its place.
+/// The number of the model farthest from 0 that widens one of these carriers, with its place.
 std::string widest_number(const System& system, const std::set<TypeKind>& kinds,
                           const diagnostics::SourceManager& sources) {
     const Literals literals = literals_of(system);
@@ -136,7 +136,7 @@ std::string large_type(const System& system, const Instantiation& instantiation,
         const bool real = kinds.contains(TypeKind::real), whole = kinds.contains(TypeKind::integer);
         const auto& carrier = real ? instantiation.real : whole ? instantiation.integer : instantiation.nat;
         const char* const name = real ? "real" : whole ? "int" : "nat";
-        // Each carrier holds the one before it.
+        // The option must give several ranges, because each carrier contains the one before it.
         const char* const ranges = real    ? "--range nat=0..2 --range int=-2..2 --range real=-2..2"
                                    : whole ? "--range nat=0..2 --range int=-2..2"
                                            : "--range nat=0..2";

@@ -1,4 +1,4 @@
-// Types of a model that are too large to be looked at value by value.
+// Types of a model with too many values to enumerate.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace robochart::ir {
 
-/// Of the first type of an event or a parameter that has more values than `most`: its name, the number of the model
-/// that makes it so large, and the option that narrows it. "" if there is none.
+/// Describes the first type of an event or a parameter that has more than `most` values: its name, the number of the
+/// model that makes it so large, and the option that narrows it. "" if there is none.
 [[nodiscard]] std::string large_type(const System&, const Instantiation&, double most,
                                      const diagnostics::SourceManager&);
 

@@ -41,7 +41,7 @@ private:
         if (expr.kind == ExprKind::cast) return is_length(*expr.args.at(0));
         return expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size" && is_sequence(*expr.args.at(0));
     }
-    /// Of a number, a set of numbers, or the numbers between two.
+    /// The positions that a number, a set of numbers or a range refers to.
     [[nodiscard]] static std::optional<Window> window(const Expr& expr) {
         if (expr.kind == ExprKind::integer) return Window{expr.number, expr.number};
         const bool listed =
@@ -55,7 +55,8 @@ private:
         }
         return result;
     }
-    /// Lengths are 0 to the longest: which of them is needed so that both answers occur.
+    /// Lengths are between 0 and the longest. Computes the length that is needed so that the comparison can be true and
+    /// false.
     void compare(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||
                            expr.kind == (length_first ? ExprKind::less_equal : ExprKind::greater_equal);

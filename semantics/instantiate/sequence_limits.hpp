@@ -1,4 +1,4 @@
-// Where a model looks at longer sequences than the finite instantiation has.
+// Finds expressions that need longer sequences than the finite instantiation contains.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,20 @@
 
 namespace robochart::ir {
 
-/// An expression of a model that asks for more elements than any sequence has.
+/// An expression of a model that needs more elements than any sequence has.
 struct SequenceLimit {
     enum class Kind {
-        window,  ///< places of which some or all are behind the end of every sequence
-        length,  ///< a comparison of a length that has one answer for all sequences
+        window,  ///< positions, some or all of which are beyond the end of every sequence
+        length,  ///< a comparison of a length that has the same result for all sequences
     };
     Kind kind = Kind::window;
     diagnostics::Span span;
-    std::int64_t first = 0;   ///< window: the least place
-    std::int64_t needed = 0;  ///< sequences of this length have either answer, or all of the window
+    std::int64_t first = 0;   ///< window: the least position
+    std::int64_t needed = 0;  ///< the length at which the comparison can change its result, or that contains the whole
+                              ///< window
 };
 
-/// In the order of the model. Literals alone are looked at: what is computed is not known here.
+/// The limits in the order of the model. Only literals are considered; computed numbers are not known here.
 [[nodiscard]] std::vector<SequenceLimit> sequence_limits(const System&, const Instantiation&);
 
 }  // namespace robochart::ir

@@ -1,4 +1,4 @@
-// Texts of expressions and statements: close to RoboChart, fully bracketed, names of the machine.
+// Prints expressions and statements: close to RoboChart, fully bracketed, with the names of the machine.
 #include "semantics/ir/dump_expressions.hpp"
 
 #include <fmt/format.h>
@@ -94,7 +94,7 @@ const char* operator_text(ExprKind kind) {
             return "range";
         case ExprKind::transpose:
             return "transpose";
-        // written otherwise
+        // The others have their own forms.
         case ExprKind::boolean:
         case ExprKind::integer:
         case ExprKind::real:
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    /// Of those that are neither a name, an operator nor a head with operands.
+    /// The text of an expression that is neither a name, an operator nor a keyword with operands.
     std::optional<std::string> own_form(const Expr& expr) {
         switch (expr.kind) {
             case ExprKind::boolean:

@@ -1,4 +1,4 @@
-// Texts of expressions, types and statements for dump (private to this component).
+// Prints expressions, types and statements for dump (private to this component).
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace robochart::ir {
 /// " WORD text", or "" for null.
 [[nodiscard]] std::string clause(const System&, const Machine*, const char* word, const ExprPtr&);
 [[nodiscard]] std::string communication_text(const System&, const Machine&, const Communication&);
-/// One line per statement, "point: text", inner ones deeper.
+/// One line per statement, "point: text"; inner statements are indented further.
 [[nodiscard]] std::string program_text(const System&, const Machine&, const Stmt&, std::size_t indent);
 
 }  // namespace robochart::ir

@@ -1,4 +1,4 @@
-// The machines' elements nest by their places in the text, so the smallest one is the innermost.
+// The spans of a machine's elements are nested, so the smallest one that contains a place is the innermost.
 #include "semantics/ir/element_at.hpp"
 
 namespace robochart::ir {
@@ -8,7 +8,7 @@ bool inside(diagnostics::Span inner, diagnostics::Span outer) {
     return outer.known() && inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-/// Keeps the smallest element around a place.
+/// Keeps the smallest element that contains a place.
 class Smallest {
 public:
     explicit Smallest(diagnostics::Span place) : place_(place) {}

@@ -1,4 +1,4 @@
-// Which element of the model a place is in: for reports about expressions, which have no names of their own.
+// Finds the element of the model that contains a place, for reports about expressions, which have no names.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace robochart::ir {
 
-/// The smallest element of a component, or the function, around a place, with its package: "P::S::t1"; "" where there
-/// is none.
+/// The smallest element of a component, or the function, that contains a place, with its package: "P::S::t1"; "" if
+/// there is none.
 [[nodiscard]] std::string element_at(const System&, diagnostics::Span);
 
 }  // namespace robochart::ir

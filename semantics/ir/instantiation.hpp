@@ -13,27 +13,26 @@
 
 namespace robochart::ir {
 
-/// A value over finite carriers. Numbers: the integer, or for reals the integer scale*value.
-/// Booleans 0/1, enumerations and given types the literal's index. Composed values use `parts`.
+/// A value over finite carriers. Numbers are stored as integers; a real is stored as the integer scale*value. Booleans
+/// are 0 or 1; enumerations and given types are the index of the literal. Composed values use `parts`.
 struct Value {
     std::int64_t number = 0;
     std::vector<Value> parts;
-    /// By number, then part by part; a shorter list of parts goes first.
+    /// Orders by number, then part by part; of two lists, a prefix comes first.
     friend std::strong_ordering operator<=>(const Value&, const Value&);
     friend bool operator==(const Value&, const Value&);
 };
 
-/// What the user asked for on the command line or in a scenario.
+/// The user's choices on the command line or in a scenario.
 struct InstantiationOptions {
     std::map<std::string, std::string>
         constants;  ///< "NAME" or "P::S::NAME" (or its end, "S::NAME") -> RoboChart literal
     std::map<std::string, std::pair<std::int64_t, std::int64_t>> ranges;  ///< "nat" -> {0,4}
 };
 
-/// A finite instantiation of a System. All sets ascending, without duplicates.
+/// A finite instantiation of a System. All sets are ascending and have no duplicates.
 struct Instantiation {
-    /// Reals are integers in units of 1/scale; a power of ten; 1 if the model has no decimal literal (RoboTool's
-    /// reading).
+    /// Reals are integers in units of 1/scale. A power of ten; 1 if the model has no decimal literal (as in RoboTool).
     std::int64_t scale = 1;
     std::vector<std::int64_t> nat, integer;
     /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
@@ -43,13 +42,13 @@ struct Instantiation {
     std::int64_t sequence_bound = 2;                    ///< longest sequence
     std::int64_t clock_bound = 10;                      ///< core_clock_type = {0..clock_bound}
     std::int64_t recursion_bound = 2;                   ///< nested calls of one operation
-    /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
-    /// query.hpp) -> value. An entry here goes before the value in the model.
+    /// Constants without a value in the model, and those that an option sets: qualified name as in CSP (`const_P_S_c`,
+    /// see query.hpp) -> value. An entry here overrides the value in the model.
     std::map<std::string, Value> constants;
-    /// Types with parts of which only these values are looked at, ascending: number of the type -> values. Empty but
+    /// Composed types of which only these values are considered, ascending: number of the type -> values. Empty except
     /// for conformance of components that only pass such values on (conformance/model/representatives.hpp).
     std::map<std::uint32_t, std::vector<Value>> representatives;
-    /// The limits within which it is worked with: what goes through carriers and evaluates polls here.
+    /// The limits of the run. Code that iterates over carriers or evaluates expressions polls this budget.
     diagnostics::Budget* budget = nullptr;
 
     void poll() const {

@@ -1,9 +1,9 @@
-// The shared intermediate representation: a RoboChart model in normal form. References are followed,
-// names resolved to indices, expressions typed, actions small structured programs. Both back ends
-// (csp_emit, cpp_emit) read this and nothing else; it holds no CSP and no C++.
+// The shared intermediate representation: a RoboChart model in normal form. References are resolved, names are indices,
+// expressions are typed, actions are small structured programs. Both back ends (csp_emit, cpp_emit) read only this; it
+// contains no CSP and no C++.
 //
-// Conventions: every *Id is an index into the vector named in its comment, local to the enclosing
-// Machine unless said otherwise. Origins point back to the model text for reports.
+// Conventions: every *Id is an index into the vector named in its comment, local to the enclosing Machine unless stated
+// otherwise. Origins refer to the model text for reports.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace robochart::ir {
 
 inline constexpr std::uint32_t no_id = 0xffffffffU;
 
-/// Strong index types; `valid()` is false for the default.
+/// Strong index types; `valid()` is false for a default-constructed one.
 template <class Tag>
 struct Id {
     std::uint32_t index = no_id;
@@ -38,7 +38,7 @@ using OperationId = Id<struct OperationTag>;    ///< Machine::operations
 using NodeId = Id<struct NodeTag>;              ///< Machine::nodes
 using TransitionId = Id<struct TransitionTag>;  ///< Machine::transitions
 
-/// The element of the model something came from: qualified RoboChart name and place.
+/// The element of the model that something was made from: qualified RoboChart name and place.
 struct Origin {
     std::string element;  ///< e.g. "AggregationFSM::S1", "AggregationFSM::t2"
     diagnostics::Span span;
@@ -78,7 +78,7 @@ struct Type {
     Origin origin;
 };
 
-/// An exact decimal: unscaled * 10^-decimals. Reals of the model never go through binary floating point.
+/// An exact decimal: unscaled * 10^-decimals. Reals of the model are never converted to binary floating point.
 struct Decimal {
     std::int64_t unscaled = 0;
     std::uint32_t decimals = 0;
@@ -125,7 +125,7 @@ enum class ExprKind {
     sequence,
     set,     ///< args (record: one per field, in the order of the type)
     matrix,  ///< args row by row, number: columns (one column: a vector)
-    member,  ///< args[0], number: field index (records) or 1-based place (tuples)
+    member,  ///< args[0], number: field index (records) or 1-based position (tuples)
     index,   ///< args[0][args[1]..], 1-based
     concat,
     is_in,
@@ -141,7 +141,7 @@ enum class ExprKind {
     let,                ///< bound_names[i] is args[i]; the last of args is the body
     toolkit,    ///< a function of the toolkit libraries, text: its name as "set_toolkit_union"; bound_types: what the
                 ///< type variables of its signature stand for, in order of first occurrence
-    is_type,    ///< whether args[0] is a value of bound_types[0]
+    is_type,    ///< true if args[0] is a value of bound_types[0]
     range,      ///< the numbers from args[0] to args[1]; number: 1 without the lower bound, 2 without the upper, 3 both
     transpose,  ///< of the matrix or vector args[0]
 };
@@ -173,8 +173,8 @@ struct Expr {
 /// The forms of communication.
 enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
 
-/// In a trigger, `e` and `e?x` receive (CSP direction `.in`); in a statement `e`, `e!v`, `e.v` send (`.out`), `e?x`
-/// receives.
+/// In a trigger, `e` and `e?x` receive (CSP direction `.in`). In a statement, `e`, `e!v` and `e.v` send (`.out`), and
+/// `e?x` receives.
 struct Communication {
     CommKind kind = CommKind::simple;
     EventId event;
@@ -200,7 +200,7 @@ enum class StmtKind {
 struct Stmt;
 using StmtPtr = std::shared_ptr<const Stmt>;
 
-/// A structured program. `point` numbers the statements of one machine, unique, stable, dense from 0.
+/// A structured program. `point` numbers the statements of one machine: unique, stable, dense from 0.
 struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
@@ -219,20 +219,20 @@ struct Stmt {
 
 // ---------------------------------------------------------------- machines
 
-/// Who declares a variable of a machine, and who may write it.
+/// The scope of a variable: which component declares it and which may write it.
 enum class VariableScope {
-    local,      ///< declared by the machine: private
-    required,   ///< of a required interface: shared, the machine keeps a copy (semantics 3.7)
+    local,      ///< declared by the machine, private to it
+    required,   ///< of a required interface: shared; the machine keeps a copy (semantics 3.7)
     parameter,  ///< of an operation: read-only
 };
 
-/// A variable of a machine, a controller or a platform; parameters of operations are variables too.
+/// A variable of a machine, a controller or a platform. Parameters of operations are variables, too.
 struct Variable {
     std::string name;
     TypeId type;
     VariableScope scope = VariableScope::local;
     ExprPtr initial;        ///< null: the type's default (booleans default to true)
-    std::string interface;  ///< name of the interface that declares it, "" if the machine does
+    std::string interface;  ///< name of the interface that declares it; "" if the machine declares it
     Origin origin;
 };
 
@@ -249,20 +249,20 @@ struct Constant {
 /// A named input or output of a component.
 struct Event {
     std::string name;
-    std::optional<TypeId> type;  ///< absent: carries no value
+    std::optional<TypeId> type;  ///< no value: the event carries no value
     bool input =
         false;  ///< used in a trigger or an input statement; controllers, platforms: connected into the software
-    bool output = false;  ///< used in an output statement; controllers, platforms: connected out of the software
+    bool output = false;  ///< in an output statement; controllers, platforms: connected out of the software
     bool broadcast = false;
     std::string interface;
     Origin origin;
 };
 
-/// A clock of a machine: time units since its last reset, or since a state was entered.
+/// A clock of a machine: counts time units since its last reset, or since a state was entered.
 struct Clock {
     std::string name;       ///< for sinceEntry(S) clocks: the state's path joined by '_'
     NodeId entry_of;        ///< valid: the clock of sinceEntry(node)
-    bool required = false;  ///< operations: of a required interface, the caller's clock of this name
+    bool required = false;  ///< operations: in a required interface; the caller's clock of this name
     std::string interface;
     Origin origin;
 };
@@ -278,7 +278,7 @@ struct OperationSignature {
     Origin origin;
 };
 
-/// What a node of a machine is.
+/// The kind of a node of a machine.
 enum class NodeKind { state, initial, junction, probabilistic, final };
 
 /// A state, junction or final state of a machine.
@@ -286,7 +286,7 @@ struct Node {
     NodeKind kind = NodeKind::state;
     std::string name;
     std::string path;                    ///< names from the machine's top, joined by "::"
-    NodeId parent;                       ///< composite state around it; invalid at top level
+    NodeId parent;                       ///< the enclosing composite state; invalid at top level
     std::vector<NodeId> children;        ///< composite: all inner nodes in textual order
     NodeId initial;                      ///< composite: its initial node
     StmtPtr entry, during, exit;         ///< null if absent
@@ -302,28 +302,28 @@ struct Transition {
     NodeId source, target;
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
-    ExprPtr guard;             ///< null: true. `condition else` is already the negation of its siblings
-    bool guard_timed = false;  ///< mentions since/sinceEntry: untimed semantics takes what it does not know for true
+    ExprPtr guard;             ///< null: true. `condition else` is already the negation of the other conditions
+    bool guard_timed = false;  ///< mentions since/sinceEntry: the untimed semantics takes unknown parts as true
     ExprPtr deadline;
     ExprPtr probability;
     StmtPtr action;  ///< null if none
     Origin origin;
 };
 
-/// A defined operation is a machine too.
+/// A defined operation is a machine, too.
 enum class MachineKind { state_machine, operation };
 
-/// A state machine or a defined operation, whoever contains or calls it.
+/// A state machine or a defined operation, independent of where it is contained or called.
 struct Machine {
     MachineKind kind = MachineKind::state_machine;
     std::string name;
     std::string package;              ///< "" if unnamed
-    std::string path;                 ///< names down to it: "S", inline ones "C::S", "M::C::S"
+    std::string path;                 ///< names from the outside to it: "S", inline ones "C::S", "M::C::S"
     std::vector<Variable> variables;  ///< operations: parameters first
     std::vector<Constant> constants;
     std::vector<Event> events;
     std::vector<Clock> clocks;
-    std::vector<OperationSignature> operations;  ///< those it may call: required ones, in textual order
+    std::vector<OperationSignature> operations;  ///< operations that it may call: required ones, in textual order
     std::vector<Node> nodes;
     std::vector<NodeId> top;  ///< top-level nodes in textual order
     NodeId initial;           ///< invalid: no body
@@ -337,7 +337,7 @@ struct Machine {
 
 // ---------------------------------------------------------------- composition
 
-/// A machine in the place where it runs.
+/// A machine in the context in which it runs.
 struct MachineInstance {
     std::string name;  ///< of the reference (`sref stm0 = S`) or of the inline machine
     MachineId machine;
@@ -348,7 +348,7 @@ struct MachineInstance {
 
 enum class EndKind { self, part };  ///< `self`: the controller, or the module's platform
 
-/// One end of a connection: an event of the whole or of one of its parts.
+/// One end of a connection: an event of the container or of one of its components.
 struct ConnectionEnd {
     EndKind kind = EndKind::self;
     std::uint32_t part = no_id;  ///< controller: index of machines; module: index of controllers
@@ -367,28 +367,28 @@ struct Connection {
 struct Controller {
     std::string name;
     std::string package;
-    std::string path;                 ///< names down to it: "C", inside a module "M::C"
-    std::vector<Variable> variables;  ///< its own (scope local) and the required ones
+    std::string path;                 ///< names from the outside to it: "C", inside a module "M::C"
+    std::vector<Variable> variables;  ///< its own (scope local) and required ones
     std::vector<Constant> constants;
     std::vector<Event> events;
-    std::vector<OperationSignature> operations;  ///< required and not defined here: calls that leave the controller
+    std::vector<OperationSignature> operations;  ///< required but not defined here: calls that leave the controller
     std::vector<MachineId> definitions;          ///< operations defined here (inline or by opref)
     std::vector<std::string>
-        definition_names;  ///< of each: the reference's name (`opref move_ref = Move`), inline: its own
+        definition_names;  ///< for each: the reference's name (`opref move_ref = Move`), or its own if inline
     std::vector<MachineInstance> machines;
     std::vector<Connection> connections;
     std::vector<std::string> interfaces;
     Origin origin;
 };
 
-/// A controller in the module where it runs.
+/// A controller in the module in which it runs.
 struct ControllerInstance {
     std::string name;
     ControllerId controller;
     Origin origin;
 };
 
-/// The robotic platform of a module: what it provides.
+/// The robotic platform of a module, with the members that it provides.
 struct Platform {
     std::string name;
     std::vector<Variable>
@@ -410,9 +410,9 @@ struct Module {
     Origin origin;
 };
 
-/// A function that the model uses; specified by contract only. `parameter_names` are bound names in the conditions, and
-/// so is `result` in the postconditions. Where there are postconditions, they define the result: the default value of
-/// the result type if it satisfies them, else the least value of its carrier that does (rule RC-S20).
+/// A function that the model uses, specified only by contract. `parameter_names` are bound names in the conditions; so
+/// is `result` in the postconditions. Postconditions define the result: the default value of the result type if it
+/// satisfies them, otherwise the least value of its carrier that does (rule RC-S20).
 struct Function {
     std::string name;
     std::string package;
@@ -426,10 +426,10 @@ struct Function {
 
 // ---------------------------------------------------------------- properties (from .assertions)
 
-/// What an assertion is about; `process`: one that a CSP block defines.
+/// The subject of an assertion; `process`: a process that a CSP block defines.
 enum class ComponentKind { module, controller, machine, operation, process };
 
-/// A component named in an assertion, followed through references.
+/// A component named in an assertion, with references resolved.
 struct ComponentRef {
     ComponentKind kind = ComponentKind::process;
     /// CSP module path without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"); process: the name as written.
@@ -450,9 +450,9 @@ enum class PropertyKind {
     reachable,
     clock_initialised,
     event_missed,
-    conforms,  ///< to a rule in SLEEC, which another file has
+    conforms,  ///< to a SLEEC rule in another file
 };
-/// The model of CSP in which a property is decided.
+/// The semantic model of CSP in which a property is decided.
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
 
 /// An assertion of the model, with its components resolved.
@@ -470,9 +470,9 @@ struct Property {
     std::string state;
     std::string event;            ///< event_missed
     std::string rule;             ///< conforms: its name
-    std::int64_t time_units = 1;  ///< event_missed: in how many in a row
-    /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's
-    /// for a required one). `with parameter p of O`: the same with "param_" for "const_".
+    std::int64_t time_units = 1;  ///< event_missed: the number of consecutive time units
+    /// `with constant c of X set to e`: the name of the constant as in query.hpp, for the component that determines its
+    /// value (the provider, if it is required). `with parameter p of O`: the same with "param_" instead of "const_".
     std::vector<std::pair<std::string, ExprPtr>> constants;
     std::string file;     ///< path of the .assertions file
     std::string wording;  ///< the assertion as written, on one line

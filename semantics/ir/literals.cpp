@@ -20,12 +20,12 @@ bool compares_clock(const Expr& expr) {
            (reads_clock(*expr.args[0]) || reads_clock(*expr.args[1]));
 }
 
-/// A number that says which part is meant is no value that a variable holds.
+/// A number that selects a part is not a value of a variable.
 bool is_place(const Expr& expr) {
     return expr.kind == ExprKind::integer;
 }
 
-/// What an expression uses constants for.
+/// Records whether an expression uses constants as times or as values.
 struct ConstantUses {
     std::set<std::string> times, values;
 

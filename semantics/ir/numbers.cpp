@@ -5,7 +5,7 @@
 
 namespace robochart::ir {
 namespace {
-constexpr std::size_t most_decimals = 18;  // 10^18 is the greatest power of ten in 64 bits
+constexpr std::size_t most_decimals = 18;  // 10^18 is the greatest power of ten that fits into 64 bits
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {

@@ -1,4 +1,4 @@
-// Number literals: reading and writing them exactly.
+// Reads and writes number literals exactly.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,10 @@
 
 namespace robochart::ir {
 
-/// Digits with an optional sign; nothing if it is not that or does not fit into 64 bits.
+/// Digits with an optional sign; no value if the text has another form or does not fit into 64 bits.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view);
-/// `3`, `-0.75`: without trailing zeros in the fraction (0.50 is 5 * 10^-1). Nothing beyond 64 bits or 18 places.
+/// `3`, `-0.75`: trailing zeros of the fraction are removed (0.50 is 5 * 10^-1). No value beyond 64 bits or 18 decimal
+/// places.
 [[nodiscard]] std::optional<Decimal> parse_decimal(std::string_view);
 /// The shortest RoboChart literal: "-0.75", "3".
 [[nodiscard]] std::string to_string(const Decimal&);

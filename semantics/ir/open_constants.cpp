@@ -13,7 +13,8 @@ bool overlap(diagnostics::Span a, diagnostics::Span b) {
     return a.known() && b.known() && a.source == b.source && a.begin < b.end && b.begin < a.end;
 }
 
-/// Whether a model leaves all constants of the name open: a required one has its provider's value.
+/// True if all constants of this name are open, that is, have no value in the model. A required one has its provider's
+/// value.
 bool is_open(const System& system, const std::string& name) {
     const auto ends = [&](const std::string& path) { return path.ends_with("::" + name); };
     const std::vector<NamedConstant> constants = named_constants(system);

@@ -1,4 +1,4 @@
-// Constants that the model leaves open, where a value was needed.
+// Constants without a value in the model that are used where a value is needed.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace robochart::ir {
 
-/// The constants without a value in the model that divisors inside this place of the model are made of, by their names,
-/// each once: such a constant is 0 unless somebody gives it a value. A block Instantiations that names one may do so:
-/// it is left out.
+/// The names, without duplicates, of constants that have no value in the model and occur in divisors inside this place.
+/// Such a constant is 0 unless an option gives it a value. Constants that a block Instantiations mentions are left out,
+/// because the block may give them a value.
 [[nodiscard]] std::vector<std::string> open_divisors(const System&, diagnostics::Span place);
 
 }  // namespace robochart::ir

@@ -1,4 +1,4 @@
-// The constants of a machine and those of the places in which controllers run it.
+// Relates the constants of a machine to those of the controllers that run it.
 #pragma once
 
 #include <map>
@@ -8,9 +8,9 @@
 
 namespace robochart::ir {
 
-/// Of each constant of a part of a controller that nobody provides (`const_P_C_ref_c`) the machine's own
-/// (`const_P_S_c`), whose value it has where nobody gives it one of its own: RoboTool binds the two in every claim
-/// about a controller or a module.
+/// Maps each constant of a controller's component that is not provided (`const_P_C_ref_c`) to the machine's own
+/// constant (`const_P_S_c`). If no option gives it another value, it has the value of that constant: RoboTool binds the
+/// two in every assertion about a controller or a module.
 [[nodiscard]] std::map<std::string, std::string> own_constants(const System&);
 
 }  // namespace robochart::ir

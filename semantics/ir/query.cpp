@@ -1,4 +1,4 @@
-// Questions about a System.
+// Queries about a System.
 #include "semantics/ir/query.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool parameters_match(const Machine& operation, const OperationSignature& signat
     return types == signature.parameters;
 }
 
-/// Collects NamedConstants, each name once.
+/// Collects NamedConstants without duplicate names.
 class ConstantList {
 public:
     void add(const std::string& package, const std::string& path, const Constant& constant) {
@@ -33,7 +33,7 @@ public:
     void add_all(const std::string& package, const std::string& path, const std::vector<Constant>& constants) {
         for (const auto& constant : constants) add(package, path, constant);
     }
-    /// The constants of a part that nobody provides.
+    /// Adds the constants of a component that are not provided.
     void add_part(const System& system, const Controller& controller, const std::string& part, const Machine& machine) {
         for (std::uint32_t i = 0; i < machine.constants.size(); ++i) {
             const auto source = constant_source(system, nullptr, &controller, part, machine, ConstantId{i});
@@ -83,7 +83,7 @@ std::string constant_name(const std::string& package, const std::string& path, c
 
 namespace {
 
-/// One machine or operation definition of a controller.
+/// A machine or operation definition of a controller.
 struct Part {
     const std::string* name;
     const Machine* machine;
@@ -105,8 +105,8 @@ bool calls(const System& system, const Controller& controller, const Machine& ca
     });
 }
 
-/// Follows a required constant to those who provide it. `calls_left` ends the search where operations call themselves,
-/// which lowering refuses.
+/// Follows a required constant to its providers. `calls_left` ends the search if operations call themselves, which
+/// lowering rejects.
 class ConstantSearch {
 public:
     ConstantSearch(const System& system, const Module* module, const Controller& controller)

@@ -1,5 +1,5 @@
-// Questions about a System that several readers of the IR ask: who defines an operation here, what is a constant
-// called.
+// Queries about a System that several readers of the IR need: which definition an operation has here, which name a
+// constant has.
 #pragma once
 
 #include <string>
@@ -9,52 +9,54 @@
 
 namespace robochart::ir {
 
-/// `package::path`, or the path alone where the package has no name.
+/// `package::path`, or only the path if the package has no name.
 [[nodiscard]] std::string qualified(const ComponentRef&);
 
-/// The definition that a call of this operation runs inside a controller: same name, same parameter types
-/// (semantics 3.8); invalid: the call leaves the controller.
+/// The definition that a call of this operation runs inside a controller: same name, same parameter types (semantics
+/// 3.8). Invalid: the call leaves the controller.
 [[nodiscard]] MachineId definition_in(const System&, const Controller&, const OperationSignature&);
 
-/// The operations a machine's own statements call, ascending, each once.
+/// The operations that a machine's own statements call, ascending, without duplicates.
 [[nodiscard]] std::vector<OperationId> called_operations(const Machine&);
 
-/// For people: "t1: S1 -> S2".
+/// The text of a transition for messages: "t1: S1 -> S2".
 [[nodiscard]] std::string text_of(const Machine&, const Transition&);
 
-/// RoboTool's name of a constant that a process takes as a parameter: `const_<package>_<path>_<constant>`, the path
-/// being the defining component's (`S`, `C`), then the reference's inside a controller (`C::stm_ref`, `C::op_ref`).
+/// RoboTool's name of a constant that a process takes as a parameter: `const_<package>_<path>_<constant>`. The path is
+/// that of the defining component (`S`, `C`); inside a controller, the reference's name follows (`C::stm_ref`,
+/// `C::op_ref`).
 [[nodiscard]] std::string constant_name(const std::string& package, const std::string& path,
                                         const std::string& constant);
 
-/// Where the value of a machine's constant comes from when the machine runs as `part` of a controller (the name of its
+/// The source of the value of a machine's constant when the machine runs as `part` of a controller (the name of its
 /// MachineInstance, or of its entry in Controller::definition_names):
-/// * a required constant (semantics 3.7: process parameters, not memory) of an operation is the constant of that name
-/// of
-///   the machine or operation that calls it;
-/// * any other required constant is the controller's of that name, and if the controller requires it too and runs in a
-///   module, the platform's;
-/// * all others, and required ones that nobody provides, are the part's own: `const_P_C_part_c`.
-/// `controller` null: the machine alone, `const_P_S_c`. `module` null: the controller alone.
+/// * A required constant of an operation (semantics 3.7: process parameters, not memory) is the constant of that name
+///   of the machine or operation that calls it.
+/// * Any other required constant is the controller's of that name. If the controller requires it, too, and runs in a
+///   module, it is the platform's.
+/// * All other constants, and required ones that are not provided, are the component's own: `const_P_C_part_c`.
+/// If `controller` is null, the machine is on its own: `const_P_S_c`. If `module` is null, the controller is on its
+/// own.
 struct ConstantSource {
     std::string name;                    ///< as in Instantiation::constants
-    const Constant* constant = nullptr;  ///< the declaration whose `value` counts if the instantiation has none
+    const Constant* constant = nullptr;  ///< the declaration whose `value` is used if the instantiation has none
 };
 [[nodiscard]] ConstantSource constant_source(const System&, const Module* module, const Controller* controller,
                                              const std::string& part, const Machine&, ConstantId);
 
-/// All of them where callers of an operation provide different ones; lowering refuses such models (RC-S19).
+/// All sources, if callers of an operation provide different ones; lowering rejects such models (RC-S19).
 [[nodiscard]] std::vector<ConstantSource> constant_sources(const System&, const Module* module, const Controller&,
                                                            const std::string& part, const Machine&, ConstantId);
-/// The same for a constant of a controller: the platform's if the controller requires it and runs in a module.
+/// The same for a constant of a controller: the platform's, if the controller requires it and runs in a module.
 [[nodiscard]] ConstantSource constant_source(const Module* module, const Controller&, ConstantId);
 
-/// One constant that a user or an assertion may set: every distinct name in the system, in order of declaration.
+/// A constant that a user or an assertion may set. There is one for every distinct name in the system, in order of
+/// declaration.
 struct NamedConstant {
     std::string name;  ///< `const_P_C_ref_c`
-    std::string path;  ///< "P::C::ref::c" for people and options
+    std::string path;  ///< "P::C::ref::c", for messages and options
     TypeId type;
-    bool has_value = false;  ///< the model gives one
+    bool has_value = false;  ///< the model gives a value
 };
 [[nodiscard]] std::vector<NamedConstant> named_constants(const System&);
 

@@ -5,8 +5,8 @@
 namespace robochart::ir {
 namespace {
 
-/// What a part may be without time: `upper` holds wherever the part holds for some values of the clocks, `lower` only
-/// where it holds for all. Null: true of `upper`, false of `lower`.
+/// Bounds of a part without time. `upper` is true whenever the part is true for some values of the clocks; `lower` is
+/// true only when it is true for all of them. Null means true for `upper` and false for `lower`.
 struct Bounds {
     ExprPtr upper, lower;
 };
@@ -19,7 +19,7 @@ bool mentions_time(const Expr& expr) {
     return found;
 }
 
-/// A boolean that stands for the whole or a part of it.
+/// A boolean expression that takes the place of `whole` or of a part of it.
 ExprPtr made(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
     Expr result;
     result.kind = kind;
@@ -34,29 +34,29 @@ ExprPtr negated(const ExprPtr& part) {
     return part ? made(*part, ExprKind::logical_not, {part}) : nullptr;
 }
 
-/// Null stands for true.
+/// Null means true.
 ExprPtr upper_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
     return made(whole, ExprKind::conjunction, {left, right});
 }
 
-/// Null stands for true.
+/// Null means true.
 ExprPtr upper_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     return left && right ? made(whole, ExprKind::disjunction, {left, right}) : nullptr;
 }
 
-/// Null stands for false.
+/// Null means false.
 ExprPtr lower_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
     return made(whole, ExprKind::disjunction, {left, right});
 }
 
-/// Null stands for false.
+/// Null means false.
 ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     return left && right ? made(whole, ExprKind::conjunction, {left, right}) : nullptr;
 }
 
-/// Whichever branch is taken; the condition of `if` may read clocks.
+/// Bounds that are correct for both branches, because the condition of `if` may read clocks.
 Bounds bounds_of_choice(const Expr& choice, const Bounds& yes, const Bounds& no) {
     const ExprPtr& condition = choice.args[0];
     if (mentions_time(*condition))

@@ -1,4 +1,4 @@
-// Conditions without time: what the untimed semantics makes of a condition that reads clocks.
+// Conditions without time: how the untimed semantics reads a condition that reads clocks.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace robochart::ir {
 
-/// A condition as the untimed semantics has it.
+/// A condition in the untimed semantics.
 struct UntimedGuard {
-    ExprPtr kept;  ///< true wherever the condition is true for some values of the clocks; null: always
-    std::vector<ExprPtr> left_open;  ///< the parts that read clocks, as they stand in the condition
+    ExprPtr kept;  ///< true whenever the condition is true for some values of the clocks; null: always true
+    std::vector<ExprPtr> left_open;  ///< the parts that read clocks, as written
 };
 
-/// Parts of `/\`, `\/`, `not`, `=>` and `if` that read no clock stay; any other part that reads one may be true and may
-/// be false. So every transition that can fire at some time can fire without time.
+/// Operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock are kept. Any other part that reads a clock may be
+/// true and may be false. So every transition that can fire at some time can fire without time.
 [[nodiscard]] UntimedGuard untimed_guard(const ExprPtr& condition);
 
 }  // namespace robochart::ir

@@ -1,4 +1,4 @@
-// Walks over the IR.
+// Traversals of the IR.
 #include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {

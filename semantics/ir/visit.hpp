@@ -1,4 +1,4 @@
-// Walks over the expressions and statements of the IR, parents before children.
+// Traversals of the expressions and statements of the IR, parents before children.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,11 @@
 
 namespace robochart::ir {
 
-/// What an expression is there for.
+/// The purpose of an expression.
 enum class ExprRole {
-    value,  ///< anything that computes
-    time,   ///< a whole wait duration, interval bound or deadline
-    place,  ///< which part of a variable an assignment changes: a field or an index
+    value,  ///< computes a value
+    time,   ///< is a whole wait duration, interval bound or deadline
+    place,  ///< selects the part of a variable that an assignment changes: a field or an index
     probability,
 };
 using RootVisitor = std::function<void(const Expr&, ExprRole)>;
@@ -23,18 +23,18 @@ void visit_statements(const Stmt&, const StmtVisitor&);
 void visit_statements(const Machine&, const StmtVisitor&);
 /// The outermost expressions of the machine: initial values, constants, conditions, guards, triggers and statements.
 void visit_expressions(const Machine&, const RootVisitor&);
-/// Those among them whose value matters to a machine that runs: statements, then transitions, then preconditions.
-/// Initial values and constants have been computed before, postconditions are claims.
+/// The expressions among them that a running machine evaluates: those of statements, then of transitions, then
+/// preconditions. Initial values and constants are computed before, and postconditions are claims.
 void visit_running(const Machine&, const RootVisitor&);
-/// Each variable that running the machine reads, as often as it does: in its expressions, and where an assignment to a
-/// part keeps the rest.
+/// Calls the function for each variable that a running machine reads, once per read: in expressions, and in assignments
+/// to a part of a variable, which keep the rest.
 void visit_reads(const Machine&, const std::function<void(VariableId)>&);
-/// The outermost expressions of everything but functions: machines, controllers, platforms, properties.
+/// The outermost expressions of everything except functions: machines, controllers, platforms, properties.
 void visit_expressions(const System&, const RootVisitor&);
 /// The expression and all its operands.
 void visit_operands(const Expr&, const std::function<void(const Expr&)>&);
 
-/// Whether it reads a clock as it is: since, sinceEntry or a cast of one.
+/// True for an expression that is a clock: since, sinceEntry or a cast of one.
 [[nodiscard]] bool reads_clock(const Expr&);
 [[nodiscard]] bool is_comparison(ExprKind);
 /// The clock that since or sinceEntry reads; invalid for other expressions.

@@ -1,5 +1,5 @@
-// Chains of operation calls inside a controller must end: RoboTool bounds recursion (semantics 3.8), here it is
-// refused.
+// Chains of operation calls inside a controller must end. RoboTool bounds recursion (semantics 3.8); here it is
+// rejected.
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/depth_first_search.hpp>
@@ -11,7 +11,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Vertices are the definitions of one controller, in their order; edges are calls.
+/// Vertices are the definitions of a controller, in their order; edges are calls.
 using CallGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
 using Vertex = boost::graph_traits<CallGraph>::vertex_descriptor;
 using Edge = boost::graph_traits<CallGraph>::edge_descriptor;
@@ -30,7 +30,8 @@ CallGraph call_graph(const System& system, const Controller& controller) {
     return graph;
 }
 
-/// Keeps the search tree, and the calls that go back to an operation still open: each closes a cycle.
+/// Records the depth-first search tree and the back edges, that is, calls of an operation that is still active. Each
+/// back edge closes a cycle.
 class CycleFinder : public boost::default_dfs_visitor {
 public:
     CycleFinder(std::vector<Vertex>& parents, std::vector<Edge>& closing) : parents_(parents), closing_(closing) {}

@@ -1,4 +1,4 @@
-// Controllers and modules: parts, the operations defined in a place, connections (semantics 3.8, 3.9).
+// Controllers and modules: components, the operations that are defined in them, connections (semantics 3.8, 3.9).
 #include "semantics/lower/components.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace {
 
 namespace ast = frontend;
 
-/// A part in its place: the declaration that connections name, and the definition that it refers to.
+/// A component in its context: the declaration that connections name, and the definition that it refers to.
 struct Part {
     const ast::Declaration* place;
-    const ast::Declaration* definition;  ///< null: the reference leads nowhere
+    const ast::Declaration* definition;  ///< null: unresolved reference
 };
 
 Part part_of(const ast::Declaration& declaration) {
@@ -60,7 +60,7 @@ void mark(std::vector<Event>& events, const std::string& name, bool input, bool 
     }
 }
 
-/// A connection that starts at the controller or platform brings the event in, one that ends there takes it out.
+/// A connection that starts at the controller or platform brings the event in; one that ends there takes it out.
 void mark_uses(std::vector<Event>& events, const std::vector<Connection>& connections) {
     for (const auto& connection : connections) {
         if (connection.from.kind == EndKind::self) mark(events, connection.from.event, true, connection.multiple);
@@ -97,7 +97,7 @@ void ControllerLowering::declare() {
     if (!declared.clocks.empty()) lowering_.unsupported("a clock of controller " + source_.name, source_.name_span);
 }
 
-/// The parts of a component are known by their names.
+/// Components are identified by their names.
 template <class Parts>
 void check_part(Lowering& lowering, const std::string& owner, const Parts& parts, const ast::Declaration& part) {
     for (const auto& known : parts)
@@ -126,7 +126,7 @@ void ControllerLowering::part(const ast::Declaration& declaration) {
     controller_.definition_names.push_back(declaration.name);
 }
 
-/// Calls of operations defined here run the definition; the others leave the controller (semantics 3.8).
+/// Calls of operations that are defined here run the definition; other calls leave the controller (semantics 3.8).
 void ControllerLowering::bind_operations() {
     for (auto& instance : controller_.machines)
         for (const auto& signature : lowering_.system.machine(instance.machine).operations)

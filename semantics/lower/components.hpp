@@ -5,13 +5,13 @@
 
 namespace robochart::ir {
 
-/// Gives every machine, operation, controller and module its place in the System, in textual order of files by path;
-/// inline ones at their place. Bodies follow.
+/// Creates the entries of all machines, operations, controllers and modules in the System, in textual order of files by
+/// path; inline ones at their place. The bodies are added later.
 void register_components(Lowering&);
 void lower_controller(Lowering&, const frontend::Component&, ControllerId);
 void lower_module(Lowering&, const frontend::Component&, std::size_t index);
-/// Reports operations that call themselves through the definitions of a controller, and required constants that
-/// callers provide differently.
+/// Reports operations that call themselves through the definitions of a controller, and required constants for which
+/// callers provide different values.
 void check_calls(Lowering&);
 
 }  // namespace robochart::ir

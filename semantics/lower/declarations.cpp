@@ -1,4 +1,4 @@
-// Variables, constants, events, clocks and operations of a context, its own and those of its interfaces.
+// Variables, constants, events, clocks and operations of a context: its own and those of its interfaces.
 #include <algorithm>
 #include <map>
 
@@ -16,7 +16,7 @@ void remember(const std::vector<T>& items, ByDeclaration<IdType>& map, const ast
     map[&declaration] = IdType{static_cast<std::uint32_t>(items.size() - 1)};
 }
 
-/// Collects the declarations of one context; initial values follow when every name is known.
+/// Collects the declarations of one context. Initial values are lowered when all names are known.
 class Collector {
 public:
     Collector(Lowering& lowering, const ast::Context& context) : lowering_(lowering), context_(context) {}
@@ -49,12 +49,13 @@ std::string name_of(const ast::InterfaceClause* clause) {
     return clause == nullptr || clause->target == nullptr ? "" : clause->target->name;
 }
 
-/// Machines and controllers share what they require; a platform shows what it provides (semantics 3.7).
-/// A machine or an operation, in whose process its own variables are.
+/// True for a machine or an operation: the variables that it declares are part of its process.
 bool Collector::owns_variables() const {
     return context_.kind == ast::DeclKind::state_machine || context_.kind == ast::DeclKind::operation;
 }
 
+/// Machines and controllers share the variables that they require; a platform shows those that it provides (semantics
+/// 3.7).
 VariableScope Collector::scope(const ast::InterfaceClause* clause) const {
     if (clause == nullptr) return VariableScope::local;
     const bool platform = context_.kind == ast::DeclKind::platform;
@@ -103,7 +104,7 @@ void Collector::clock(const ast::Clock& source, const std::string& element, cons
     remember(result_.clocks, result_.names.clocks, source);
 }
 
-/// One operation that several interfaces declare alike is one.
+/// An operation that several interfaces declare identically is one operation.
 void Collector::operation(const ast::OperationSignature& source, const std::string& element,
                           const std::string& interface) {
     OperationSignature signature;
@@ -154,7 +155,8 @@ void Collector::initial_values() {
                 lower_expression(lowering_, result_.names, *value, result_.variables[i].type);
 }
 
-/// Semantics and code know members by their names; but a machine's own variables, which only it has.
+/// Members are identified by their names, so duplicates are reported. The own variables of a machine are excepted,
+/// because only the machine has them.
 template <class Item>
 void Collector::check_names(const std::vector<Item>& items, const std::string& kind) {
     std::map<std::string, diagnostics::Span> named;

@@ -1,5 +1,5 @@
-// The class behind lower_expression: one member function per form of the language, over three sources. Private to
-// semantics/lower*.
+// The class that implements lower_expression: one member function per form of the language, in three source files.
+// Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/expressions.hpp"
@@ -8,7 +8,7 @@ namespace robochart::ir {
 
 namespace ast = frontend;
 
-/// Lowers the expressions of one place.
+/// Lowers the expressions of one context.
 class Expressions {
 public:
     Expressions(Lowering& lowering, const Names& names) : lowering_(lowering), names_(names) {}

@@ -73,7 +73,7 @@ ExprKind binder_kind(ast::ExprKind kind) {
 
 }  // namespace
 
-/// A negated literal is one literal: RoboTool's Neg(5, core_int) would be clipped to 5 where -5 is meant.
+/// A negated literal becomes one literal. RoboTool's Neg(5, core_int) would be clipped to 5, although -5 is meant.
 ExprPtr Expressions::unary(const ast::Expr& source) {
     const bool negates = source.unary == ast::UnaryOp::negate;
     if (negates && is_number_literal(strip(*source.args[0]))) {
@@ -93,7 +93,7 @@ ExprPtr Expressions::binary(const ast::Expr& source, TypeId expected) {
     expr.args = {operand(source, 0, concat ? expected : TypeId{}), operand(source, 1, concat ? expected : TypeId{})};
     if (concat && expected.valid()) expr.type = expected;
     if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) {
-        // What one side leaves open, as `id()` does, the other tells.
+        // If the type of one side is open, as with `id()`, the other side determines it.
         for (std::size_t i = 0; i < 2; ++i) {
             const TypeId other = expr.args[1 - i]->type;
             if (is_open(lowering_.system, expr.args[i]->type) && !is_open(lowering_.system, other))
@@ -105,7 +105,7 @@ ExprPtr Expressions::binary(const ast::Expr& source, TypeId expected) {
     return expr.kind == ExprKind::is_in ? membership(std::move(expr)) : share(std::move(expr));
 }
 
-/// A relation, function or sequence is the set of its pairs; both sides in the wider type.
+/// A relation, function or sequence is the set of its pairs; both sides are converted to the wider type.
 ExprPtr Expressions::membership(Expr expr) {
     const Type collection = lowering_.system.type(expr.args[1]->type);
     TypeId element = collection.args.empty() ? TypeId{} : collection.args[0];
@@ -125,7 +125,7 @@ ExprPtr Expressions::membership(Expr expr) {
     return share(std::move(expr));
 }
 
-/// Both sides in the wider type; an empty collection takes the other side's type.
+/// Both sides are converted to the wider type; an empty collection takes the other side's type.
 ExprPtr Expressions::compared(Expr expr) {
     expr.type = boolean_type;
     const TypeId common = common_type(lowering_, expr.args[0]->type, expr.args[1]->type);
@@ -133,7 +133,7 @@ ExprPtr Expressions::compared(Expr expr) {
     return share(std::move(expr));
 }
 
-/// RoboChart's types of arithmetic: minus is int at least, modulus int, divide real.
+/// RoboChart's types of arithmetic: minus is at least int, modulus is int, divide is real.
 ExprPtr Expressions::computed(Expr expr, const ast::Expr& source) {
     const TypeId left = expr.args[0]->type;
     const TypeId right = expr.args[1]->type;
@@ -148,7 +148,7 @@ ExprPtr Expressions::computed(Expr expr, const ast::Expr& source) {
     return share(std::move(expr));
 }
 
-/// Vectors and matrices, also with a number: the entries of both operands get one type.
+/// Arithmetic on vectors and matrices, also with a number: the entries of both operands get one type.
 ExprPtr Expressions::computed_blocks(Expr expr) {
     const auto entry = [&](TypeId id) {
         const Type& type = lowering_.system.type(id);
@@ -178,7 +178,7 @@ ExprPtr Expressions::conditional(const ast::Expr& source, TypeId expected) {
     return share(std::move(expr));
 }
 
-/// What one expression binds has different names.
+/// Reports an expression that binds the same name twice.
 void Expressions::check_bindings(const ast::Expr& source) {
     std::vector<const ast::Declaration*> variables;
     for (const auto& binding : source.bindings)

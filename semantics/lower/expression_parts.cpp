@@ -1,4 +1,4 @@
-// Small makers and the conversions between number types.
+// Helpers that construct expressions, and conversions between number types.
 #include <algorithm>
 
 #include "semantics/ir/visit.hpp"
@@ -19,7 +19,7 @@ bool builds_from_elements(ExprKind kind) {
     return kind == ExprKind::sequence || kind == ExprKind::set || kind == ExprKind::matrix;
 }
 
-/// A relation or function written as a set of pairs, a set or sequence as what is expected of it.
+/// Converts a relation or function written as a set of pairs, or a set or sequence, to the expected type.
 ExprPtr coerce_set_of_pairs(Lowering& lowering, const Expr& expr, TypeId expected) {
     Type pair;
     pair.kind = TypeKind::product;
@@ -51,7 +51,8 @@ ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
     return share(std::move(result));
 }
 
-/// The types of the parts of a value: of a tuple's places, of a collection's elements, of a function's pairs.
+/// The types of the parts of a value: of the components of a tuple, of the elements of a collection, of the pairs of a
+/// function.
 std::vector<TypeId> part_types(const System& system, TypeId id) {
     const Type& type = system.type(id);
     if (type.kind == TypeKind::set) {
@@ -64,7 +65,7 @@ std::vector<TypeId> part_types(const System& system, TypeId id) {
     return std::vector<TypeId>(count, type.args.at(0));
 }
 
-/// Where a literal's parts get their types: the composed type's element types, one per part.
+/// Converts the parts of a literal to the element types of the composed type, one per part.
 ExprPtr coerce_parts(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
     const auto args =
         expr->kind == ExprKind::tuple ? part_types(lowering.system, expected) : lowering.system.type(expected).args;
@@ -77,8 +78,8 @@ ExprPtr coerce_parts(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
     return share(std::move(result));
 }
 
-/// Whether values of the two types are written differently: a whole number somewhere stands for a real, or a sequence
-/// for the set of its pairs.
+/// True if values of the two types have different representations: a whole number in the place of a real, or a sequence
+/// in the place of the set of its pairs.
 bool written_differently(const System& system, TypeId from, TypeId to) {
     if (from == to || !from.valid() || !to.valid()) return false;
     if (to == real_type) return is_number(from);

@@ -13,7 +13,7 @@ constexpr std::array toolkits{"set_toolkit", "relation_toolkit", "function_toolk
 
 }  // namespace
 
-/// A value of function type, or a sequence as the function from places to elements.
+/// Applies a value of function type, or a sequence as the function from positions to elements.
 ExprPtr Expressions::application(const ast::Expr& source, ExprPtr function) {
     const Type type = lowering_.system.type(function->type);
     Expr expr = start(source, type.kind == TypeKind::sequence ? ExprKind::index : ExprKind::apply);
@@ -124,7 +124,7 @@ ExprPtr Expressions::index(const ast::Expr& source) {
     return share(std::move(expr));
 }
 
-/// The default value of a type as an expression (semantics 3.6); null where it has no literal: functions, given types.
+/// The default value of a type as an expression (semantics 3.6); null if it has no literal: functions, given types.
 ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
     const Type type = lowering_.system.type(id);
     Expr expr;
@@ -169,7 +169,7 @@ ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
     return nullptr;
 }
 
-/// A field that is left out has its type's default.
+/// A missing field gets the default of its type.
 ExprPtr Expressions::record(const ast::Expr& source) {
     Expr expr = start(source, ExprKind::record);
     const Type type = lowering_.system.type(expr.type);
@@ -237,7 +237,8 @@ ExprPtr Expressions::transpose(const ast::Expr& source) {
 
 namespace {
 
-/// The text between the quotes; a backslash escapes what would otherwise end it, and denotes a line end or a tabulator.
+/// The text between the quotes. A backslash escapes a character that would end the text, or denotes a line end or
+/// tabulator.
 std::string unquoted(const std::string& written) {
     std::string text;
     for (std::size_t i = 1; i + 1 < written.size(); ++i) {
@@ -271,7 +272,7 @@ ExprPtr Expressions::result(const ast::Expr& source) {
 
 namespace {
 
-/// The clock behind sinceEntry(S), made at its first use.
+/// Makes the clock of sinceEntry(S) at its first use.
 void need_entry_clock(Machine& machine, NodeId node) {
     for (const auto& clock : machine.clocks)
         if (clock.entry_of == node) return;

@@ -8,7 +8,7 @@
 
 namespace robochart::ir {
 
-/// A node of this form; its type is the one the front end computed, boolean where it has none.
+/// A node of this form. Its type is the one that the front end computed, or boolean if there is none.
 Expr Expressions::start(const ast::Expr& source, ExprKind kind) {
     Expr expr;
     expr.kind = kind;
@@ -39,7 +39,7 @@ ExprPtr Expressions::with_operands(const ast::Expr& source, ExprKind kind) {
     return coerce(lowering_, share(std::move(expr)), type);
 }
 
-/// Between reals lie those of the finite type; between whole numbers all.
+/// Between two reals, the set has the reals of the finite type; between whole numbers, it has all numbers.
 ExprPtr Expressions::set_range(const ast::Expr& source) {
     Expr expr = start(source, ExprKind::set_range);
     const auto element = lowering_.system.type(expr.type).args;
@@ -69,7 +69,7 @@ ExprPtr Expressions::number(const ast::Expr& source, const std::string& sign) {
 
 namespace {
 
-/// The declared type of what a name stands for, where it is a value with a written type.
+/// The declared type of the declaration that a name refers to, if it is a value with a written type.
 ast::TypePtr declared_type(const ast::Declaration& target) {
     switch (target.kind) {
         case ast::DeclKind::variable:
@@ -112,7 +112,7 @@ ExprPtr Expressions::name(const ast::Expr& source, TypeId expected) {
     return share(std::move(expr));
 }
 
-/// In assertions names may be left to us: a literal of the type that is expected.
+/// Names in assertions may be unresolved; they are resolved here as literals of the expected type.
 ExprPtr Expressions::literal_by_name(const ast::Expr& source, TypeId expected) {
     const std::string label = source.name.parts.empty() ? "" : source.name.parts.back();
     if (expected.valid()) {
@@ -212,7 +212,7 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
             return refuse(source, "inverse(..), whose entries need not be numbers of a finite type,");
         case ast::ExprKind::transpose:
             return transpose(source);
-        default:  // a mistake; or of probabilistic assertions, which are not lowered
+        default:  // mistakes, and forms of probabilistic assertions, which are not lowered
             break;
     }
     lowering_.unresolved("an expression", source.span);

@@ -1,12 +1,12 @@
-// Expressions: names to indices, mixed number types made explicit, negated literals folded. Private to
-// semantics/lower*.
+// Lowers expressions: names become indices, conversions between number types become explicit, negated literals become
+// one literal. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/lowering.hpp"
 
 namespace robochart::ir {
 
-/// What names stand for where an expression is written.
+/// The meaning of the names at the place of an expression.
 struct Names {
     ByDeclaration<VariableId> variables;
     ByDeclaration<ConstantId> constants;
@@ -14,35 +14,37 @@ struct Names {
     ByDeclaration<ClockId> clocks;
     ByDeclaration<OperationId> operations;
     ByDeclaration<NodeId> nodes;
-    Machine* machine = nullptr;                               ///< gets the clocks of sinceEntry; null outside machines
-    const frontend::Declaration* trigger_variable = nullptr;  ///< replaced by trigger_value: we are in its guard
-    TypeId result;                                            ///< of the function whose postcondition we are in
+    Machine* machine = nullptr;  ///< receives the clocks of sinceEntry; null outside machines
+    const frontend::Declaration* trigger_variable = nullptr;  ///< in a trigger's guard: the variable that trigger_value
+                                                              ///< replaces
+    TypeId result;                                            ///< in a postcondition: the type of the function's result
 };
 
-/// The expression as the IR has it. With an `expected` type, a number of a narrower type becomes one of that type:
-/// literals are retyped, whole numbers used as reals are cast. Never null; after an error some literal.
+/// The expression in the IR. With an `expected` type, a number of a narrower type is converted to it: literals are
+/// retyped, whole numbers used as reals are cast. Never null; after an error, the result is some literal.
 [[nodiscard]] ExprPtr lower_expression(Lowering&, const Names&, const frontend::Expr&, TypeId expected = {});
-/// The expression as one of the type: retyped literal, cast, or itself.
+/// The expression converted to the type: a retyped literal, a cast, or the expression itself.
 [[nodiscard]] ExprPtr coerce(Lowering&, const ExprPtr&, TypeId);
 
-/// The id of a function that the model declares, its signature and conditions lowered at its first use. Functions for
-/// all types (`?X`) are reported here; the id is invalid then.
+/// The id of a function that the model declares. Its signature and conditions are lowered at its first use. Generic
+/// functions (`?X`) are reported here, and the id is invalid.
 [[nodiscard]] FunctionId lower_function(Lowering&, const frontend::Function&, diagnostics::Span where);
 
-/// Whether type variables (`?X`) occur in the signature.
+/// True if type variables (`?X`) occur in the signature.
 [[nodiscard]] bool is_generic(const frontend::Function&);
-/// The id of a function for all types, used for these types; none, and a report, where it is used for too many.
+/// The id of a generic function, instantiated for these types. If it is used for too many types, this is reported and
+/// the id is invalid.
 [[nodiscard]] FunctionId lower_instance(Lowering&, const frontend::Function&, const std::vector<TypeId>& parameters,
                                         TypeId result, std::map<std::string, TypeId> variables,
                                         diagnostics::Span where);
 
 [[nodiscard]] ExprPtr make_boolean(bool, diagnostics::Span);
-/// Null operands stand for true.
+/// Null operands mean true.
 [[nodiscard]] ExprPtr make_conjunction(const ExprPtr&, const ExprPtr&);
 [[nodiscard]] ExprPtr make_negation(const ExprPtr&);
-/// Whether since or sinceEntry occurs in it.
+/// True if since or sinceEntry occurs in it.
 [[nodiscard]] bool mentions_time(const ExprPtr&);
-/// Whether the value of the trigger occurs in it.
+/// True if the value of the trigger occurs in it.
 [[nodiscard]] bool mentions_trigger_value(const ExprPtr&);
 
 }  // namespace robochart::ir

@@ -1,5 +1,5 @@
-// Functions of the model (semantics 3.5: a statement that uses one waits for its precondition; 3.13: without a
-// definition it is a constant).
+// Functions of the model. A statement that uses a function waits for its precondition (semantics 3.5). A function
+// without a definition is a constant (3.13).
 #include <algorithm>
 #include <utility>
 
@@ -15,18 +15,18 @@ bool generic(const frontend::TypePtr& type) {
     return type->form == frontend::TypeForm::variable || std::any_of(type->args.begin(), type->args.end(), generic);
 }
 
-/// Whether typing has found the contract wrong (RC-T36): then there is none.
+/// True if typing has rejected the contract (RC-T36); the function then has none.
 bool contract_is_wrong(const frontend::Function& source) {
     const auto wrong = [](const auto& condition) { return !condition->type; };
     return std::any_of(source.preconditions.begin(), source.preconditions.end(), wrong) ||
            std::any_of(source.postconditions.begin(), source.postconditions.end(), wrong);
 }
 
-/// Whether csp blocks that replace the instantiation define the function (semantics 3.13), in each time in which
-/// something is claimed, or in both where nothing is.
+/// True if csp blocks that replace the instantiation define the function (semantics 3.13), in each of the timed and
+/// untimed semantics that has assertions, or in both if there are no assertions.
 bool defined_by_blocks(const Lowering& lowering, const Function& function) {
     std::string name = function.package.empty() ? function.name : function.package + "_" + function.name;
-    while (name.find("::") != std::string::npos) name.replace(name.find("::"), 2, "_");  // as scripts have it
+    while (name.find("::") != std::string::npos) name.replace(name.find("::"), 2, "_");  // as in scripts
     using Time = frontend::AssertionTime;
     bool timed = false, untimed = false, timed_claims = false, untimed_claims = false;
     for (const frontend::File* file : lowering.files) {
@@ -45,7 +45,7 @@ bool defined_by_blocks(const Lowering& lowering, const Function& function) {
     return (timed || !timed_claims) && (untimed || !untimed_claims);
 }
 
-/// Says what the function's values are taken to be, where nothing of the model defines them.
+/// Reports which values the function is assumed to have, if the model does not define them.
 void report_values(const Lowering& lowering, const frontend::Function& source, const Function& function) {
     if (defined_by_blocks(lowering, function)) return;
     const bool open = function.postconditions.empty();
@@ -63,7 +63,7 @@ void lower_conditions(Lowering& lowering, const frontend::Function& source, Func
         function.postconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));
 }
 
-/// The signature; its conditions are still to be lowered, since they may call the function.
+/// Declares the signature. The conditions are lowered later, because they may call the function.
 FunctionId declare(Lowering& lowering, const frontend::Function& source, std::string name,
                    std::vector<TypeId> parameters, TypeId result) {
     const FunctionId id{static_cast<std::uint32_t>(lowering.system.functions.size())};
@@ -124,10 +124,10 @@ FunctionId lower_function(Lowering& lowering, const frontend::Function& source, 
     return id;
 }
 
-/// One function for each choice of types: the first keeps the name, the others have a number behind it.
+/// One instance per choice of types: the first keeps the name, the others get a number after it.
 FunctionId lower_instance(Lowering& lowering, const frontend::Function& source, const std::vector<TypeId>& parameters,
                           TypeId result, std::map<std::string, TypeId> variables, diagnostics::Span where) {
-    constexpr std::size_t most = 64;  // a contract may call the function for ever larger types
+    constexpr std::size_t most = 64;  // a contract may call the function for larger and larger types
     std::vector<FunctionId>& known = lowering.instances[&source];
     for (const FunctionId id : known) {
         const Function& instance = lowering.system.functions[id.index];

@@ -1,4 +1,4 @@
-// The order of lowering: types and places first, then bodies, then what refers to everything.
+// Lowers in this order: types and the entries of components, then bodies, then assertions, which refer to everything.
 #include "semantics/lower/lower.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// From the resolved model to the shared IR.
+// Converts the resolved model to the shared IR.
 #pragma once
 
 #include "diagnostics/diagnostic.hpp"
@@ -8,8 +8,8 @@
 
 namespace robochart::ir {
 
-/// Lowers a model that was resolved without errors. What has no place in the IR yet is reported by name
-/// (rule table semantics/rules.hpp) and left out; never silently. The sources give paths and the wording of assertions.
+/// Lowers a model that was resolved without errors. A construct that the IR cannot represent is reported by name (rule
+/// table semantics/rules.hpp) and left out. The sources provide paths and the wording of assertions.
 [[nodiscard]] System lower(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::ir

@@ -1,5 +1,5 @@
-// What the parts of lowering share: the growing System and how declarations of the syntax tree are found in it.
-// Private to semantics/lower*.
+// The state that all steps of lowering share: the System under construction, and the ids of declarations of the syntax
+// tree. Private to semantics/lower*.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace robochart::ir {
 
-/// Maps with declarations as keys are for look-up only; nothing iterates over them.
+/// Maps keyed by declarations are only used for lookup, never iterated.
 template <class T>
 using ByDeclaration = std::map<const frontend::Declaration*, T>;
 
@@ -42,21 +42,21 @@ struct Lowering {
     ByDeclaration<TypeId> declared_types{};
     std::map<std::string, TypeId> types{};  ///< structural key -> id
     ByDeclaration<FunctionId> functions{};
-    ByDeclaration<std::vector<FunctionId>> instances{};  ///< of functions for all types: those of the types in use
-    std::map<std::string, TypeId> type_variables{};      ///< of the function for all types whose conditions are lowered
+    ByDeclaration<std::vector<FunctionId>> instances{};  ///< instances of generic functions
+    std::map<std::string, TypeId> type_variables{};      ///< of the generic function whose conditions are being lowered
     ByDeclaration<MachineId> machines{};                 ///< by frontend::Machine
     ByDeclaration<ControllerId> controllers{};           ///< by frontend::Component
     std::vector<const frontend::Machine*> machine_sources{};       ///< by MachineId
     std::vector<const frontend::Component*> controller_sources{};  ///< by ControllerId
     std::vector<const frontend::Component*> module_sources{};      ///< by index of System::modules
 
-    /// Package of a declaration ("" if unnamed), by the file at the end of its parents.
+    /// The package of a declaration ("" if unnamed), taken from the file of its outermost parent.
     [[nodiscard]] std::string package_of(const frontend::Declaration&) const;
     /// RC-S01: "X is not supported yet".
     void unsupported(const std::string& what, diagnostics::Span where) const;
     /// RC-S05: "X does not lead to a declaration".
     void unresolved(const std::string& what, diagnostics::Span where) const;
-    /// RC-S22 where two of these declarations have one name.
+    /// RC-S22, if two of these declarations have the same name.
     void check_unique(const std::vector<const frontend::Declaration*>& declarations, const std::string& owner,
                       const std::string& kind) const;
 };
@@ -69,7 +69,7 @@ template <class Owners>
     return result;
 }
 
-/// Element and place of a declaration.
+/// The element and place of a declaration.
 [[nodiscard]] Origin origin_of(const std::string& element, diagnostics::Span span);
 
 }  // namespace robochart::ir

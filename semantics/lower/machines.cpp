@@ -26,7 +26,7 @@ private:
     struct Pending {
         const ast::Transition* source;
         std::string path;   ///< of the container, "" at the top
-        ExprPtr condition;  ///< as written, without siblings
+        ExprPtr condition;  ///< as written, without the other conditions
     };
 
     void declare();
@@ -106,7 +106,7 @@ NodeId MachineLowering::node(const ast::State& source, NodeId parent) {
     return id;
 }
 
-/// Nodes in textual order, a composite state before what is inside it.
+/// Nodes in textual order; a composite state comes before the nodes inside it.
 void MachineLowering::nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth) {
     if (depth > deepest_nesting) {
         lowering_.diagnostics.report(rules::too_deep, source_.span, {"states", std::to_string(deepest_nesting)});
@@ -118,7 +118,7 @@ void MachineLowering::nodes(const ast::NodeContainer& container, NodeId parent, 
     }
 }
 
-/// Transitions of this level, then those of inner levels.
+/// Collects the transitions of this level, then those of inner levels.
 void MachineLowering::collect(const ast::NodeContainer& container, const std::string& path) {
     for (const auto& transition : container.transitions) pending_.push_back({transition.get(), path, nullptr});
     for (const auto& state : container.nodes) {
@@ -136,7 +136,7 @@ void MachineLowering::actions(const ast::State& source, Node& node) {
     }
 }
 
-/// `since` of a guard and the trigger's own variable: a predicate on the communication belongs to the guard.
+/// Lowers the trigger and the guard. A predicate on the communication becomes part of the guard.
 void MachineLowering::communication_and_guard(Pending& pending, Transition& transition) {
     const ast::Transition& source = *pending.source;
     if (source.trigger) {
@@ -178,8 +178,8 @@ void MachineLowering::transition(Pending& pending) {
     machine_.transitions.push_back(std::move(transition));
 }
 
-/// `condition else`: no sibling's condition holds. Siblings are the other transitions of the source, whatever their
-/// triggers; one without a condition always holds.
+/// `condition else`: no condition of the other transitions of the source is true, whatever their triggers. A transition
+/// without a condition counts as true.
 ExprPtr MachineLowering::otherwise(const Pending& pending, const Transition& transition) {
     ExprPtr none;
     for (const auto& sibling : pending_) {
@@ -218,7 +218,7 @@ void MachineLowering::event_uses() {
     });
 }
 
-/// A composite state or operation begins at one initial junction, and what is inside it has names of its own.
+/// A composite state or operation starts at exactly one initial junction, and the names inside it are unique.
 void MachineLowering::check_level(const std::vector<NodeId>& level, const std::string& kind, const std::string& name,
                                   diagnostics::Span span) {
     std::size_t initials = 0;
@@ -254,7 +254,7 @@ void MachineLowering::run() {
         machine_.nodes[id.index] = std::move(node);
     }
     for (auto& pending : pending_) transition(pending);
-    // A transition left out after an error would shift the pairing with its source.
+    // If a transition was left out after an error, transitions and sources no longer correspond.
     if (machine_.transitions.size() == pending_.size()) finish_guards();
     event_uses();
 }

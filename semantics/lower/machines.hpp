@@ -1,11 +1,11 @@
-// State machines and operations, and the declarations every kind of context has. Private to semantics/lower*.
+// State machines and operations, and the declarations of every kind of context. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/expressions.hpp"
 
 namespace robochart::ir {
 
-/// What a context declares itself and through its interfaces, in order: its own, then each interface's.
+/// The declarations of a context in order: its own, then those of each interface.
 struct Declarations {
     std::vector<Variable> variables;
     std::vector<Constant> constants;

@@ -1,4 +1,4 @@
-// Walking component paths: Module::controller_ref::machine_ref::State.
+// Follows component paths: Module::controller_ref::machine_ref::State.
 #include "semantics/lower/paths.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ FoundComponent controller_at(const Lowering& lowering, std::uint32_t index) {
     return found;
 }
 
-/// RoboTool's process of an operation is called OP_name.
+/// RoboTool names the process of an operation OP_name.
 std::string process_name(const Machine& machine) {
     return machine.kind == MachineKind::operation ? "OP_" + machine.name : machine.name;
 }
@@ -55,7 +55,7 @@ std::optional<FoundComponent> top_at(const Lowering& lowering, const ast::Declar
     return std::nullopt;
 }
 
-/// The controller of a module under its name there.
+/// Enters the controller of a module, by its name there.
 bool enter_controller(const Lowering& lowering, FoundComponent& at, const std::string& name) {
     for (const auto& part : at.module->controllers) {
         if (part.name != name) continue;
@@ -77,7 +77,7 @@ void enter_machine(const Lowering& lowering, FoundComponent& at, MachineId id, c
     at.ref.definition = id.index;
 }
 
-/// A machine of a controller, or an operation it defines, by reference or operation name.
+/// Enters a machine of a controller, or an operation that it defines, by the name of the reference or operation.
 bool enter_part(const Lowering& lowering, FoundComponent& at, const std::string& name) {
     for (const auto& part : at.controller->machines)
         if (part.name == name) return enter_machine(lowering, at, part.machine, name, name), true;

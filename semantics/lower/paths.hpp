@@ -1,4 +1,4 @@
-// Component paths of assertions, walked through references. Private to semantics/lower*.
+// Follows component paths of assertions through references. Private to semantics/lower*.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace robochart::ir {
 
-/// A component found by a path, with what lies above it.
+/// A component found by a path, with the components that contain it.
 struct FoundComponent {
     ComponentRef ref;
-    const Module* module = nullptr;          ///< the path goes through it
-    const Controller* controller = nullptr;  ///< the path goes through it, or the controller itself
-    const Machine* machine = nullptr;        ///< the machine or operation itself
-    std::string part;                        ///< of a machine inside a controller: name of the instance or definition
+    const Module* module = nullptr;          ///< set if the path leads through a module
+    const Controller* controller = nullptr;  ///< set if the path leads through or to a controller
+    const Machine* machine = nullptr;        ///< set if the path leads to a machine or operation
+    std::string part;                        ///< of a machine in a controller: name of the instance or definition
 };
 
-/// The component at the end of a path that name resolution found; empty if the path leads nowhere.
+/// The component at the end of a path that name resolution found; no value if the path is unresolved.
 [[nodiscard]] std::optional<FoundComponent> component_at(const Lowering&, const frontend::ComponentPath&);
 
 }  // namespace robochart::ir

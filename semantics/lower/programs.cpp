@@ -1,4 +1,4 @@
-// Statements as small structured programs (semantics 3.5).
+// Lowers statements to small structured programs (semantics 3.5).
 #include "semantics/lower/programs.hpp"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ CommKind kind_of(ast::CommKind kind) {
     return CommKind::simple;
 }
 
-/// The part of a communication that triggers and statements share.
+/// The part of a communication that triggers and statements have in common.
 Communication lower_communication(Lowering& lowering, const Names& names, const ast::Communication& source) {
     Communication result;
     result.kind = kind_of(source.kind);
@@ -107,7 +107,7 @@ Stmt Programs::start(const ast::Stmt& source, StmtKind kind) {
     return stmt;
 }
 
-/// `if` and statements in parentheses: parentheses leave no trace.
+/// Handles `if` and statements in parentheses; parentheses are dropped.
 StmtPtr Programs::lower(const ast::Stmt& source) {
     const ast::Stmt* inner = &source;
     while (inner->kind == ast::StmtKind::parenthesised && !inner->body.empty() && inner->body[0])
@@ -161,7 +161,7 @@ TypeId Programs::index_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
     return base;
 }
 
-/// The variable and the steps below it; the type of what is assigned.
+/// Lowers the assigned variable and the steps to a part of it; returns the type of that part.
 TypeId Programs::path(const ast::Expr& target, Stmt& stmt) {
     if (target.kind == ast::ExprKind::member || target.kind == ast::ExprKind::index) {
         const TypeId base = path(*target.args[0], stmt);
@@ -185,7 +185,7 @@ void Programs::communication(const ast::Stmt& source, Stmt& stmt) {
     if (!communication.predicate) return;
     if (communication.kind != ast::CommKind::input)
         return lowering_.unsupported("a condition on a communication that receives no value in an action", source.span);
-    Names incoming = names_;  // the variable stands for the value that comes in, as in a trigger
+    Names incoming = names_;  // the variable stands for the received value, as in a trigger
     incoming.trigger_variable = communication.variable_target;
     stmt.communication.predicate = lower_expression(lowering_, incoming, *communication.predicate, boolean_type);
     if (mentions_time(stmt.communication.predicate))

@@ -5,8 +5,8 @@
 
 namespace robochart::ir {
 
-/// Lowers one action; statements are numbered on from Machine::points, a statement before those inside it.
-/// `element` is the node or transition that holds the action.
+/// Lowers one action. Statements are numbered from Machine::points; a statement is numbered before those inside it.
+/// `element` is the node or transition that has the action.
 [[nodiscard]] StmtPtr lower_action(Lowering&, const Names&, const frontend::Stmt&, const std::string& element);
 /// A trigger without its predicate (which belongs to the guard).
 [[nodiscard]] Communication lower_trigger(Lowering&, const Names&, const frontend::Communication&);

@@ -1,4 +1,5 @@
-// Assertions and csp blocks (reference: assertion language 4). Name resolution has found what they speak of.
+// Assertions and csp blocks (reference: assertion language 4). Name resolution has already found the components that
+// they name.
 #include "semantics/lower/properties.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ PropertyModel model_of(const std::optional<ast::AssertionModel>& model) {
     return PropertyModel::failures_divergences;
 }
 
-/// The assertion as written; the span may start after the word that says in which time it is decided.
+/// The assertion as written. Its span may start after the word that says in which semantics it is decided.
 std::string wording_of(const diagnostics::SourceManager& sources, const ast::Assertion& source) {
     const auto text = sources.text(source.span.source);
     const std::string line =
@@ -89,7 +90,7 @@ private:
 
     Lowering& lowering_;
     const ast::File& file_;
-    Blocks& blocks_;  ///< the index of each in System::csp_blocks
+    Blocks& blocks_;  ///< index of each block in System::csp_blocks
 };
 
 /// The component that name resolution found for a name, or the csp block.
@@ -105,7 +106,7 @@ std::optional<FoundComponent> Properties::component(const ast::ComponentPath& pa
     return found;
 }
 
-/// Path of a node from the top of its machine.
+/// The path of a node from the top of its machine.
 std::string node_path(const ast::State& state) {
     std::string path = state.name;
     for (const auto* above = dynamic_cast<const ast::State*>(state.parent); above != nullptr;
@@ -114,7 +115,7 @@ std::string node_path(const ast::State& state) {
     return path;
 }
 
-/// The state below the subject: the path from the subject to the machine, then the node's path.
+/// The path of the state relative to the subject: from the subject to the machine, then the node's path.
 void Properties::reachable(const ast::Assertion& source, Property& property) {
     const auto machine = component(source.other_path, source.other);
     if (!machine || source.state == nullptr) return;
@@ -124,7 +125,7 @@ void Properties::reachable(const ast::Assertion& source, Property& property) {
     property.state = way + node_path(*source.state);
 }
 
-/// `clock X::S::C is initialised`: the subject is the machine that the path leads to.
+/// `clock X::S::C is initialised`: the subject is the machine at the end of the path.
 void Properties::clock(const ast::Assertion& source, Property& property) {
     const auto machine = component(source.other_path, source.other);
     if (!machine || source.clock == nullptr) return;
@@ -155,7 +156,7 @@ std::optional<std::uint32_t> position(const std::vector<Declaration>& items, con
     return std::nullopt;
 }
 
-/// The constant under the name its process parameter has, in the place where its value counts.
+/// The constant under the name of its process parameter, for the component that determines its value.
 void Properties::constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property) {
     const auto& constants = context.machine != nullptr      ? context.machine->constants
                             : context.controller != nullptr ? context.controller->constants
@@ -172,7 +173,7 @@ void Properties::constant(const ast::AssertionParameter& source, const FoundComp
     property.constants.emplace_back(name, value(source, constants[*at].type));
 }
 
-/// `parameter p of O`: "param_" in place of "const_", the rest alike.
+/// `parameter p of O`: the same with "param_" instead of "const_".
 void Properties::operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context,
                                      Property& property) {
     const bool operation = context.machine != nullptr && context.machine->kind == MachineKind::operation;

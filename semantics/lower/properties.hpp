@@ -5,7 +5,7 @@
 
 namespace robochart::ir {
 
-/// Fills System::properties and System::csp_blocks; components must be there.
+/// Fills System::properties and System::csp_blocks. The components must be lowered before.
 void lower_properties(Lowering&);
 
 }  // namespace robochart::ir

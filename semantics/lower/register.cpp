@@ -1,4 +1,4 @@
-// Places in the System before bodies are lowered, so that references find them.
+// Creates the entries in the System before bodies are lowered, so that references can be resolved.
 #include "semantics/lower/components.hpp"
 
 namespace robochart::ir {

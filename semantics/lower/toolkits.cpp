@@ -1,5 +1,5 @@
-// Calls of the toolkit libraries: what the type variables of the function stand for is read off the arguments, and, as
-// far as they leave it open, off the type that is expected.
+// Calls of the toolkit libraries. The types of the function's type variables follow from the arguments and, if these
+// leave them open, from the expected type.
 #include <algorithm>
 #include <map>
 
@@ -12,12 +12,12 @@ namespace {
 
 using ast::TypeForm;
 
-/// What type variables stand for.
+/// The types of type variables.
 class Bindings {
 public:
     explicit Bindings(Lowering& lowering) : lowering_(lowering) {}
 
-    /// Later bindings of one variable widen earlier ones.
+    /// A later binding of a variable widens an earlier one.
     void bind(const ast::TypePtr& formal, TypeId actual);
     /// Binds the variables that are still open.
     void complete(const ast::TypePtr& formal, TypeId actual) {
@@ -26,12 +26,12 @@ public:
         for (const auto& [name, type] : before)
             if (!is_open(lowering_.system, type)) types_[name] = type;
     }
-    /// Numbers that nothing binds, as in min({}), are of type nat, which fits every number.
+    /// Unbound numbers, as in min({}), have type nat, which fits every number.
     void complete_numbers(const ast::TypePtr& formal);
-    /// The formal type with its variables replaced; open ones are the unit type.
+    /// The formal type with its variables replaced; open variables become the unit type.
     TypeId instance(const ast::TypePtr& formal);
     std::vector<TypeId> in_order(const ast::Function& function);
-    /// What all variables of the signature stand for, by name.
+    /// The types of all variables of the signature, by name.
     std::map<std::string, TypeId> by_name(const ast::Function& function);
 
 private:
@@ -56,7 +56,7 @@ TypeId Bindings::composed(TypeKind kind, std::vector<TypeId> args, std::vector<s
     return intern(lowering_, std::move(result));
 }
 
-/// The two types of a relation, function, sequence or set of pairs; else empty.
+/// The two types of a relation, function, sequence or set of pairs; empty for other types.
 std::vector<TypeId> Bindings::pair_of(TypeId id) const {
     const Type& found = type(id);
     if (found.kind == TypeKind::relation || found.kind == TypeKind::function) return found.args;
@@ -131,7 +131,7 @@ TypeId Bindings::instance(const ast::TypePtr& formal) {
         case TypeForm::relation:
             return composed(TypeKind::relation, std::move(args));
         default:
-            return lower_type(lowering_, formal, {});  // vectors and matrices of a type variable are refused there
+            return lower_type(lowering_, formal, {});  // rejects vectors and matrices of a type variable
     }
 }
 
@@ -189,7 +189,7 @@ ExprPtr Expressions::toolkit_call(const ast::Expr& source, const ast::Function& 
     return share(std::move(expr));
 }
 
-/// A function of the model for all types: one of the types that this call needs.
+/// Calls a generic function of the model: the instance for the types of this call.
 ExprPtr Expressions::generic_call(const ast::Expr& source, const ast::Function& function, TypeId expected) {
     Expr expr;
     expr.kind = ExprKind::call;

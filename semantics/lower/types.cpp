@@ -1,4 +1,4 @@
-// Types: structural interning.
+// Types: equal structures get the same id.
 #include "semantics/lower/types.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 using frontend::TypeForm;
 
-constexpr std::int64_t largest_size = 64;  // rows, columns: larger ones have no instantiation worth exploring
+constexpr std::int64_t largest_size = 64;  // rows, columns: larger ones have too many values to explore
 
 std::string key_of(const Type& type) {
     std::string key = std::to_string(static_cast<int>(type.kind));
@@ -88,7 +88,7 @@ TypeKind kind_of(const frontend::TypeDeclaration& declaration) {
     return declaration.kind == frontend::DeclKind::record_type ? TypeKind::record : TypeKind::given;
 }
 
-/// `T` as RoboChart writes it; "?" where a part is not known.
+/// `T` as RoboChart writes it; "?" for an unknown part.
 std::string written(const System& system, const Type& type) {
     const auto part = [&](std::size_t i) {
         const Type& found = system.type(type.args.at(i));
@@ -167,7 +167,7 @@ TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& 
         if (!known->second.valid()) lowering.unsupported("type " + declaration.name + ", which contains itself", where);
         return known->second.valid() ? known->second : nat_type;
     }
-    lowering.declared_types[&declaration] = TypeId{};  // under way
+    lowering.declared_types[&declaration] = TypeId{};  // in progress
     Type type;
     type.kind = kind_of(declaration);
     type.name = declaration.name;
@@ -185,7 +185,7 @@ TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnosti
         return lowering.type_variables.at(source->name);
     if (source->form == TypeForm::variable)
         return lowering.unsupported("type variable ?" + source->name, where), nat_type;
-    // The argument of a one-parameter function is typed as a product of one.
+    // The front end types the argument of a function with one parameter as a product of one.
     if (source->form == TypeForm::product && source->args.size() == 1)
         return lower_type(lowering, source->args[0], where);
     Type type;

@@ -1,25 +1,26 @@
-// Types: from the front end's semantic types to interned ids. Private to semantics/lower*.
+// Types: maps the front end's semantic types to interned ids. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/lowering.hpp"
 
 namespace robochart::ir {
 
-/// Interns the core types; call once, first.
+/// Interns the core types. Call it once, before any other function.
 void intern_core_types(Lowering&);
-/// The id of a type; equal types have equal ids. What has no finite meaning here is reported.
+/// The id of a type; equal types have equal ids. A type that cannot be made finite is reported.
 [[nodiscard]] TypeId lower_type(Lowering&, const frontend::TypePtr&, diagnostics::Span where);
 /// The id of a declared type (given, enumeration, record).
 [[nodiscard]] TypeId lower_declared_type(Lowering&, const frontend::TypeDeclaration&, diagnostics::Span where);
-/// Interns a composed type made here.
+/// Interns a composed type that lowering constructs.
 [[nodiscard]] TypeId intern(Lowering&, Type);
-/// The wider of two number types; otherwise `a`.
+/// The wider of two number types; for other types `a`.
 [[nodiscard]] TypeId join(TypeId a, TypeId b);
 [[nodiscard]] bool is_number(TypeId);
 [[nodiscard]] bool is_set_like(TypeKind);
-/// Whether a part of the type is not known, as that of the elements of `{}`.
+/// True if a part of the type is unknown, such as the element type of `{}`.
 [[nodiscard]] bool is_open(const System&, TypeId);
-/// The type in which values of both are compared: the wider numbers, the known elements, a sequence as set of pairs.
+/// The type in which values of both types are compared: the wider numbers, the known element types, a sequence as a set
+/// of pairs.
 [[nodiscard]] TypeId common_type(Lowering&, TypeId, TypeId);
 
 }  // namespace robochart::ir
