@@ -1,5 +1,5 @@
-// Memory is what the system says is resident, of this program and of the processes it has started: what a compiler of
-// generated code takes counts as much as what a search keeps.
+// Memory is the resident memory of this program and of the processes that it has started, as reported by the system.
+// The memory of a compiler of generated code counts as much as that of a search.
 #include "diagnostics/budget.hpp"
 
 #include <dirent.h>
@@ -26,7 +26,7 @@ OpenFile open_for_reading(const char* path) {
     return {std::fopen(path, "re"), std::fclose};
 }
 
-/// Second figure of a `statm`. No streams: this is asked where memory may be short.
+/// The second number of a `statm` file. Read without streams, because memory may be short here.
 std::uint64_t resident_in(const char* statm) {
     const OpenFile file = open_for_reading(statm);
     unsigned long long total = 0;
@@ -35,7 +35,7 @@ std::uint64_t resident_in(const char* statm) {
     return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// In the unit in which the size is a whole number from one on.
+/// The size in MiB, KiB or bytes, in the largest unit that gives at least 1; rounded down.
 std::string size_text(std::uint64_t bytes) {
     constexpr std::uint64_t kibibyte = 1U << 10U;
     constexpr std::uint64_t mebibyte = 1U << 20U;
@@ -67,7 +67,7 @@ std::uint64_t resident_bytes() {
 std::uint64_t resident_bytes_of_tree(pid_t process) {
     std::uint64_t bytes = 0;
     std::vector<pid_t> open{process};
-    // A bound, since what is looked at changes meanwhile.
+    // The number of processes is bounded, because the process tree may change during the loop.
     for (std::size_t i = 0; i < open.size() && i < 10'000; ++i) {
         bytes += resident_in(fmt::format("/proc/{}/statm", open[i]).c_str());
         for (const pid_t child : children_of(open[i])) open.push_back(child);
@@ -92,7 +92,7 @@ std::string Budget::reached() {
     else if (memory_exceeded(now))
         why = fmt::format("the memory limit of {} was reached", size_text(limits_.memory_bytes));
     if (why.empty()) {
-        stopped_ = false;  // whoever interrupted may have taken it back
+        stopped_ = false;  // the interruption may have been withdrawn
         return why;
     }
     stopped_ = true;
@@ -104,7 +104,7 @@ void Budget::interrupt() {
     stopped_ = true;
 }
 
-/// Memory is looked at a hundred times a second; what was found then holds in between.
+/// Measures memory at most a hundred times a second; the last value is used in between.
 bool Budget::memory_exceeded(Time now) {
     const std::int64_t ticks = now.time_since_epoch().count();
     const std::chrono::steady_clock::duration since(ticks - memory_checked_.load(std::memory_order_relaxed));

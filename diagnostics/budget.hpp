@@ -1,5 +1,6 @@
-// What one run may use: time, memory, and all of it only until somebody interrupts. Every phase polls the budget; what
-// is reached is thrown, and said together with the phase that was at work. Here too: what must not outlive the run.
+// The resources of one run: time and memory, until the run is interrupted. Every phase polls the budget. When a limit
+// is reached, an exception names it and the active phase. The budget also records what must be removed when the run
+// ends.
 #pragma once
 
 #include <sys/types.h>
@@ -16,53 +17,55 @@
 
 namespace robochart::diagnostics {
 
-/// A limit was reached, or the run was interrupted; the message says which, and during what.
+/// A limit was reached or the run was interrupted; the message says which, and in which phase.
 class LimitReached : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Bounds of a run. A bound that is reached gives "inconclusive", never another answer.
+/// The limits of a run. A limit that is reached gives "inconclusive", never another answer.
 struct Limits {
-    /// What the program and its child processes may have in main memory.
+    /// The main memory that the program and its child processes may use.
     std::uint64_t memory_bytes = 16ULL << 30U;
     std::optional<std::chrono::steady_clock::time_point> deadline;
     std::function<bool()> interrupted;  ///< polled; true ends the run
 };
 
-/// Main memory of this program; 0 where the system does not say.
+/// The main memory of this program in bytes; 0 if the system does not report it.
 [[nodiscard]] std::uint64_t resident_bytes();
-/// Main memory of a process and of all that it has started.
+/// The main memory in bytes of a process and of all its descendants.
 [[nodiscard]] std::uint64_t resident_bytes_of_tree(pid_t process);
 
 /// The limits of a run, which every long loop polls.
 class Budget {
 public:
-    /// `phase` is what the run does while no Phase says otherwise.
+    /// `phase`: what the run does while no Phase is active.
     explicit Budget(Limits limits = {}, std::string phase = {});
     Budget(const Budget&) = delete;
     Budget& operator=(const Budget&) = delete;
 
-    /// To be called in every loop whose length comes from the input; by any thread. Looks at the limits at each 16th
-    /// call, and at once where they are known to be reached. Throws LimitReached.
+    /// Must be called in every loop whose length depends on the input; any thread may call it. Checks the limits in
+    /// every 16th call, and in every call after a limit was reached. Throws LimitReached.
     void poll() {
         const std::uint32_t calls = calls_.load(std::memory_order_relaxed) + 1;
-        calls_.store(calls, std::memory_order_relaxed);  // calls of other threads may be lost: it is only how often
+        calls_.store(calls, std::memory_order_relaxed);  // calls of other threads may be lost; only the frequency
+                                                         // changes
         if (stopped_.load(std::memory_order_relaxed) || (calls & 15U) == 0) check();
     }
-    /// Looks now. Throws LimitReached.
+    /// Checks the limits now. Throws LimitReached.
     void check();
-    /// Looks now: what is reached, with the phase at work; "" where all is within the limits.
+    /// Checks the limits now. Returns the limit that is reached, with the active phase; "" if none is.
     [[nodiscard]] std::string reached();
-    /// From now on the run is interrupted.
+    /// Interrupts the run.
     void interrupt();
     [[nodiscard]] bool interrupted() const { return interrupted_.load(std::memory_order_relaxed); }
 
     [[nodiscard]] const Limits& limits() const { return limits_; }
-    /// Program and children, as last looked at.
+    /// The memory of the program and its children, as last measured.
     [[nodiscard]] std::uint64_t resident() const { return resident_.load(std::memory_order_relaxed); }
 
-    /// While it lives, the run is doing this: "reading the model". They nest; the innermost is said.
+    /// States what the run does while the object exists, such as "reading the model". Phases may be nested; the
+    /// innermost is named.
     class Phase {
     public:
         Phase(Budget& budget, std::string what);
@@ -75,8 +78,8 @@ public:
         std::string before_;
     };
 
-    /// While it lives, a temporary file or folder, or a process group that the run has started, is known to the
-    /// budget: `release` ends and removes it where the run cannot be left in order.
+    /// Registers a temporary file or folder, or a process group started by the run, while the object exists. `release`
+    /// removes or ends it if the run cannot end normally.
     class Held {
     public:
         Held(Budget* budget, std::string path);
@@ -90,7 +93,8 @@ public:
         std::string path_;
         pid_t group_ = 0;
     };
-    /// Ends all process groups and removes all files and folders that are held. For the end of the program only.
+    /// Ends all registered process groups and removes all registered files and folders. Only for the end of the
+    /// program.
     void release();
 
 private:
@@ -103,9 +107,9 @@ private:
     std::atomic<std::uint32_t> calls_{0};
     std::atomic<bool> stopped_{false};
     std::atomic<bool> interrupted_{false};
-    std::atomic<std::int64_t> memory_checked_;  ///< ticks of the clock
+    std::atomic<std::int64_t> memory_checked_;  ///< clock ticks
     std::atomic<std::uint64_t> resident_{0};
-    mutable std::mutex mutex_;  ///< of what follows
+    mutable std::mutex mutex_;  ///< protects the members below
     std::string phase_;
     std::multiset<std::string> paths_;
     std::multiset<pid_t> groups_;

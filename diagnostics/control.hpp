@@ -1,5 +1,5 @@
-// Control characters of ASCII as the languages that are written here spell them: those with a letter of their own alike
-// (`\n`), the others by their numbers, each language in its way.
+// Control characters of ASCII in the languages that are written here. Those with a letter are written alike in all
+// languages (`\n`); the others are written as numbers, in the form of each language.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace robochart::diagnostics {
     return static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
 }
 
-/// The letter behind the backslash for line ends and tabulators; nothing for other characters.
+/// The letter after the backslash for line ends and tabulators; no value for other characters.
 [[nodiscard]] constexpr std::optional<char> letter_of_control(char c) {
     switch (c) {
         case '\n':

@@ -1,4 +1,4 @@
-// A file descriptor of POSIX that is closed with its owner.
+// A POSIX file descriptor that is closed by its owner's destructor.
 #pragma once
 
 #include <unistd.h>
@@ -23,7 +23,7 @@ public:
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] int get() const { return number_; }
     [[nodiscard]] bool open() const { return number_ >= 0; }
-    /// False with errno where what was written could not be kept.
+    /// Returns false and sets errno if the written data could not be stored.
     bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
 private:

@@ -1,4 +1,4 @@
-// Filling a rule's pattern, and collecting findings in a stable order.
+// Fills in the pattern of a rule, and collects findings in a stable order.
 #include "diagnostics/diagnostic.hpp"
 
 #include <fmt/args.h>
@@ -19,7 +19,7 @@ std::string Diagnostic::message() const {
 
 namespace {
 
-/// A message is read by people: of a name or expression of megabytes its beginning is shown, cut between characters.
+/// People read messages, so only the beginning of a very long name or expression is shown, cut between characters.
 void shorten(std::string& argument) {
     constexpr std::size_t max_shown = 1000;
     if (argument.size() <= max_shown) return;
@@ -41,7 +41,7 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
     if (rule.severity == Severity::error) ++errors_;
     if (rule.severity == Severity::warning) ++warnings_;
     if (rule.severity == Severity::error && span.known()) wrong_.insert(span.source);
-    // Each severity has its own limit: many warnings never hide an error.
+    // Each severity has its own limit, so that many warnings never hide an error.
     const std::size_t like_this = rule.severity == Severity::error     ? errors_
                                   : rule.severity == Severity::warning ? warnings_
                                                                        : 0;
@@ -84,7 +84,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
     };
     std::stable_sort(result.begin(), result.end(),
                      [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
-    // What is made twice, for the two readings of time, notes the same twice.
+    // Constructs that are processed twice, for the timed and the untimed semantics, report the same note twice.
     const auto noted = [](const Diagnostic& a, const Diagnostic& b) {
         return a.rule == b.rule && a.rule->severity == Severity::note && a.span.source == b.span.source &&
                a.span.begin == b.span.begin && a.span.end == b.span.end && a.arguments == b.arguments;

@@ -1,4 +1,4 @@
-// Diagnostics as data: a rule from a table, a place, arguments; drawing is elsewhere (render.hpp).
+// Diagnostics as data: a rule from a table, a place, arguments. render.hpp draws them.
 #pragma once
 
 #include <set>
@@ -11,18 +11,18 @@
 
 namespace robochart::diagnostics {
 
-/// How bad a finding is.
+/// The severity of a finding.
 enum class Severity { note, warning, error };
 
 /// One row of a rule table. All views point at static storage.
 struct Rule {
-    std::string_view code;  ///< published code where there is one (STM6, J1), else ours (RC-P01, CSPM-T03)
+    std::string_view code;  ///< the published code if there is one (STM6, J1), otherwise ours (RC-P01, CSPM-T03)
     Severity severity = Severity::error;
-    std::string_view message;      ///< fmt pattern, filled with the diagnostic's arguments in order
+    std::string_view message;      ///< fmt pattern for the diagnostic's arguments, in order
     std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
 };
 
-/// Points at another place that matters, or, where the span is unknown, says more about the finding itself.
+/// Points to another relevant place or, if the span is unknown, adds to the message of the finding.
 struct Note {
     Span span;
     std::string message;
@@ -43,42 +43,42 @@ struct Diagnostic {
     std::vector<Note> notes;
     std::vector<FixIt> fixes;
 
-    /// The rule's pattern with the arguments filled in.
+    /// The rule's pattern with the arguments inserted.
     [[nodiscard]] std::string message() const;
 };
 
-/// Collects diagnostics in any order; hands them out sorted by source, place, code.
+/// Collects diagnostics in any order and returns them sorted by source, place and code.
 class Diagnostics {
 public:
-    /// Findings kept of each severity; later ones are counted only.
+    /// The number of findings kept of each severity; later ones are only counted.
     static constexpr std::size_t max_kept = 200;
 
     /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
     Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
 
-    /// The limits of the run in which things are found: phases that report here poll here. It outlives them.
+    /// Sets the budget of the run, which phases that report here poll. The budget must outlive them.
     void within(Budget* budget) { budget_ = budget; }
     [[nodiscard]] Budget* budget() const { return budget_; }
-    /// To be called in every loop whose length comes from the input. Throws LimitReached.
+    /// Must be called in every loop whose length depends on the input. Throws LimitReached.
     void poll() const {
         if (budget_ != nullptr) budget_->poll();
     }
 
-    /// Later warnings of this code are neither kept nor counted; errors always are.
+    /// Later warnings with this code are neither kept nor counted; errors always are.
     void allow(std::string code) { allowed_.insert(std::move(code)); }
 
-    /// Takes over the findings of another.
+    /// Adds the findings of another collection.
     void add(const Diagnostics& other);
-    /// Those about these texts, under the same limits and allowances.
+    /// The findings about these texts, with the same budget and allowed codes.
     [[nodiscard]] Diagnostics about(const std::set<SourceId>& texts) const;
     [[nodiscard]] std::vector<Diagnostic> sorted() const;
     [[nodiscard]] std::size_t errors() const { return errors_; }
     [[nodiscard]] std::size_t warnings() const { return warnings_; }
     [[nodiscard]] bool ok() const { return errors_ == 0; }
-    /// Was an error found in this text?
+    /// True if an error was found in this text.
     [[nodiscard]] bool has_errors_in(SourceId source) const { return wrong_.contains(source); }
     [[nodiscard]] bool empty() const { return items_.empty(); }
-    /// How many were counted but not kept.
+    /// The number of findings that were counted but not kept.
     [[nodiscard]] std::size_t dropped() const { return dropped_; }
 
 private:

@@ -1,5 +1,5 @@
-// The end of the program. What consists of many small pieces takes long to take apart, gigabytes of them for seconds;
-// once nothing more is asked it is left as it is, and the system takes all memory back at once.
+// The end of the program. Destroying gigabytes of small objects takes seconds. When no more work follows, such objects
+// are not destroyed, and the system frees the memory of the process at once.
 #pragma once
 
 #include <atomic>
@@ -8,14 +8,15 @@
 
 namespace robochart::diagnostics {
 
-/// The program has its answer, or a limit ends it for good: from now on nothing large is taken apart. Set by the run.
+/// True when the program has its answer, or when a limit ends it. From then on, large objects are not destroyed. The
+/// run sets it.
 inline std::atomic<bool> program_ends{false};
 
-/// For destructors of what is large: takes it apart, unless the program ends.
+/// For destructors of large objects: destroys the object, unless the program ends.
 template <class T>
 void discard(std::unique_ptr<T>& large) {
     if (!program_ends) return large.reset();
-    static std::vector<T*>& kept = *new std::vector<T*>();  // so that tools that look for leaks know of it
+    static std::vector<T*>& kept = *new std::vector<T*>();  // so that leak detectors find it
     kept.push_back(large.release());
 }
 

@@ -1,4 +1,5 @@
-// One escape function for each language; each decodes the text once and escapes what the language gives a meaning.
+// One escape function for each language. Each decodes the text once and escapes the characters that have a meaning in
+// the language.
 #include "diagnostics/escape.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace {
 
 using Escape = std::string (*)(char);
 
-/// Each byte for itself.
+/// Escapes every byte separately.
 std::string each(const std::string& text, Escape escape) {
     std::string result;
     for (const char c : text) result += escape(c);
@@ -30,7 +31,7 @@ std::string control_escape(char c) {
     return fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
 }
 
-/// The code point of a well-formed sequence.
+/// The code point of a well-formed UTF-8 sequence.
 unsigned decoded(std::string_view sequence) {
     const unsigned lead = static_cast<unsigned char>(sequence.front());
     unsigned code = sequence.size() == 2 ? lead & 0x1FU : sequence.size() == 3 ? lead & 0x0FU : lead & 0x07U;
@@ -38,8 +39,9 @@ unsigned decoded(std::string_view sequence) {
     return code;
 }
 
-/// C1 controls; characters of no width and of direction (Unicode 15, Default_Ignorable_Code_Point and Bidi_Control),
-/// with which text can look like another; line and paragraph separators.
+/// C1 controls, characters without width and characters that change the direction (Unicode 15,
+/// Default_Ignorable_Code_Point and Bidi_Control), with which a text can look like another; line and paragraph
+/// separators.
 bool invisible(unsigned code) {
     return (code >= 0x80U && code <= 0x9FU) || code == 0xADU || code == 0x61CU ||
            (code >= 0x200BU && code <= 0x200FU) || (code >= 0x2028U && code <= 0x202EU) ||
@@ -47,7 +49,7 @@ bool invisible(unsigned code) {
            (code >= 0xE0000U && code <= 0xE0FFFU);
 }
 
-/// Keeps what can be seen; `ascii` decides about the visible characters of ASCII.
+/// Keeps visible characters; `ascii` decides about those of ASCII.
 std::string visible(std::string_view text, Escape ascii, bool lines) {
     std::string result;
     while (!text.empty()) {
@@ -100,7 +102,8 @@ std::string shown_lines(const ForeignText& text) {
     return visible(text.unescaped(), as_it_is, true);
 }
 
-/// A backslash may end a line, be it after wrapping, and "??/" is one (ISO C++14 [lex.trigraph]).
+/// A backslash at the end of a line, also after wrapping, continues a comment, and "??/" is a backslash (ISO C++14
+/// [lex.trigraph]).
 std::string comment_text(const ForeignText& text) {
     std::string result = visible(
         text.unescaped(), [](char c) { return c == '\\' ? "\\x5c" : std::string(1, c); }, false);
@@ -127,7 +130,7 @@ std::string cspm_character(char c) {
     return cspm_escaped(std::string(1, c), '\'');
 }
 
-/// "--" would end a comment.
+/// "--" is not allowed in a comment.
 std::string xml_text(const ForeignText& text) {
     std::string result = visible(
         text.unescaped(),

@@ -1,6 +1,6 @@
-// Text that others wrote (string literals of models, names of files) on its way into a language: one function for each
-// language that the project writes; json.hpp has JSON's. ForeignText is what such text is until then: nothing else lets
-// it out, so that nobody can paste it.
+// Converts text from outside (string literals of models, names of files) to the languages that the project writes: one
+// function per language; json.hpp handles JSON. Until then, such text has the type ForeignText. Only these functions
+// convert it, so that it cannot be inserted unescaped.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace robochart::diagnostics {
 
-/// Text that may hold anything: quotes, line ends, zeros, bytes that are no UTF-8. It grows by being joined with other
-/// text, which is foreign then too, and leaves through the functions below.
+/// Text that may contain anything: quotes, line ends, zeros, bytes that are not UTF-8. Text joined with it becomes
+/// foreign, too. Only the functions below convert it.
 class ForeignText {
 public:
     ForeignText() = default;
@@ -19,8 +19,8 @@ public:
     ForeignText(const char* text) : text_(text) {}             // NOLINT
 
     [[nodiscard]] bool empty() const { return text_.empty(); }
-    /// As it is. For those who compare it or write it in a language with an escaping of its own in a syntax tree; the
-    /// seams where this is called are listed in tests/sanity.
+    /// The unescaped text. Only for comparisons, and for syntax trees of languages with their own escaping.
+    /// tests/sanity lists the files that call it.
     [[nodiscard]] const std::string& unescaped() const { return text_; }
 
     friend ForeignText operator+(ForeignText a, const ForeignText& b) { return a.text_ += b.text_, a; }
@@ -31,16 +31,16 @@ private:
     std::string text_;
 };
 
-/// For people, in a terminal or a report: control characters, invisible ones and bytes that are no UTF-8 as "\n",
-/// "\x1b" or "\u202e"; line ends too.
+/// For people, in a terminal or a report: control characters, invisible characters, line ends and bytes that are not
+/// UTF-8 are written as "\n", "\x1b" or "\u202e".
 [[nodiscard]] std::string shown(const ForeignText&);
-/// The same, but line ends and tabulators stay.
+/// The same, but line ends and tabulators are kept.
 [[nodiscard]] std::string shown_lines(const ForeignText&);
 
-/// Within a comment of C++, CMake or Python that ends with its line: one line that is not continued.
+/// Text in a comment of C++, CMake or Python that ends with its line: one line that is not continued.
 [[nodiscard]] std::string comment_text(const ForeignText&);
 
-/// A string literal of C++ with its quotes: printable ASCII without trigraphs, all else as octal escapes.
+/// A string literal of C++ with its quotes: printable ASCII without trigraphs; all other characters are octal escapes.
 [[nodiscard]] std::string cpp_string(const ForeignText&);
 
 /// A string literal of CSPM with its quotes.
@@ -48,15 +48,17 @@ private:
 /// A character literal of CSPM with its quotes.
 [[nodiscard]] std::string cspm_character(char);
 
-/// Character data, an attribute's value or a comment of XML 1.0, SVG included; what XML cannot hold is shown.
+/// Character data, an attribute value or a comment of XML 1.0 (also SVG). Characters that XML does not allow are shown
+/// as escapes.
 [[nodiscard]] std::string xml_text(const ForeignText&);
-/// The same for character data of several lines: line ends stay.
+/// The same for character data of several lines: line ends are kept.
 [[nodiscard]] std::string xml_lines(const ForeignText&);
 
-/// Between the double quotes of a label of Graphviz or an event of Aldebaran's format.
+/// Text between the double quotes of a Graphviz label or of an event in Aldebaran's format.
 [[nodiscard]] std::string label_text(const ForeignText&);
 
-/// A path as a URI reference (RFC 3986; RFC 8089 where it is absolute): what is not unreserved is escaped.
+/// A path as a URI reference (RFC 3986; RFC 8089 if it is absolute): all characters that are not unreserved are
+/// escaped.
 [[nodiscard]] std::string uri_of_path(std::string_view path);
 
 }  // namespace robochart::diagnostics

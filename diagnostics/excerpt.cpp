@@ -1,4 +1,4 @@
-// See excerpt.hpp. Works on a window of bytes around the mark, so that a line of many megabytes costs nothing.
+// See excerpt.hpp. Only the bytes around the mark are processed, so that a line of many megabytes is not slow.
 #include "diagnostics/excerpt.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t tab_width = 4;
 constexpr std::string_view ellipsis = "...";
 
-/// A shown cell: its text and the byte of the line it stands for.
+/// A shown cell: its text, and the offset in the line of the byte that it represents.
 struct Cell {
     std::string_view text;
     std::size_t offset;
@@ -30,7 +30,7 @@ void add_cells(std::vector<Cell>& cells, std::string_view rest, std::size_t offs
     } else if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
         cells.push_back({" ", offset});
     } else if (const std::string_view character = rest.substr(0, length); shown(character) != character) {
-        cells.push_back({replacement_character, offset});  // invisible, or of another direction
+        cells.push_back({replacement_character, offset});  // invisible, or changes the direction of writing
     } else {
         cells.push_back({character, offset});
     }
@@ -47,7 +47,7 @@ std::vector<Cell> split_cells(std::string_view line, std::size_t first, std::siz
     return cells;
 }
 
-/// The nearest start of a character at or before `offset`.
+/// The nearest beginning of a character at or before `offset`.
 std::size_t align(std::string_view line, std::size_t offset) {
     for (std::size_t back = 0; back < 3 && offset > 0 && offset < line.size() && is_continuation(line[offset]); ++back)
         --offset;
@@ -65,7 +65,7 @@ Excerpt make_excerpt(std::string_view line, std::size_t begin, std::size_t end, 
     begin = std::min(begin, line.size());
     end = std::clamp(end, begin, line.size());
     max_width = std::max<std::size_t>(max_width, 20);
-    // A cell takes at most four bytes; this window is never too small to fill the width.
+    // A cell is at most four bytes long, so this window is large enough to fill the width.
     const std::size_t reach = 4 * max_width;
     const std::size_t first = align(line, begin > reach ? begin - reach : 0);
     const std::size_t last = align(line, std::min(line.size(), begin + reach));

@@ -1,4 +1,4 @@
-// One source line with a marked range, made fit for a terminal.
+// One source line with a marked range, prepared for a terminal.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace robochart::diagnostics {
 
-/// A line as it is shown: `text`, and where the mark goes below it (in shown columns from 0).
+/// A shown line: `text`, and the range of the mark below it (in shown columns from 0).
 struct Excerpt {
     std::string text;
     std::size_t mark_begin = 0;

@@ -1,5 +1,5 @@
-// Every step below the root goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW), so
-// that nobody can put a link in the way between a look and a step.
+// Below the root, every step goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW). So a
+// link that is inserted between a check and its use is not followed.
 #include "diagnostics/files.hpp"
 
 #include <fcntl.h>
@@ -47,13 +47,13 @@ bool leads_below(const fs::path& relative) {
     return true;
 }
 
-/// The folder of a name in an open one, made if it is not there.
+/// Opens a subfolder of an open folder; creates it if it does not exist.
 Descriptor folder_in(const Descriptor& above, const std::string& name) {
     if (mkdirat(above.get(), name.c_str(), 0777) != 0 && errno != EEXIST) return Descriptor();
     return Descriptor(openat(above.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-/// Opens the folder of the file to be; `error` on failure.
+/// Opens the folder of the new file; sets `error` on failure.
 Descriptor folder_of(const std::string& root, const fs::path& relative, std::string& error) {
     if (!leads_below(relative)) {
         error = fmt::format("refusing to write outside {}: {}", root, relative.string());
@@ -91,7 +91,7 @@ bool write_whole(int file, std::string_view text) {
     return true;
 }
 
-/// A new file in an open folder, and its name; not open, with errno, where there is none.
+/// Creates a file in an open folder and sets its name. On failure, the result is not open and errno is set.
 Descriptor new_file(const Descriptor& folder, mode_t mode, std::string& name) {
     for (int attempt = 0; attempt < 100; ++attempt) {
         name = random_name();
@@ -102,7 +102,8 @@ Descriptor new_file(const Descriptor& folder, mode_t mode, std::string& name) {
     return Descriptor();
 }
 
-/// Writes and puts in place; `before` is the file that is replaced with all its properties, null for a plain new one.
+/// Writes the file and moves it to its place. `before` is the file that is replaced, whose properties are kept; null
+/// for a new file.
 std::string put(const Descriptor& folder, const fs::path& path, std::string_view text, const struct stat* before,
                 Budget* budget) {
     std::string name;
@@ -112,7 +113,7 @@ std::string put(const Descriptor& folder, const fs::path& path, std::string_view
     const Budget::Held held(budget, (parent / name).string());
     bool good = write_whole(file.get(), text);
     if (good && before != nullptr) {
-        // The owner is kept where we may; the mode always.
+        // The owner is kept if that is permitted; the mode is always kept.
         (void)!fchown(file.get(), before->st_uid, before->st_gid);
         good = fchmod(file.get(), before->st_mode & 07777U) == 0 && fsync(file.get()) == 0;
     }
@@ -157,7 +158,7 @@ std::string replace_file(const std::string& named, std::string_view text, Budget
 
 namespace {
 
-/// `./a.rct` as `a.rct`: of what is below the folder `.`.
+/// `./a.rct` becomes `a.rct`, for files below the folder `.`.
 std::string shown_path(std::string path) {
     while (path.size() > 2 && path.starts_with("./")) {
         const std::size_t name = path.find_first_not_of('/', 1);

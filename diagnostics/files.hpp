@@ -1,6 +1,5 @@
-// Finding files, so that none is passed over in silence; and writing files so that nothing else is written, and nothing
-// is left half done: under a name that nobody can foresee, then put in its place as a whole. Below a folder that was
-// asked for, no symbolic link is followed.
+// Finds files, and reports those that cannot be read. Writes files safely: a file gets an unpredictable name first and
+// is moved to its place when it is complete. Below a given folder, no symbolic link is followed.
 #pragma once
 
 #include <memory>
@@ -13,35 +12,34 @@
 
 namespace robochart::diagnostics {
 
-/// The files of a folder by path, and the folders in it that cannot be read, each with the cause. What begins with a
-/// dot is left out, and no link to a folder is followed.
+/// The files of a folder by path, and the subfolders that cannot be read, each with the cause. Names that begin with a
+/// dot are left out, and links to folders are not followed.
 struct FilesBelow {
     std::vector<std::string> files;
     std::vector<std::pair<std::string, std::string>> unreadable;
 };
-/// `deep`: with all folders below it.
+/// `deep`: includes all subfolders.
 [[nodiscard]] FilesBelow files_below(const std::string& folder, bool deep);
 
-/// All of standard input; where it cannot be read to its end, or is longer than `most` bytes, `error` has the cause.
+/// All of standard input. If it cannot be read to its end, or is longer than `most` bytes, `error` contains the cause.
 [[nodiscard]] std::string standard_input(std::size_t most, std::string& error);
 
-/// Writes a file below `root`, which is made if it is not there, and the folders above it. What stands at the place is
-/// replaced, also a link. `relative` leads nowhere else: an absolute path, "..", or a folder that is a link is refused.
+/// Writes a file below `root`, and creates `root` and the folders in between if they do not exist. An existing file or
+/// link is replaced. `relative` must stay below `root`: an absolute path, "..", or a folder that is a link is rejected.
 /// Returns the cause in words on failure, "" on success.
 [[nodiscard]] std::string write_below(const std::string& root, const std::string& relative, std::string_view text,
                                       Budget* budget = nullptr);
-/// The same for a path that the user named as a whole: a link to a file stays one, and the file it leads to is
-/// replaced. With an existing file's permissions, and on the disk before the old one is gone.
+/// The same for a complete path given by the user. A link to a file is kept, and the file that it points to is
+/// replaced. The permissions of an existing file are kept, and the new file is on disk before the old one is removed.
 [[nodiscard]] std::string replace_file(const std::string& path, std::string_view text, Budget* budget = nullptr);
-/// Whether a file in a folder has the name that both give to what is not yet in its place: where a run was killed, it
-/// stays.
+/// True if the name is one that these two functions give to an incomplete file; such a file stays if the run is killed.
 [[nodiscard]] bool is_unfinished(const std::string& name);
 
-/// A folder of one's own with an unpredictable name, which nobody else may look into; removed with the object.
+/// A temporary folder with an unpredictable name that only this user may access. The destructor removes it.
 class TemporaryFolder {
 public:
-    /// In `parent`; "": where temporary files go (TMPDIR). Where it cannot be made, `error` has the cause, and `path`
-    /// is empty.
+    /// Creates the folder in `parent`, or in the folder for temporary files (TMPDIR) if `parent` is "". On failure,
+    /// `error` contains the cause and `path` is empty.
     TemporaryFolder(const std::string& parent, std::string& error, Budget* budget = nullptr);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -53,7 +51,7 @@ private:
     Budget::Held held_;
 };
 
-/// A file below a folder that is written bit by bit, and is moved to its place when it is finished.
+/// A file below a folder that is written piece by piece, and moved to its place when it is complete.
 class GrowingFile {
 public:
     GrowingFile(std::string root, std::string relative, Budget* budget = nullptr);
@@ -61,15 +59,15 @@ public:
     GrowingFile(const GrowingFile&) = delete;
     GrowingFile& operator=(const GrowingFile&) = delete;
 
-    /// Returns the cause in words on failure, "" on success; after a failure nothing more is written.
+    /// Returns the cause in words on failure, "" on success. After a failure nothing more is written.
     [[nodiscard]] std::string append(std::string_view text);
-    /// Puts the file in its place.
+    /// Moves the file to its place.
     [[nodiscard]] std::string finish();
 
 private:
     std::string root_, relative_;
     Budget* budget_;
-    std::string temporary_;  ///< path of what is there so far; "" : nothing
+    std::string temporary_;  ///< path of the incomplete file; "": none
     std::unique_ptr<Budget::Held> held_;
     std::string error_;
 };

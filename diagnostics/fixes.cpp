@@ -1,4 +1,4 @@
-// Selects fixes that do not overlap, the first one in the text winning, and applies them in one pass.
+// Selects fixes that do not overlap, preferring earlier ones in the text, and applies them in one pass.
 #include "diagnostics/fixes.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::vector<FixIt> certain_fixes(const Diagnostics& diagnostics, SourceId source
                      [](const FixIt& a, const FixIt& b) { return a.span.begin < b.span.begin; });
     std::vector<FixIt> chosen;
     for (FixIt& fix : all) {
-        // Two insertions at one place would have an order that nobody chose.
+        // Two insertions at the same place are not combined, because their order would be arbitrary.
         const bool free = chosen.empty() || fix.span.begin > chosen.back().span.end ||
                           (fix.span.begin == chosen.back().span.end && fix.span.end > fix.span.begin &&
                            chosen.back().span.end > chosen.back().span.begin);

@@ -1,4 +1,4 @@
-// Values as text; diagnostics as JSON for programs.
+// JSON values as text, and diagnostics as JSON for programs.
 #include "diagnostics/json.hpp"
 
 #include <cmath>
@@ -23,7 +23,7 @@ std::string_view severity_name(Severity severity) {
     return "error";
 }
 
-/// Adds the place of a span; nothing for a place that is not known.
+/// Adds the place of a span; adds nothing if the place is unknown.
 void add_place(Json& json, const SourceManager& sources, Span span) {
     if (!span.known()) return;
     const Position begin = sources.position(span.source, span.begin);

@@ -1,4 +1,4 @@
-// JSON for programs: nlohmann's ordered_json, whose keys stay in the order in which they are set, and its text.
+// JSON for programs: nlohmann's ordered_json, whose keys keep their order, and its text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,9 +8,9 @@ namespace robochart::diagnostics {
 
 using Json = nlohmann::ordered_json;
 
-/// The value as text: on one line, or with so many blanks a level. Bytes that are not UTF-8 become U+FFFD.
+/// The value as text: on one line, or with `indent` blanks per level. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const Json& value, int indent = -1);
-/// Rounded to so many decimal places, as times and rates are written.
+/// A value rounded to `places` decimal places, for times and rates.
 [[nodiscard]] double rounded(double value, int places);
 
 }  // namespace robochart::diagnostics

@@ -1,4 +1,4 @@
-// Colours of texts for people, as escape sequences of terminals. Whether there are any is the caller's decision
+// Colours of texts for people, as terminal escape sequences. The caller decides whether to use them
 // (app/command/output.hpp: color_wanted).
 #pragma once
 
@@ -7,18 +7,18 @@
 
 namespace robochart::diagnostics {
 
-/// What a part of a text is.
+/// The role of a part of a text.
 enum class Paint : unsigned char {
     heading,
-    name,  ///< of something that the text is about
+    name,  ///< of the subject of the text
     note,
     warning,
     error,
-    addition,  ///< what a fix would write
-    success,   ///< everything as claimed
+    addition,  ///< text that a fix would insert
+    success,   ///< all claims are true
 };
 
-/// The text so that it stands out, or as it is where no colours are wanted.
+/// The text with the colour of its role; unchanged without `color`.
 [[nodiscard]] std::string painted(std::string_view text, Paint paint, bool color);
 
 }  // namespace robochart::diagnostics

@@ -35,7 +35,7 @@ std::string draw_place(const SourceManager& sources, Span span, const TextStyle&
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
     const std::string_view line = sources.line(span.source, begin.line);
-    // Bytes from the line's start: the line's text is a part of the file's text.
+    // The line is a view into the text of the file, so the offset of the line is the difference of the pointers.
     const auto line_start = static_cast<std::size_t>(line.data() - sources.text(span.source).data());
     const std::size_t from = span.begin - std::min<std::size_t>(span.begin, line_start);
     const std::size_t to = end.line == begin.line ? span.end - line_start : line.size();
@@ -56,7 +56,7 @@ std::string draw_note(const SourceManager& sources, const Note& note, const Text
                        draw_place(sources, note.span, style, as_note.paint));
 }
 
-/// What to do, and the line as it will be.
+/// The fix as an instruction, and the line after the fix.
 std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextStyle& style) {
     const bool removes = fix.replacement.empty();
     std::string out = fmt::format("   = help: {}{}\n", shown_lines(fix.title),
@@ -66,7 +66,7 @@ std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextS
     if (sources.position(fix.span.source, fix.span.end).line != begin.line) return out;
     const std::string_view line = sources.line(fix.span.source, begin.line);
     const auto start = static_cast<std::size_t>(line.data() - sources.text(fix.span.source).data());
-    // Only the surroundings of the fix, so that a line of many megabytes is not copied.
+    // Only the text near the fix is copied, because a line may have many megabytes.
     const std::size_t from = std::min<std::size_t>(fix.span.begin - start, line.size());
     const std::size_t to = std::min<std::size_t>(fix.span.end - start, line.size());
     constexpr std::size_t reach = 1000;

@@ -1,5 +1,5 @@
-// Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help, places with columns in code
-// points, fixes as replacements.
+// Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help texts, places with columns in
+// code points, fixes as replacements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Json fix_object(const SourceManager& sources, const FixIt& fix) {
     return {{"description", sarif_text(fix.title)}, {"artifactChanges", Json::array({change})}};
 }
 
-/// The line that a finding begins in, without the space around it: it stays the same where lines are added above.
+/// The first line of a finding without surrounding blanks. It does not change when lines are added above it.
 std::string_view line_of(const SourceManager& sources, Span span) {
     std::string_view line = sources.line(span.source, sources.position(span.source, span.begin).line);
     constexpr std::string_view space = " \t\r";
@@ -52,7 +52,7 @@ std::string_view line_of(const SourceManager& sources, Span span) {
     return line.substr(0, line.find_last_not_of(space) + 1);
 }
 
-/// Notes with a place are related locations, the others part of the message.
+/// Notes with a place become related locations; the others become part of the message.
 Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
     std::string message = diagnostic.message();
     Json related = Json::array();
@@ -75,7 +75,8 @@ Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::siz
     return json;
 }
 
-/// SARIF 2.1.0, 3.20: a run that was cut short says so here, its results are not all; and what is no result.
+/// SARIF 2.1.0, 3.20: a run that was cut short states here that its results are incomplete. Findings that are not
+/// results are here, too.
 Json invocation(const SarifRun& run) {
     Json notifications = Json::array();
     if (!run.limit.empty()) notifications.push_back({{"level", "error"}, {"message", sarif_text(run.limit)}});
@@ -87,7 +88,7 @@ Json invocation(const SarifRun& run) {
     return {{"executionSuccessful", !failed}, {"toolExecutionNotifications", notifications}};
 }
 
-/// "A state is never reached" as `AStateIsNeverReached`.
+/// "A state is never reached" becomes `AStateIsNeverReached`.
 std::string identifier(std::string_view title) {
     std::string name;
     bool begins = true;
@@ -103,7 +104,7 @@ std::string identifier(std::string_view title) {
     return name;
 }
 
-/// Ends with a full stop.
+/// The text with a full stop at its end.
 std::string sentence(std::string_view text) {
     return std::string(text) + (text.ends_with('.') ? "" : ".");
 }
@@ -118,7 +119,7 @@ std::string capital(std::string_view text) {
 
 std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, const SarifRules& about) {
     const std::vector<Diagnostic> findings = diagnostics.sorted();
-    // Rows that share a code are one rule to the readers of SARIF: the first row by place describes it.
+    // Rows that share a code are one rule in SARIF; the first row by place describes it.
     std::vector<const Rule*> rules;
     const auto index = [&](const Diagnostic& d) {
         const auto same =
@@ -174,7 +175,7 @@ Json sarif_rule(std::string_view id, std::string_view title, std::string_view te
             {"defaultConfiguration", {{"level", level}}}};
 }
 
-/// FNV-1a with 64 bits: a log need not withstand whoever writes the model.
+/// FNV-1a with 64 bits. A log need not be secure against the author of the model.
 Json sarif_fingerprint(std::string_view rule, std::string_view subject) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto take = [&](std::string_view text) {
@@ -194,7 +195,7 @@ std::string sarif_log(const SarifRun& run) {
     const Json driver{{"name", "robochart-verify"},
                       {"version", run.version},
                       {"semanticVersion", run.version},
-                      // The program has no address of its own; this is its language's.
+                      // The program has no website; this is the website of its language.
                       {"informationUri", "https://robostar.cs.york.ac.uk/"},
                       {"rules", run.rules}};
     Json json{{"tool", {{"driver", driver}}}, {"automationDetails", {{"id", run.what + "/"}}}};

@@ -1,4 +1,4 @@
-// The frame of a SARIF 2.1.0 log of this program, and its parts.
+// The frame and the parts of a SARIF 2.1.0 log of this program.
 #pragma once
 
 #include <string>
@@ -11,28 +11,28 @@ namespace robochart::diagnostics {
 
 /// A message object.
 [[nodiscard]] Json sarif_text(std::string_view message);
-/// An artifact location: relative to the current folder where it is below that, as readers of SARIF take paths to be
-/// relative to the root of the repository.
+/// An artifact location. It is relative if the file is below the current folder, because readers of SARIF resolve paths
+/// against the root of the repository.
 [[nodiscard]] Json sarif_file(std::string_view path);
-/// A physical location: a path, and a region from `begin` to the exclusive `end`, in code points.
+/// A physical location: a path and a region from `begin` to `end` (exclusive), in code points.
 [[nodiscard]] Json sarif_place(std::string_view path, Position begin, Position end);
-/// A rule: what is wrong as a phrase, which its name is made of, and in sentences.
+/// A rule: the mistake as a phrase, from which the rule's name is made, and in sentences.
 [[nodiscard]] Json sarif_rule(std::string_view id, std::string_view title, std::string_view text,
                               std::string_view level);
-/// What tells a result from the others of its file wherever it stands: the rule, and what it is about.
+/// Distinguishes a result from the others of its file, independent of its position: the rule and the subject.
 [[nodiscard]] Json sarif_fingerprint(std::string_view rule, std::string_view subject);
 
 /// One run of the program.
 struct SarifRun {
     std::string version;
-    std::string what;  ///< verb and input: a later log of the same replaces this one where both are kept
+    std::string what;  ///< verb and input; of two logs with the same, only the later is kept
     Json rules = Json::array();
     Json results = Json::array();
-    Json notifications = Json::array();  ///< findings without a place: they are no results
-    std::string limit;                   ///< why not everything was looked at; "" if it was
+    Json notifications = Json::array();  ///< findings without a place, which are not results
+    std::string limit;                   ///< why the check is incomplete; "" if it is complete
     Json properties = Json::object();
 };
-/// What is no result: about the command line, or a file that cannot be read.
+/// A finding that is not a result: about the command line, or about a file that cannot be read.
 [[nodiscard]] Json sarif_notification(std::string_view rule, std::string_view level, std::string_view message);
 /// One log with one run, as text.
 [[nodiscard]] std::string sarif_log(const SarifRun&);

@@ -1,4 +1,4 @@
-// Source texts: storage, reading files, and turning byte offsets into lines and columns.
+// Source texts: stores them, reads files, and converts byte offsets to lines and columns.
 #include "diagnostics/source.hpp"
 
 #include <fcntl.h>
@@ -32,8 +32,8 @@ std::string too_large(std::uintmax_t bytes) {
     return fmt::format("too large: {} bytes, at most {} are read", bytes, SourceManager::max_bytes);
 }
 
-/// Why what was opened can't be read as a file; empty if nothing speaks against it. What is not a regular file may have
-/// no end, or nothing to read for ever.
+/// The reason why an open file is rejected; "" if it can be read. Something other than a regular file may have no end,
+/// or may block forever.
 std::string refuse(const struct stat& status) {
     if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
     if (S_ISFIFO(status.st_mode)) return "is a pipe, not a regular file";
@@ -43,7 +43,7 @@ std::string refuse(const struct stat& status) {
     return size > SourceManager::max_bytes ? too_large(size) : "";
 }
 
-/// What the system says of a file that cannot be opened.
+/// The system's message about a file that cannot be opened.
 std::string cause_of_failure() {
     if (errno == ENOENT) return "no such file";
     if (errno == ENXIO) return "is a socket, or a pipe without a writer, not a regular file";
@@ -58,7 +58,7 @@ Span join(Span a, Span b) {
     return {a.source, std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
-/// Texts are kept without the byte order mark that their files may begin with: no reader meets one.
+/// The byte order mark at the beginning of a file is removed, so that no reader needs to handle it.
 SourceId SourceManager::add(std::string path, std::string text) {
     files_.push_back({std::move(path), {}, {}});
     const auto id = static_cast<SourceId>(files_.size() - 1);
@@ -67,7 +67,7 @@ SourceId SourceManager::add(std::string path, std::string text) {
 }
 
 std::optional<SourceId> SourceManager::load(const std::string& path, std::string& error) {
-    // Without waiting: opening a pipe would otherwise last until somebody writes to it.
+    // Opens without waiting; opening a pipe would otherwise wait for a writer.
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     struct stat status {};
     if (file.get() < 0 || fstat(file.get(), &status) != 0) {
@@ -86,7 +86,7 @@ std::optional<SourceId> SourceManager::load(const std::string& path, std::string
             error = std::strerror(errno);
         else
             text.append(buffer.data(), static_cast<std::size_t>(count));
-        if (text.size() > max_bytes) error = too_large(text.size());  // it has grown, or its system gives no sizes
+        if (text.size() > max_bytes) error = too_large(text.size());  // it grew, or its file system reports no sizes
         if (!error.empty()) return std::nullopt;
     }
     return add(path, std::move(text));

@@ -1,5 +1,5 @@
-// Source texts and places in them. Every tool here (RoboChart reader, CSPM reader, scenario reader)
-// points at text through these two types, so that one renderer can draw all diagnostics.
+// Source texts and places in them. All readers (RoboChart, CSPM, scenarios) use these types, so that one renderer can
+// draw all diagnostics.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace robochart::diagnostics {
 /// Index of a text in its SourceManager. Never reused.
 enum class SourceId : std::uint32_t { none = 0xffffffffU };
 
-/// A half-open range of byte offsets [begin, end) in one source text. `none` spans point nowhere.
+/// A half-open range of byte offsets [begin, end) in one source text. A `none` span points to no text.
 struct Span {
     SourceId source = SourceId::none;
     std::uint32_t begin = 0;
@@ -24,27 +24,27 @@ struct Span {
     [[nodiscard]] bool known() const { return source != SourceId::none; }
 };
 
-/// The smallest span that covers both; either may be unknown.
+/// The smallest span that contains both; either may be unknown.
 [[nodiscard]] Span join(Span a, Span b);
 
-/// A place as people count it: both from 1; columns count Unicode code points.
+/// Line and column from 1; columns count Unicode code points.
 struct Position {
     std::uint32_t line = 1;
     std::uint32_t column = 1;
 };
 
-/// Owns source texts for the life of a run. References and views it hands out stay valid until the text is replaced.
+/// Owns source texts during a run. References and views that it returns are valid until the text is replaced.
 class SourceManager {
 public:
-    /// Largest text accepted, in bytes; larger files are refused by `load`.
+    /// The largest accepted text, in bytes; `load` rejects larger files.
     static constexpr std::size_t max_bytes = 256U << 20U;
 
-    /// Adds a text under a display path (not opened).
+    /// Adds a text with a path for display; the path is not opened.
     SourceId add(std::string path, std::string text);
-    /// Reads a file. On failure returns nothing and sets `error` to the cause in words
-    /// (missing, not a regular file, unreadable, too large). Any bytes are accepted here; readers judge them.
+    /// Reads a file. On failure returns no value and sets `error` to the cause in words (missing, not a regular file,
+    /// unreadable, too large). All bytes are accepted; readers check them.
     std::optional<SourceId> load(const std::string& path, std::string& error);
-    /// Puts another text in place of one, under the same id; views of the old text end. For editors.
+    /// Replaces the text of an id; views of the old text become invalid. For editors.
     void replace(SourceId id, std::string text);
 
     [[nodiscard]] std::string_view text(SourceId id) const;
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] Position position(SourceId id, std::uint32_t offset) const;
     /// The text of a line (from 1) without its line end.
     [[nodiscard]] std::string_view line(SourceId id, std::uint32_t line) const;
-    /// `path:line` of a span's begin, or "" if unknown.
+    /// `path:line` of the beginning of a span; "" if it is unknown.
     [[nodiscard]] std::string place(Span span) const;
 
 private:

@@ -1,4 +1,4 @@
-// The edit distance is optimal string alignment: Damerau's four edits, no part of a word edited twice.
+// The edit distance is optimal string alignment: Damerau's four edits, where no part of a word is edited twice.
 #include "diagnostics/spelling.hpp"
 
 #include <algorithm>

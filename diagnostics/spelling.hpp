@@ -1,4 +1,4 @@
-// What a misspelt word may have been meant to be: the nearest of the words that are known.
+// Suggests the known word that is nearest to a misspelt word.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace robochart::diagnostics {
 
-/// The candidate nearest to a misspelt name, if it is near enough to be meant; "" otherwise.
+/// The candidate nearest to a misspelt name, if it is near enough; otherwise "".
 [[nodiscard]] std::string nearest(std::string_view name, const std::vector<std::string>& candidates);
-/// Is it certain that `meant` was meant: at most two letters away, and nothing else as near?
+/// True if `meant` is certainly the intended word: it differs by at most two letters, and no other candidate is as
+/// near.
 [[nodiscard]] bool is_certain(std::string_view name, std::string_view meant,
                               const std::vector<std::string>& candidates);
-/// The title of a fix by another name.
+/// The title of a fix that suggests another name.
 [[nodiscard]] std::string suggested(bool certain);
 
 }  // namespace robochart::diagnostics

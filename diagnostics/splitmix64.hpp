@@ -6,17 +6,17 @@
 
 namespace robochart::diagnostics {
 
-/// What the generator adds to its state for each number: 2^64 divided by the golden ratio, made odd.
+/// The increment of the state per number: 2^64 divided by the golden ratio, made odd.
 inline constexpr std::uint64_t splitmix64_step = 0x9e3779b97f4a7c15U;
 
-/// The number that the generator gives for a state: a bijection of 64 bits in which each bit depends on all others.
+/// The number for a state: a bijection on 64 bits in which each bit depends on all others.
 [[nodiscard]] constexpr std::uint64_t splitmix64_mixed(std::uint64_t z) {
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31U);
 }
 
-/// The next number; the state goes on.
+/// Advances the state and returns the next number.
 constexpr std::uint64_t splitmix64(std::uint64_t& state) {
     return splitmix64_mixed(state += splitmix64_step);
 }

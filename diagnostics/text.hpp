@@ -1,4 +1,4 @@
-// Small changes of texts.
+// Small transformations of texts.
 #pragma once
 
 #include <map>
@@ -7,10 +7,10 @@
 
 namespace robochart::diagnostics {
 
-/// The text with every run of blanks and line ends as one blank, and none at its ends: for titles and excerpts.
+/// Replaces every run of blanks and line ends by one blank, and removes those at the ends; for titles and excerpts.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
-/// The text with every @KEY@ replaced; what it is replaced by is not looked at again.
+/// Replaces every @KEY@ in the text; replacements are not searched again.
 [[nodiscard]] std::string filled(const std::string& text, const std::map<std::string, std::string>& keys);
 
 }  // namespace robochart::diagnostics

@@ -6,7 +6,7 @@ std::size_t utf8_length(std::string_view text) {
     if (text.empty()) return 0;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (byte(0) < 0x80U) return 1;
-    // Unicode 15, table 3-7: lengths and the narrowed range of the second byte.
+    // Unicode 15, table 3-7: the lengths of sequences and the allowed ranges of the second byte.
     const std::size_t length = byte(0) >= 0xC2U && byte(0) <= 0xDFU   ? 2
                                : (byte(0) & 0xF0U) == 0xE0U           ? 3
                                : byte(0) >= 0xF0U && byte(0) <= 0xF4U ? 4

@@ -1,5 +1,5 @@
-// Tails are sums of terms from the greatest outwards. Bounds are found by bisection and are those ends of the last
-// bracket at which the tail, its rounding added, is small enough.
+// Tails are sums of terms, added from the greatest outwards. Bounds are found by bisection. The result is the end of
+// the last interval at which the tail, including its rounding error, is small enough.
 #include "statistics/binomial.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace robochart::statistics {
 
-/// lgamma itself writes a variable that all threads share.
+/// lgamma is not used, because it writes a variable that all threads share.
 long double log_factorial(std::uint64_t n) {
     int sign = 0;
     return lgammal_r(static_cast<long double>(n) + 1, &sign);
@@ -21,8 +21,8 @@ long double term(std::uint64_t k, std::uint64_t n, long double p) {
                     static_cast<long double>(k) * std::log(p) + static_cast<long double>(n - k) * std::log1p(-p));
 }
 
-/// The sum of P(X = i) for i from `low` to `high`. The terms rise to the mode and fall from there, so those left out at
-/// an end are each smaller than the last one added.
+/// The sum of P(X = i) for i from `low` to `high`. The terms increase up to the mode and decrease after it, so each
+/// omitted term is smaller than the last one added at its end.
 long double sum(std::uint64_t low, std::uint64_t high, std::uint64_t n, double probability) {
     constexpr long double negligible = 1e-13L;
     const long double p = probability;
@@ -48,7 +48,7 @@ long double sum(std::uint64_t low, std::uint64_t high, std::uint64_t n, double p
 }  // namespace
 
 double rounding(std::uint64_t trials) {
-    // A term is the exponential of a sum of logarithms of about n ln n, each good to 2^-63.
+    // A term is the exponential of a sum of logarithms of about n ln n, each with a relative error of 2^-63.
     return 1e-8 * std::max(1.0, static_cast<double>(trials) / 1e8);
 }
 
@@ -66,7 +66,7 @@ double at_most(std::uint64_t successes, std::uint64_t trials, double probability
 
 double lower_bound(std::uint64_t successes, std::uint64_t trials, double error) {
     if (successes == 0) return 0;
-    // The tail grows with the probability: it is small enough at `low`, too large at `high`.
+    // The tail increases with the probability: it is small enough at `low` and too large at `high`.
     double low = 0;
     double high = static_cast<double>(successes) / static_cast<double>(trials);
     for (double middle = high / 2; low < middle && middle < high; middle = low + (high - low) / 2)

@@ -1,15 +1,16 @@
 // Tails of the binomial distribution and the interval of Clopper and Pearson, "The use of confidence or fiducial limits
-// illustrated in the case of the binomial", Biometrika 26, 1934. Rounding can only widen an interval.
+// illustrated in the case of the binomial", Biometrika 26, 1934. Rounding errors can only widen an interval.
 #pragma once
 
 #include <cstdint>
 
 namespace robochart::statistics {
 
-/// The relative error of a tail of so many trials is at most this: 1e-8 up to 10^8 of them, then in proportion.
+/// An upper bound on the relative error of a tail: 1e-8 for up to 10^8 trials, then proportional to the number of
+/// trials.
 [[nodiscard]] double rounding(std::uint64_t trials);
 
-/// Between two probabilities, both included.
+/// An interval of probabilities, including both ends.
 struct Interval {
     double low = 0;
     double high = 1;
@@ -19,18 +20,18 @@ struct Interval {
 
 /// The natural logarithm of n!.
 [[nodiscard]] long double log_factorial(std::uint64_t n);
-/// P(X >= successes) and P(X <= successes) of a binomial X of so many trials with this probability each.
+/// P(X >= successes) and P(X <= successes) of a binomial variable X with `trials` trials of this probability.
 [[nodiscard]] double at_least(std::uint64_t successes, std::uint64_t trials, double probability);
 [[nodiscard]] double at_most(std::uint64_t successes, std::uint64_t trials, double probability);
 
-/// The greatest probability p with P(X >= successes) <= error at every probability up to p: below it lies the true one
+/// The greatest p such that P(X >= successes) <= error for every probability up to p. The true probability is below it
 /// with a chance of at most `error`. 0 without a success.
 [[nodiscard]] double lower_bound(std::uint64_t successes, std::uint64_t trials, double error);
-/// The least with P(X <= successes) <= error at every probability from it on. 1 where all succeed.
+/// The least p such that P(X <= successes) <= error for every probability from p on. 1 if all trials succeed.
 [[nodiscard]] double upper_bound(std::uint64_t successes, std::uint64_t trials, double error);
 
-/// Both bounds, half of the error each: contains the true probability with a chance of at least 1 - error, for a number
-/// of trials that was fixed before. Without trials all of [0, 1].
+/// Both bounds, each with half of the error. The interval contains the true probability with a chance of at least 1 -
+/// error, if the number of trials was fixed in advance. Without trials it is [0, 1].
 [[nodiscard]] Interval clopper_pearson(std::uint64_t successes, std::uint64_t trials, double error);
 
 }  // namespace robochart::statistics

@@ -65,13 +65,13 @@ double signed_rank(const std::vector<double>& differences) {
         positive.push_back(each > 0);
     }
     if (sizes.empty()) return 1;
-    // Ranks that are shared are halves: twice the ranks are whole.
+    // Shared ranks are multiples of one half, so doubled ranks are whole numbers.
     std::vector<std::size_t> doubled;
     for (const double place : ranks(sizes)) doubled.push_back(static_cast<std::size_t>(std::llround(2 * place)));
     const std::size_t all = std::accumulate(doubled.begin(), doubled.end(), std::size_t{0});
     std::size_t seen = 0;
     for (std::size_t i = 0; i < doubled.size(); ++i) seen += positive[i] ? doubled[i] : 0;
-    std::vector<double> chances(all + 1);  // of each sum, all signs being equally likely
+    std::vector<double> chances(all + 1);  // of each sum, if all signs are equally likely
     chances[0] = 1;
     std::size_t most = 0;
     for (const std::size_t rank : doubled) {

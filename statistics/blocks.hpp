@@ -1,5 +1,5 @@
-// Whether treatments differ that were each tried once on the same blocks: tests by ranks, which ask nothing of how
-// costs are distributed, and the t-test of pairs. Lower is better.
+// Tests whether treatments differ if each was tried once on the same blocks: rank tests, which assume nothing about the
+// distribution of costs, and the paired t-test. Lower costs are better.
 #pragma once
 
 #include <cstdint>
@@ -7,32 +7,34 @@
 
 namespace robochart::statistics {
 
-/// The costs of one block, treatment by treatment. All blocks of a table have the same length.
+/// The costs of one block, by treatment. All blocks of a table have the same length.
 using Block = std::vector<double>;
 
-/// The places of the costs of a block, from 1 for the lowest; those that are equal share the mean of theirs.
+/// The ranks of the costs of a block, from 1 for the lowest. Equal costs share the mean of their ranks.
 [[nodiscard]] std::vector<double> ranks(const Block&);
 
-/// Friedman's test of at least two treatments, and what follows from it.
+/// Friedman's test of at least two treatments, and comparisons after it.
 struct Friedman {
-    std::vector<double> sums;  ///< of each treatment's ranks over all blocks
-    double chance = 1;         ///< of ranks that differ so much or more where no treatment is better than another
-    double spread = 0;         ///< see `difference`
+    std::vector<double> sums;  ///< the sum of each treatment's ranks over all blocks
+    double chance = 1;  ///< the p-value: the chance of such or larger differences of ranks if no treatment is better
+    double spread = 0;  ///< see `difference`
     std::uint64_t freedom = 0;
 
-    /// Two treatments differ at this error where their sums do by more than this.
+    /// Two treatments differ at this error if their rank sums differ by more than this value.
     [[nodiscard]] double difference(double error) const;
 };
-/// The statistic with its correction for ties, against the chi-squared distribution, and differences of rank sums after
-/// it, against Student's t (Conover, Practical Nonparametric Statistics, 3rd ed., 1999, 5.8). At least one block.
+/// The statistic with its correction for ties, compared with the chi-squared distribution. Differences of rank sums are
+/// then compared with Student's t (Conover, Practical Nonparametric Statistics, 3rd ed., 1999, 5.8). Needs at least one
+/// block.
 [[nodiscard]] Friedman friedman(const std::vector<Block>&);
 
 /// The signed-rank test of two treatments (Wilcoxon, "Individual comparisons by ranking methods", Biometrics Bulletin
-/// 1, 1945), two-sided and exact: the share of all ways to give signs to the ranks of the differences, those of 0 left
-/// out, whose sum is as far from its mean, or farther. At most 5,000 differences that are not 0.
+/// 1, 1945), two-sided and exact. The result is the fraction of all assignments of signs to the ranks of the nonzero
+/// differences whose sum is at least as far from its mean as the observed one. At most 5,000 differences may be
+/// nonzero.
 [[nodiscard]] double signed_rank(const std::vector<double>& differences);
 
-/// The t-test of pairs, two-sided. 1 for less than two differences, and where none differs from 0.
+/// The paired t-test, two-sided. 1 for fewer than two differences, or if all differences are 0.
 [[nodiscard]] double paired_t(const std::vector<double>& differences);
 
 }  // namespace robochart::statistics

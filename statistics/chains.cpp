@@ -71,7 +71,7 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
 
 namespace {
 
-/// Visits of a state from another: what came next, now and at the last look.
+/// Visits of a state after a given state: the counts of next states, now and at the last look.
 struct PairVisits {
     std::uint64_t visits = 0, looked_visits = 0;
     std::uint64_t next = TransitionCounts::looks(1).next(0).value();
@@ -86,7 +86,7 @@ struct PairVisits {
     }
 };
 
-/// The states that followed, at the last look.
+/// The states that had followed at the last look.
 std::set<std::size_t> seen_next(const std::map<std::size_t, PairVisits>& befores) {
     std::set<std::size_t> result;
     for (const auto& [before, visits] : befores)
@@ -94,7 +94,7 @@ std::set<std::size_t> seen_next(const std::map<std::size_t, PairVisits>& befores
     return result;
 }
 
-/// Intervals of many pairs, of which many have the same counts.
+/// Caches intervals, because many pairs have the same counts.
 class KnownIntervals {
 public:
     explicit KnownIntervals(Looks looks) : looks_(looks) {}
@@ -109,7 +109,7 @@ private:
     std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known_;
 };
 
-/// The two states before `state` whose intervals for `next` are farthest apart, if any are.
+/// The two states before `state` whose intervals for `next` are farthest apart, if two intervals are disjoint.
 OrderContradiction farthest_apart(std::size_t state, std::size_t next, const std::map<std::size_t, PairVisits>& befores,
                                   KnownIntervals& intervals) {
     OrderContradiction both{state, next, 0, 0, {0, 1}, {0, 1}};
@@ -139,14 +139,15 @@ double order_triples(const Permitted& permitted) {
 std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>& sequences,
                                                       const Permitted& permitted, double error,
                                                       const std::function<void()>& poll) {
-    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by the middle state, then by the one before
+    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by the middle state, then by the state before it
     for (const StateSequence& each : sequences)
         for (std::size_t at = 2; at < each.size(); ++at) pairs[each[at - 1]][each[at - 2]].add(each[at]);
     KnownIntervals intervals(TransitionCounts::looks(error / order_triples(permitted)));
     std::optional<OrderContradiction> worst;
     for (const auto& [state, befores] : pairs) {
         if (befores.size() < 2) continue;
-        // After what nobody saw follow all intervals have 0 in common; after the only one that may follow, 1.
+        // If only one next state is permitted, all intervals contain 1. For a next state that was never seen, all
+        // contain 0. Neither can contradict.
         if (permitted_of(permitted[state]) < 2) continue;
         for (const std::size_t next : seen_next(befores)) {
             if (poll) poll();
@@ -162,7 +163,7 @@ double weissman_radius(std::size_t values, std::uint64_t draws, double error) {
     if (values < 2) return 0;
     if (draws == 0) return 2;
     const auto count = static_cast<double>(values);
-    // ln(2^values - 2), also where 2^values is no double.
+    // ln(2^values - 2), also if 2^values exceeds the range of double.
     const double sets = values > 60 ? count * std::log(2.0) : std::log(std::exp2(count) - 2);
     const double radius = std::sqrt(2 * (sets - std::log(error)) / static_cast<double>(draws));
     return std::min(2.0, radius * (1 + 1e-12));

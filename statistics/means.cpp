@@ -1,4 +1,4 @@
-// See means.hpp. Quantiles are Boost.Math's, good to about 1e-15.
+// See means.hpp. Quantiles come from Boost.Math, with a relative error of about 1e-15.
 #include "statistics/means.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Statistics of trials that end as soon as they have said enough: Wald, "Sequential tests of statistical hypotheses",
-// Annals of Mathematical Statistics 16, 1945; and intervals of Clopper and Pearson at several looks that share the
-// error.
+// Statistics of trials that stop as soon as the evidence is sufficient: Wald, "Sequential tests of statistical
+// hypotheses", Annals of Mathematical Statistics 16, 1945; and intervals of Clopper and Pearson at several looks that
+// share the error.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,33 @@ namespace robochart::statistics {
 struct Sprt {
     double p0 = 0;  ///< 0 < p1 < p0 < 1
     double p1 = 0;
-    double alpha = 0;  ///< the chance of `below` where the probability is at least p0 is at most this
-    double beta = 0;   ///< the chance of `at_least` where it is at most p1 is at most this
+    double alpha = 0;  ///< the chance of the answer `below` is at most this if the probability is at least p0
+    double beta = 0;   ///< the chance of the answer `at_least` is at most this if it is at most p1
 
     enum class Answer { open, at_least, below };
-    /// To be asked after each trial, in order; the first answer that is not open is that of the test.
+    /// Must be called after each trial, in order. The first answer that is not open is the result of the test.
     ///
     /// The likelihood ratio of p1 to p0 is compared with 1/alpha and beta instead of Wald's (1 - beta)/alpha and
-    /// beta/(1 - alpha), which hold but for the overshoot: by Ville's inequality it ever passes 1/alpha with a chance
-    /// of at most alpha at p0, and less above p0, where it is stochastically smaller; and its inverse likewise 1/beta
-    /// at p1.
+    /// beta/(1 - alpha), because Wald's bounds on the errors are only exact without overshoot. By Ville's inequality,
+    /// the ratio ever exceeds 1/alpha with a chance of at most alpha at p0, and less above p0, where it is
+    /// stochastically smaller. In the same way, its inverse exceeds 1/beta with a chance of at most beta at p1.
     [[nodiscard]] Answer answer(std::uint64_t successes, std::uint64_t trials) const;
 };
 
-/// A confidence interval that may be looked at while trials go on. Look k is after 16 * 1.5^(k-1) trials and takes
-/// error / (k (k + 1)) of the error, the last one, after `most` trials, all that is left: together `error`. So the
-/// chance that any of them misses the true probability is at most `error`, and trials may end at any look.
+/// A confidence interval that may be examined while trials continue. Look k takes place after 16 * 1.5^(k-1) trials and
+/// uses error / (k (k + 1)). The last look, after `most` trials, uses the rest, so all looks together use `error`. The
+/// chance that any of the intervals misses the true probability is therefore at most `error`, and trials may stop at
+/// any look.
 class Looks {
 public:
-    /// `most` trials at most, at least one.
+    /// At most `most` trials; `most` is at least 1.
     Looks(std::uint64_t most, double error) : most_(most), error_(error) {}
 
-    /// The number of trials of the next look after so many; none after the last.
+    /// The number of trials at the first look after `trials` trials; no value after the last look.
     [[nodiscard]] std::optional<std::uint64_t> next(std::uint64_t trials) const;
-    /// The interval of the look after so many trials; between looks there is none.
+    /// The interval of the look after exactly `trials` trials; no value if there is no look.
     [[nodiscard]] std::optional<Interval> at(std::uint64_t successes, std::uint64_t trials) const;
-    /// Of the error, what the look after so many trials takes; 0 between looks.
+    /// The part of the error that the look after `trials` trials uses; 0 if there is no look.
     [[nodiscard]] double share(std::uint64_t trials) const;
 
 private:
@@ -47,7 +48,7 @@ private:
         std::uint64_t number = 0;
         std::uint64_t trials = 0;
     };
-    /// The first look after at least so many trials; `most_` for more.
+    /// The first look after at least `trials` trials; if there is none, the last look.
     [[nodiscard]] Look first(std::uint64_t trials) const;
 
     std::uint64_t most_;

@@ -15,7 +15,7 @@ std::vector<SurvivalStep> survival(std::vector<Duration> durations, double error
     double share = 1;
     double greenwood = 0;  // the sum of d / (n (n - d))
     for (std::size_t i = 0; i < durations.size();) {
-        // Those that end at the time itself were there when it came.
+        // Trials that end at exactly this time count as present at this time.
         const auto there = static_cast<double>(durations.size() - i);
         const double time = durations[i].time;
         double came = 0;

@@ -1,7 +1,7 @@
-// How long something takes where some trials end before it came: Kaplan and Meier, "Nonparametric estimation from
+// The time until an event if some trials end before the event: Kaplan and Meier, "Nonparametric estimation from
 // incomplete observations", JASA 53, 1958, with bands by Greenwood's variance on the scale log(-log S) (Kalbfleisch and
-// Prentice, The Statistical Analysis of Failure Time Data, 1980). The bands are approximate, and each is about its own
-// time.
+// Prentice, The Statistical Analysis of Failure Time Data, 1980). The bands are approximate, and pointwise: each holds
+// for its own time only.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@
 
 namespace robochart::statistics {
 
-/// A trial: it came at this time, or had not come by then.
+/// A trial: the time of the event, or the time until which it had not occurred.
 struct Duration {
     double time = 0;
     bool came = false;
 };
 
-/// From this time on the share of trials for which it has not come is estimated so.
+/// From this time on, the estimated fraction of trials in which the event has not occurred.
 struct SurvivalStep {
     double time = 0;
     double share = 1;
     Interval band;
 };
 
-/// A step for each time at which it came, ascending. `error`: of each band.
+/// One step for each time at which an event occurred, ascending. `error`: the error of each band.
 [[nodiscard]] std::vector<SurvivalStep> survival(std::vector<Duration>, double error);
-/// The time by which it has come in half of the trials; none if that is never seen.
+/// The time by which the event has occurred in half of the trials; no value if this was not observed.
 [[nodiscard]] std::optional<double> median(const std::vector<SurvivalStep>&);
 
 }  // namespace robochart::statistics

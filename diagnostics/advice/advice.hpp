@@ -1,5 +1,4 @@
-// What a mistake probably means: forms of other notations, and forms that are not complete, as a table of each
-// language.
+// Explains probable mistakes: forms of other notations and incomplete forms. Each language has a table of them.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +8,26 @@
 
 namespace robochart::diagnostics {
 
-/// A mistake that people make who know another notation, with what is written instead: one row of a language's table.
+/// A row of a language's table: a mistake of authors who know another notation, and what to write instead.
 struct Advice {
-    std::string_view expected;  ///< what the reader expected, as its message says it; "": anything
-    /// The words around the place, separated by blanks: `@` is the place, behind which stands the word that was found.
-    /// `NAME` is any name that is not reserved, `NUMBER` a number, `TEXT` a string, `END` the end of the text.
+    std::string_view expected;  ///< what the parser expected, in the words of its message; "": anything
+    /// The tokens around the place, separated by blanks. `@` marks the place; the token after it is the one that was
+    /// found. `NAME` is any name that is not reserved, `NUMBER` a number, `TEXT` a string, `END` the end of the text.
     std::string_view words;
-    std::string_view advice;  ///< a sentence without full stop
+    std::string_view advice;  ///< a sentence without a full stop
 };
 
-/// What a word of a text is, for the rows of a table.
+/// The kind of a token, for the rows of a table.
 enum class WordKind { other, name, number, text, end };
 
-/// A word of a text.
+/// A token of a text.
 struct AdviceWord {
     WordKind kind = WordKind::other;
     std::string_view text;
 };
 
-/// What the first row says that fits; "" if none does. `word(n)` is the n-th word from the place on: 0 was found there,
-/// -1 stands in front of it; WordKind::end beyond both ends of the text.
+/// The advice of the first row that matches; "" if none does. `word(n)` is the n-th token relative to the place: 0 is
+/// the token found there, -1 the one before it. It has WordKind::end beyond both ends of the text.
 [[nodiscard]] std::string_view advice_on(std::span<const Advice> rows, std::string_view expected,
                                          const std::function<AdviceWord(std::ptrdiff_t)>& word);
 

@@ -25,9 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t folders = 16;
-constexpr std::uint64_t largest_part = 4;  // of a folder's share, that an entry may take; a larger file is not read
+constexpr std::uint64_t largest_part = 4;  // the largest entry is this fraction of a folder's share; a larger file is
+                                           // not read
 
-/// A folder that this user alone writes to, made if it is not there.
+/// True if the folder exists or can be created, and only this user can write to it.
 bool usable(const std::string& folder) {
     std::error_code code;
     fs::create_directories(fs::path(folder).parent_path(), code);
@@ -37,8 +38,8 @@ bool usable(const std::string& folder) {
            (found.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// The whole of a regular file that has at most so many bytes. The size is that of the open file, so that what is put
-/// in its place meanwhile is not read.
+/// The contents of a regular file of at most `most_bytes` bytes. The size is that of the open file, so a file that
+/// replaces it meanwhile is not read.
 std::optional<std::string> read_whole(const std::string& path, std::uint64_t most_bytes) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     struct stat found {};
@@ -52,7 +53,7 @@ std::optional<std::string> read_whole(const std::string& path, std::uint64_t mos
         if (got <= 0) return std::nullopt;
         have += static_cast<std::size_t>(got);
     }
-    futimens(file.get(), nullptr);  // it was used now
+    futimens(file.get(), nullptr);  // marks the entry as used now
     return text;
 }
 
@@ -63,7 +64,7 @@ Cache::Cache(std::string folder, std::string program, std::uint64_t most_bytes)
     if (!folder_.empty() && (program_.empty() || !usable(folder_))) folder_.clear();
 }
 
-/// The entry belongs to this key and program, and is whole.
+/// A digest of key, program and content. It shows that the entry belongs to this key and program and is complete.
 Digest Cache::seal(const Digest& key, std::string_view content) const {
     Hasher hasher;
     hasher.add(program_);
@@ -104,7 +105,7 @@ void Cache::keep(const Digest& key, std::string_view content) {
     if (write_below(folder_, name, text).empty()) trim(fmt::format("{}/{}", folder_, name.substr(0, 1)));
 }
 
-/// Also removes what a process that was killed has left half written.
+/// Also removes incomplete files of processes that were killed.
 void Cache::trim(const std::string& folder) const {
     struct Entry {
         fs::file_time_type used;
@@ -118,7 +119,7 @@ void Cache::trim(const std::string& folder) const {
     std::error_code code;
     fs::directory_iterator at(folder, code);
     for (; !code && at != fs::directory_iterator(); at.increment(code)) {
-        std::error_code gone;  // another process may be faster
+        std::error_code gone;  // another process may have removed it
         const Entry entry{at->last_write_time(gone), at->file_size(gone), at->path()};
         if (gone) continue;
         if (entry.path.filename().native().starts_with(".")) {
@@ -150,7 +151,7 @@ std::string cache_folder() {
 
 std::string program_identity() {
     std::string identity;
-    // The program itself is the first that is listed.
+    // The first object in the list is the program itself.
     const auto look = [](dl_phdr_info* info, std::size_t /*size*/, void* result) {
         for (int i = 0; i < info->dlpi_phnum; ++i) {
             const ElfW(Phdr)& header = info->dlpi_phdr[i];

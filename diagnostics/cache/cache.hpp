@@ -1,6 +1,7 @@
-// What earlier runs have worked out, found again by the content that it was worked out from. A file for each entry, in
-// 16 folders by the first digit of its name; each folder is kept below its share of the whole, the entries unused for
-// longest leave first. Several processes may use one folder: a file is there as a whole or not at all.
+// Stores results of earlier runs, addressed by the content that they were computed from. There is one file per entry,
+// in 16 folders by the first digit of the file's name. Each folder is limited to its share of the total size; the least
+// recently used entries are removed first. Several processes may use one cache, because a file is always complete or
+// absent.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +15,15 @@ namespace robochart::diagnostics {
 
 class Cache {
 public:
-    /// `program`: which program it is that makes the entries; one does not find what another has kept. The folder is
-    /// made if it is not there. One that belongs to somebody else, or that others may write to, is not used.
+    /// `program` identifies the program that makes the entries; a program does not find the entries of another. The
+    /// folder is created if it does not exist. It is not used if it belongs to another user or if others may write to
+    /// it.
     Cache(std::string folder, std::string program, std::uint64_t most_bytes);
 
-    /// The entry of this key. What is damaged is removed and not found.
+    /// The entry of this key. A damaged entry is removed and not returned.
     [[nodiscard]] std::optional<std::string> find(const Digest& key);
-    /// Keeps an entry, if it can be written; the cache is a help, so it is no error where it cannot. An entry of more
-    /// than a quarter of a folder's share is not kept.
+    /// Stores an entry. It is not an error if it cannot be written, because the cache only saves time. An entry larger
+    /// than a quarter of a folder's share is not stored.
     void keep(const Digest& key, std::string_view content);
 
 private:
@@ -29,16 +31,16 @@ private:
     [[nodiscard]] std::string name_of(const Digest& key) const;
     void trim(const std::string& folder) const;
 
-    std::string folder_;  ///< "": nothing is found or kept
+    std::string folder_;  ///< "": the cache is not used
     std::string program_;
-    std::uint64_t share_;  ///< bytes of one of its folders
+    std::uint64_t share_;  ///< size limit of one of its folders, in bytes
 };
 
-/// The folder for caches: robochart-verify in $XDG_CACHE_HOME or in ~/.cache (XDG Base Directory Specification); ""
-/// where the environment names none.
+/// The folder for caches: robochart-verify in $XDG_CACHE_HOME or in ~/.cache (XDG Base Directory Specification); "" if
+/// the environment defines neither.
 [[nodiscard]] std::string cache_folder();
 
-/// What tells this program from every other that was built: the build ID that the linker gave it; "" where it has none.
+/// A text that differs for every build of the program: the build ID given by the linker; "" if there is none.
 [[nodiscard]] std::string program_identity();
 
 }  // namespace robochart::diagnostics

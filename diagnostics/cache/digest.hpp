@@ -1,5 +1,4 @@
-// A short name for content, by which equal content is found again: BLAKE2b with 256 bits (RFC 7693), as libsodium has
-// it.
+// A hash of content that identifies it: BLAKE2b with 256 bits (RFC 7693), from libsodium.
 #pragma once
 
 #include <array>
@@ -11,10 +10,10 @@
 
 namespace robochart::diagnostics {
 
-/// Equal for equal content, and for no other content that anybody can find.
+/// Equal contents have equal digests. Different contents with equal digests cannot be found in practice.
 using Digest = std::array<std::uint8_t, 32>;
 
-/// Makes a digest of several parts. Each part counts with its length, so that parts cannot run together.
+/// Computes a digest of several parts. The length of each part is included, so that the boundaries matter.
 class Hasher {
 public:
     Hasher();
@@ -26,7 +25,7 @@ public:
     void add(std::uint64_t number);
     void add(std::span<const std::uint32_t> numbers);
     void add(const Digest& digest);
-    /// Of all parts added. To be called once, at the end.
+    /// The digest of all parts added. May be called once, at the end.
     [[nodiscard]] Digest finish();
 
 private:
@@ -36,7 +35,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// "sha256-...": how a Content-Security-Policy names a script or style with this text.
+/// "sha256-...": the hash by which a Content-Security-Policy allows a script or style with this text.
 [[nodiscard]] std::string policy_hash(std::string_view text);
 
 }  // namespace robochart::diagnostics

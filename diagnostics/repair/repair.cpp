@@ -14,10 +14,11 @@ namespace {
 
 using IsSyntax = std::function<bool(const Rule&)>;
 
-/// What a finding says and in which file, wherever it stands there.
+/// File, code and message of a finding, without its position in the file.
 using Said = std::tuple<std::string, std::string, std::string>;
 
-/// Findings by what has to be right before the others show: syntax, then the other errors, then warnings.
+/// Levels of findings. A lower level can hide findings of a higher one: syntax errors hide other errors, which hide
+/// warnings.
 enum class Level : std::size_t { syntax, error, warning };
 constexpr std::array levels{Level::syntax, Level::error, Level::warning};
 
@@ -26,7 +27,7 @@ Level level_of(const Rule& rule, const IsSyntax& is_syntax) {
     return rule.severity == Severity::error ? Level::error : Level::warning;
 }
 
-/// What is wrong with texts.
+/// The findings in a set of texts.
 struct Faults {
     std::array<std::multiset<Said>, levels.size()> found;
     std::size_t dropped = 0;
@@ -55,14 +56,15 @@ bool includes(const std::multiset<Said>& all, const std::multiset<Said>& some) {
     return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-/// A fix with the finding that it belongs to, in the file of a path.
+/// A fix in a file, with the finding that it belongs to.
 struct Candidate {
     std::string path;
     FixIt fix;
     RefusedFix otherwise;
 };
 
-/// A text may be there several times, as a whole and with parts blanked; the first of a path is the file's.
+/// A text may be registered several times under one path, as a whole and with parts blanked; the first is the whole
+/// file.
 SourceId first_of_path(const SourceManager& sources, SourceId source) {
     const std::string& path = sources.path(source);
     for (std::uint32_t i = 0; i < sources.size(); ++i)
@@ -109,7 +111,7 @@ Texts applied(const Texts& texts, const std::vector<Candidate>& all) {
     return result;
 }
 
-/// Applies the fixes of a level, as often as that lets more of them show.
+/// Applies the fixes of one level, repeatedly while this uncovers further fixes.
 class Repairer {
 public:
     Repairer(Texts& texts, Level level, const ReadTexts& read, const IsSyntax& is_syntax)
@@ -127,7 +129,7 @@ public:
 private:
     static constexpr int most_rounds = 20;
 
-    /// Those that show now. Returns whether any was made.
+    /// Applies the fixes of the current findings. Returns true if any was applied.
     bool round() {
         before_ = texts_;
         refused_.clear();
@@ -155,7 +157,8 @@ private:
         }
     }
 
-    /// A fix may uncover a mistake that can be fixed too: one that was refused, with all that shows behind it.
+    /// A fix may uncover another mistake that can be fixed. Tries each refused fix together with the fixes that it
+    /// uncovers.
     bool with_what_follows() {
         for (const Candidate& first : refused_) {
             constexpr int most_steps = 4;
@@ -178,14 +181,14 @@ private:
         return false;
     }
 
-    /// The texts as the round began, with what was made in it and this group.
+    /// The texts at the beginning of the round, with the fixes made in it so far and this group.
     [[nodiscard]] Texts texts_with(std::span<const Candidate> group) const {
         std::vector<Candidate> all = made_;
         all.insert(all.end(), group.begin(), group.end());
         return applied(before_, all);
     }
 
-    /// Of hundreds of findings not all are kept, so that they can only be counted.
+    /// If there are hundreds of findings, not all are kept, so only their numbers are compared.
     [[nodiscard]] bool better(const Faults& then, std::size_t fixes) const {
         if (now_.dropped > 0 || then.dropped > 0) return then.count() + fixes <= now_.count();
         for (const Level level : levels) {
@@ -203,7 +206,7 @@ private:
     Texts before_;
     Faults now_;
     std::vector<Candidate> made_;     ///< in this round
-    std::vector<Candidate> refused_;  ///< likewise
+    std::vector<Candidate> refused_;  ///< in this round
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Certain fixes, applied only where the texts read better with them: they are applied in memory, the texts are read
-// again, and what is not better is left as it was.
+// Applies certain fixes only where they improve the texts. Fixes are applied in memory and the texts are read again; a
+// fix that does not help is undone.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,14 @@ namespace robochart::diagnostics {
 /// Texts by the paths of their files.
 using Texts = std::map<std::string, std::string>;
 
-/// Texts that were read, with what was found in them.
+/// Texts after reading, with the findings in them.
 struct TextReading {
     SourceManager sources;
     Diagnostics findings;
 };
 using ReadTexts = std::function<std::unique_ptr<TextReading>(const Texts&)>;
 
-/// A fix that was not made.
+/// A fix that was not applied.
 struct RefusedFix {
     std::string place;  ///< `path:line` of the finding
     std::string code;
@@ -31,15 +31,15 @@ struct RefusedFix {
 };
 
 struct Repaired {
-    Texts texts;  ///< those that changed
+    Texts texts;  ///< the changed texts
     std::size_t made = 0;
     std::vector<RefusedFix> refused;
 };
 
-/// Applies the certain fixes of findings in these texts: first those of syntax, then those of other errors, then those
-/// of warnings, since each of these may show only where the ones before it are gone. A group of fixes is made if it
-/// removes a finding of its kind for each of its fixes and brings none of its kind or of one before it; otherwise each
-/// half of the group is tried. `is_syntax` says which rules are those of syntax.
+/// Applies the certain fixes of findings in these texts: first those of syntax errors, then those of other errors, then
+/// those of warnings, because each kind may only show when the earlier ones are gone. A group of fixes is applied if it
+/// removes at least one finding of its kind per fix and adds none of its kind or an earlier one. Otherwise each half of
+/// the group is tried. `is_syntax` is true for the rules of syntax.
 [[nodiscard]] Repaired repair(const Texts&, const ReadTexts&, const std::function<bool(const Rule&)>& is_syntax);
 
 }  // namespace robochart::diagnostics

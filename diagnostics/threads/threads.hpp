@@ -1,5 +1,5 @@
-// Threads that work for one caller. What a thread throws reaches the caller, and a thread that cannot be started is a
-// limit like any other: no thread of the program ends it by std::terminate.
+// Threads that work for one caller. Exceptions of a thread are passed to the caller, and a thread that cannot be
+// started counts as a reached limit. So no thread ends the program by std::terminate.
 #pragma once
 
 #include <chrono>
@@ -13,26 +13,27 @@
 
 namespace robochart::diagnostics {
 
-/// As many threads as asked for; 0: one a core.
+/// The requested number of threads; for 0, the number of cores.
 [[nodiscard]] unsigned threads_wanted(unsigned asked);
 
-/// Threads with the numbers 1, 2, ...; the caller's own thread is number 0.
+/// Threads with the numbers 1, 2, ...; the caller's own thread has number 0.
 class Threads {
 public:
-    /// Calls `work` with each number from 1 to `size` - 1 in a thread of its own. `stop`, if there is one, makes all of
-    /// them return soon; it is called, by any thread and perhaps several times, where one throws or cannot be started.
-    /// Throws LimitReached where one cannot be started, after the others have returned.
+    /// Calls `work` with each number from 1 to `size` - 1, each in its own thread. `stop`, if given, must make all of
+    /// them return soon. It is called if a thread throws or cannot be started, by any thread and possibly several
+    /// times. If a thread cannot be started, throws LimitReached after the others have returned.
     Threads(unsigned size, std::function<void(unsigned number)> work, std::function<void()> stop = {});
     Threads(const Threads&) = delete;
     Threads& operator=(const Threads&) = delete;
-    /// Stops them and waits for them.
+    /// Stops the threads and waits for them.
     ~Threads();
 
-    /// With the caller's.
+    /// The number of threads, including the caller's.
     [[nodiscard]] unsigned size() const { return static_cast<unsigned>(errors_.size()); }
-    /// Waits until all have returned, at most so long. Whether they have.
+    /// Waits at most this long for all threads to return. True if they have returned.
     [[nodiscard]] bool returned_within(std::chrono::milliseconds);
-    /// Waits until all have returned; throws what the one with the least number has thrown.
+    /// Waits until all threads have returned, then throws the exception of the thread with the least number that threw
+    /// one.
     void join();
 
 private:
@@ -42,22 +43,22 @@ private:
 
     std::function<void(unsigned)> work_;
     std::function<void()> stop_;
-    std::vector<std::exception_ptr> errors_;  ///< by number; written by its thread before it returns
-    std::mutex mutex_;                        ///< of what follows
+    std::vector<std::exception_ptr> errors_;  ///< by number; each thread writes its own before it returns
+    std::mutex mutex_;                        ///< protects the members below
     std::condition_variable changed_;
     unsigned working_ = 0;
-    std::vector<std::thread> threads_;  ///< of the caller alone
+    std::vector<std::thread> threads_;  ///< used only by the caller
 };
 
-/// Calls `work` with each number below `count` and with the number of the thread that does it, by at most so many
-/// threads, the caller's among them. After an exception no further number is begun; the exception of the least number
-/// that has one is thrown when all have returned. Throws LimitReached where a thread cannot be started.
+/// Calls `work` with each number below `count` and with the number of the executing thread. At most `threads` threads
+/// are used, including the caller's. After an exception no further number is started. When all threads have returned,
+/// the exception of the least number that threw is rethrown. Throws LimitReached if a thread cannot be started.
 void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t number, unsigned thread)>& work);
 
-/// Calls `work` in so many threads, and `watch` meanwhile in the caller's, ten times a second and once at the end. If
-/// one of these throws, or a thread cannot be started, `stop` makes the threads return, and the exception is thrown
-/// when they have.
+/// Calls `work` in `threads` threads. Meanwhile calls `watch` in the caller's thread, ten times a second and once at
+/// the end. If one of these throws, or a thread cannot be started, `stop` makes the threads return, and the exception
+/// is then thrown.
 void in_parallel_watched(unsigned threads, const std::function<void()>& work, const std::function<void()>& stop,
                          const std::function<void()>& watch);
 
