@@ -334,7 +334,7 @@ TEST_F(StepPageInABrowser, ShowsTheStructure) {
     EXPECT_THAT(lines[4], HasSubstr("false"));
 }
 
-// The way and the log of docs/step.md, "What was walked, kept".
+// The way and the log of docs/step.md, "Saving a session".
 TEST_F(StepPageInABrowser, WritesTheWayAsTheLogThatSaveWrites) {
     std::string keys = "key 1\nkey 1\nkey 1\n";
     for (int i = 0; i < 10; ++i) keys += "key t\n";
