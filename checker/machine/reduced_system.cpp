@@ -14,6 +14,10 @@ constexpr std::size_t most_steps = 1000;
 /// States by which it is found out what proofs are worth, in rounds: the first ones take out what is worth least.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // that it expands
 constexpr std::size_t pilot_found = 200'000;              // that it finds
+/// A round ends early if its proofs take more work than this, plus an allowance for each tau that they follow: proofs
+/// about locks and schedulers often look at thousands of states and fail.
+constexpr double most_work_of_a_round = 60'000;
+constexpr double most_work_of_a_tau = 2'000;
 /// A reduced search may take so much more work than one of all states, for less memory. It is judged by a round that
 /// has expanded so many states.
 constexpr double most_work = 1.5;
@@ -25,8 +29,8 @@ class Pilot final : private lts::SuccessorSink {
 public:
     explicit Pilot(std::size_t width) : found_(width) {}
 
-    /// Goes on with so many states.
-    void run(lts::TransitionSystem& system, std::size_t states, const std::function<void()>& poll) {
+    /// Expands up to so many more states. Returns false if the proofs took too much work, so that it ended early.
+    bool run(ReducedSystem& system, std::size_t states, const std::function<void()>& poll) {
         if (found_.size() == 0) {
             std::vector<lts::Word> initial(system.width());
             system.initial(initial);
@@ -34,6 +38,8 @@ public:
         }
         for (std::size_t i = 0; i < states && !open_.empty() && found_.size() < pilot_found; ++i) {
             if (poll) poll();
+            const double most = most_work_of_a_round + most_work_of_a_tau * static_cast<double>(system.chased());
+            if (system.work_of_proofs() > most) return false;
             const lts::StateIndex state = open_.back();
             open_.pop_back();
             const std::size_t before = open_.size();
@@ -43,6 +49,7 @@ public:
             if (fresh != 0) std::rotate(first, first + static_cast<std::ptrdiff_t>(expanded_ * 7 % fresh), open_.end());
             ++expanded_;
         }
+        return true;
     }
     [[nodiscard]] std::size_t expanded() const { return expanded_; }
 
@@ -72,7 +79,7 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         ReducedSystem reduced(std::move(whole), combined, rules, plan);
         reduced.watch(poll);
         const std::size_t expanded_before = pilot.expanded();
-        pilot.run(reduced, states, poll);
+        const bool whole_round = pilot.run(reduced, states, poll);
         const std::size_t expanded = pilot.expanded() - expanded_before;
         if (expanded == 0) break;
         work += static_cast<double>(searched.work());
@@ -81,8 +88,8 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         // Each followed tau leaves out another state at best.
         const auto kept = static_cast<double>(expanded);
         const double without = (kept + static_cast<double>(reduced.chased())) * work_of_a_state;
-        worth_it =
-            expanded < enough_to_judge || kept * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
+        worth_it = (whole_round && expanded < enough_to_judge) ||
+                   kept * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
         plan = record.plan(work_of_a_state);
     }
     return worth_it ? std::optional(plan) : std::nullopt;

@@ -104,6 +104,27 @@ assert System :[has trace [F]]: <done, done>
     EXPECT_EQ(shown.steps.size(), whole.at(1).verdict.counterexample.value().steps.size()) << "the shortest run";
 }
 
+// A reader's hidden step keeps the writer out, so no proof for it succeeds. Each failing proof looks at thousands of
+// states of the lock and the readers; the search must go on without them.
+TEST(SessionTest, AReductionWhoseProofsFailIsGivenUp) {
+    const std::string text = R"(R = {1..8}
+channel begin, read, end : R
+channel beginWrite, write, endWrite
+Lock(n, writing) = (not writing and n < 8) & begin?r -> Lock(n + 1, writing) [] n > 0 & end?r -> Lock(n - 1, writing)
+  [] (n == 0 and not writing) & beginWrite -> Lock(n, true) [] writing & endWrite -> Lock(n, false)
+Reader(r) = begin.r -> read.r -> end.r -> Reader(r)
+Writer = beginWrite -> write -> endWrite -> Writer
+Locking = {|begin, end, beginWrite, endWrite|}
+assert (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false)) \ Locking :[deadlock free]
+)";
+    refine::Limits limits;
+    limits.reduction = true;
+    const refine::Verdict verdict = results(text, limits).at(0).verdict;
+    EXPECT_EQ(verdict.outcome, refine::Outcome::holds);
+    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 ways of readers, and the writer before and after it writes
+    EXPECT_EQ(verdict.statistics.chased, 0U);
+}
+
 // Each way to begin leads to components of its own: taken apart it would have some hundred, for a dozen states.
 TEST(SessionTest, AProcessOfFewStatesIsNotTakenApart) {
     Reading reading(R"(channel a, b, c : {0..3}
