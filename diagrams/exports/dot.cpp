@@ -29,7 +29,7 @@ private:
         return !outline_.inside(box).empty() || !outline_.events(box).empty();
     }
 
-    /// Title and rows, lines of a label.
+    /// The lines of a label: the title and the rows.
     [[nodiscard]] std::string text_of(std::size_t box, const char* line_end) const {
         std::string text = diagnostics::label_text(outline_.title(box));
         for (const std::string& row : outline_.rows(box)) text += line_end + diagnostics::label_text(row);
@@ -55,7 +55,7 @@ private:
         }
         out_ += fmt::format("{}subgraph cluster_{} {{\n{}  label=\"{}\";\n", indent, outline_.id(box), indent,
                             text_of(box, "\\n"));
-        // Lines that end at the cluster end at a point in it and are cut at its border.
+        // An edge to a cluster ends at an invisible point inside it and is clipped at its border.
         out_ += fmt::format("{}  {} [shape=point, style=invis];\n", indent, outline_.id(box));
         for (const std::size_t event : outline_.events(box))
             out_ += fmt::format("{}  {} [shape=square, label=\"{}\"];\n", indent, outline_.id(event),

@@ -1,4 +1,4 @@
-// Pictures for Graphviz, whose programs lay them out anew.
+// Exports pictures to Graphviz, which computes its own layout.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robochart::diagrams {
 
-/// A directed graph; what has boxes in it or events on its border is a cluster.
+/// A directed graph. A box that contains boxes, or has events on its border, becomes a cluster.
 [[nodiscard]] std::string dot(const Picture& picture);
 
 }  // namespace robochart::diagrams

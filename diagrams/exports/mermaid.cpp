@@ -13,8 +13,8 @@
 namespace robochart::diagrams {
 namespace {
 
-/// Text as an entity code for all but letters, digits and a few signs: Mermaid ends statements at `;`, reads `::` and
-/// `%%` anywhere, and takes `\n` for a line end.
+/// Writes all characters as entity codes, except letters, digits and a few signs. Mermaid ends statements at `;`,
+/// interprets `::` and `%%` anywhere, and reads `\n` as a line end.
 std::string escaped(const std::string& text) {
     constexpr std::string_view plain = " _.,=()[]/!?*+";
     std::string result;
@@ -96,8 +96,8 @@ private:
                 out_ += fmt::format("{}{} : {}\n", indent, id, escaped(row));
             return;
         }
-        // A description of a composite state would replace its title, and with a note Mermaid 12 draws it outside of
-        // the state around it.
+        // The rows become part of the title. A description of a composite state would replace its title, and Mermaid 12
+        // draws a note outside of the enclosing state.
         for (const std::string& row : outline_.rows(box)) title += "<br/>" + escaped(row);
         out_ += fmt::format("{}state \"{}\" as {} {{\n", indent, title, id);
         write_level(box, indent + "  ");

@@ -1,4 +1,4 @@
-// Pictures for Mermaid, which many pages render from text.
+// Exports pictures to Mermaid, which many websites render from text.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace robochart::diagrams {
 
-/// Machines and operations as `stateDiagram-v2`, everything else as `flowchart`. What Mermaid has no notation for is
-/// listed in comments at the head.
+/// Machines and operations become a `stateDiagram-v2`, everything else a `flowchart`. Comments at the top list the
+/// elements for which Mermaid has no notation.
 [[nodiscard]] std::string mermaid(const Picture& picture);
 
 }  // namespace robochart::diagrams

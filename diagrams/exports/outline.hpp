@@ -1,4 +1,4 @@
-// A picture without its geometry, as exports to other layouts need it.
+// A picture without its geometry, for exports that compute their own layout.
 #pragma once
 
 #include <cstddef>
@@ -9,32 +9,32 @@
 
 namespace robochart::diagrams {
 
-/// What a picture holds, as a tree of boxes.
+/// The contents of a picture as a tree of boxes.
 class Outline {
 public:
     explicit Outline(const Picture& picture);
 
-    /// A name of letters and digits, different for each box.
+    /// An identifier of letters and digits, unique for each box.
     [[nodiscard]] std::string id(std::size_t box) const;
-    /// Its first line.
+    /// The first line of the box.
     [[nodiscard]] std::string title(std::size_t box) const;
-    /// Its other lines: rows or actions; what was elided as a whole.
+    /// The other lines of the box: rows or actions. Elided text is complete here.
     [[nodiscard]] std::vector<std::string> rows(std::size_t box) const;
-    /// On one line.
+    /// The label on one line.
     [[nodiscard]] std::string label(const PictureLine& line) const;
-    /// Boxes directly in a box (`none`: in no box), squares of events apart.
+    /// The boxes directly in a box (`none`: in no box), without squares of events.
     [[nodiscard]] const std::vector<std::size_t>& inside(std::size_t box) const;
-    /// The squares on its border.
+    /// The squares of events on the border of the box.
     [[nodiscard]] const std::vector<std::size_t>& events(std::size_t box) const;
     /// The lines between boxes directly in a box.
     [[nodiscard]] const std::vector<std::size_t>& lines(std::size_t box) const;
-    /// Is it a machine or an operation: boxes joined as nodes, not as squares?
+    /// True for a machine or an operation: lines join boxes, not squares.
     [[nodiscard]] bool is_machine() const { return machine_; }
 
 private:
     const Picture& picture_;
     bool machine_ = false;
-    std::vector<std::vector<std::size_t>> inside_, events_, lines_;  ///< by box; the last for no box
+    std::vector<std::vector<std::size_t>> inside_, events_, lines_;  ///< by box; the last entry is for `none`
 };
 
 }  // namespace robochart::diagrams

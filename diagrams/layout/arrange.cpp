@@ -1,4 +1,5 @@
-// The steps of the layout in their order. Parts of a level that no edge joins are laid out alone and put into rows.
+// Runs the steps of the layout in order. The connected components of a level are laid out separately and arranged in
+// rows.
 #include "diagrams/layout/arrange.hpp"
 
 #include <algorithm>
@@ -14,13 +15,13 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// A part of a level, with the places of its boxes and edges in the whole.
+/// A connected component of a level, with the indices of its boxes and edges in the level.
 struct Part {
     Level level;
     std::vector<std::size_t> boxes, edges;
 };
 
-/// Sets of boxes, each with its first box as its name.
+/// Disjoint sets of boxes; each set is represented by its first box.
 class Partition {
 public:
     explicit Partition(std::size_t boxes) : parent_(boxes) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -38,7 +39,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// What edges join, what is at the ends of the level, and what was one part before an edit, is one part.
+/// Boxes are in one part if an edge joins them, if both are pinned to an end of the level, or if they were in one part
+/// before an edit.
 Partition partition_of(const Level& level) {
     Partition partition(level.boxes.size());
     for (const Edge& edge : level.edges) partition.join(edge.from, edge.to);
@@ -55,7 +57,7 @@ Partition partition_of(const Level& level) {
     return partition;
 }
 
-/// Places of several parts before an edit mean nothing together: those of the first part count.
+/// Positions from different parts before an edit cannot be compared, so only those of the first part are kept.
 void forget_other_parts(Level& level) {
     std::optional<std::size_t> part;
     for (Box& box : level.boxes) {
@@ -95,7 +97,7 @@ std::vector<Part> parts_of(const Level& level) {
     return parts;
 }
 
-/// A graph whose layers are in order.
+/// A graph whose layers have been ordered.
 struct Layered {
     Graph graph;
     Ordered ordered;
@@ -113,18 +115,19 @@ Layered layered(const Level& level, bool turned, Cycles cycles, diagnostics::Bud
     return result;
 }
 
-/// Larger ones are laid out once.
+/// Larger graphs are laid out only once.
 constexpr std::size_t most_nodes_twice = 250;
 
-/// What was there before an edit is in the same layers.
+/// True if the boxes that existed before an edit are in the same layers.
 bool same_layers(const Level& level, const Graph& one, const Graph& other) {
     for (std::size_t b = 0; b < level.boxes.size(); ++b)
         if (level.boxes[b].previous && one.layer_of_box[b] != other.layer_of_box[b]) return false;
     return true;
 }
 
-/// Where edges cross that need not if others are turned round, these are turned; where what an edit has added would
-/// make the rest change its order, the edges of what was added are.
+/// Tries a second choice of reversed edges and keeps it if it is better. Without an edit, it reverses few edges, if the
+/// first result has crossings. After an edit, it reverses edges of added boxes, if the first result changes the
+/// previous order.
 Layered best_layered(const Level& level, bool turned, diagnostics::Budget* budget) {
     Layered found = layered(level, turned, Cycles::text, budget);
     const bool edited =
@@ -145,7 +148,7 @@ Placement arrange_part(const Level& level, bool turned, diagnostics::Budget* bud
     return placement_of(found.graph);
 }
 
-/// Where a part goes.
+/// The position of a part.
 struct Spot {
     std::size_t part = 0, row = 0;
     double x = 0, y = 0;
@@ -173,7 +176,7 @@ void add_part(Placement& whole, const Part& part, const Spot& spot, Placement pl
     whole.size.height = std::max(whole.size.height, y + placed.size.height);
 }
 
-/// In rows, as wide as the widest part, or as makes the whole one and a half times as wide as high.
+/// The width of the rows: that of the widest part, or the width at which the whole is about 1.5 times as wide as high.
 double row_width(const std::vector<Placement>& placed) {
     double widest = 0;
     double area = 0;
@@ -184,12 +187,12 @@ double row_width(const std::vector<Placement>& placed) {
     return std::max(widest, std::sqrt(area * 1.5));
 }
 
-/// The parts in rows, between what is at both ends of the level.
+/// Arranges parts in rows, between the pinned boxes at both ends of the level.
 class Rows {
 public:
     Rows(Placement& whole, double width) : whole_(whole), right_(width) {}
 
-    /// In a row of its own; what follows keeps off what is pinned in it.
+    /// Adds a part with pinned boxes in a row of its own. Later parts stay between its pinned boxes.
     void add_pinned(const Part& part, std::size_t number, Placement placed) {
         double left = 0;
         double right = std::max(right_, placed.size.width);
@@ -219,7 +222,7 @@ public:
     }
 
 private:
-    /// As before an edit, otherwise where the row is full.
+    /// After an edit, the row is the same as before; otherwise a new row begins when the current one is full.
     [[nodiscard]] bool begins_row(const Part& part, const Size& size) const {
         for (const Box& box : part.level.boxes)
             if (box.previous) return box.previous->row != row_;
@@ -229,7 +232,7 @@ private:
     Placement& whole_;
     std::size_t row_ = 0;
     double left_ = 0, right_ = 0, x_ = 0, y_ = 0;
-    double height_ = 0;  ///< of the row
+    double height_ = 0;  ///< of the current row
 };
 
 Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool turned, diagnostics::Budget* budget) {
@@ -251,12 +254,12 @@ Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool tu
     return whole;
 }
 
-/// How much of a page it takes that is half as wide again as it is high.
+/// The size of a page with aspect ratio 3:2 that contains the layout.
 double extent(const Size& size) {
     return std::max(size.width / 1.5, size.height);
 }
 
-/// Loops beside boxes are at their right side, where edges that lead to the right begin.
+/// A loop is drawn at the right side of its box, where edges that lead to the right begin.
 bool has_loops(const Level& level) {
     return std::any_of(level.edges.begin(), level.edges.end(),
                        [](const Edge& edge) { return edge.from == edge.to && !edge.from_port; });
@@ -273,7 +276,8 @@ Placement arrange(const Level& level, diagnostics::Budget* budget) {
     if (level.direction == Direction::right) return arrange_in(level, parts, true, budget);
     Placement down = arrange_in(level, parts, false, budget);
     Placement right = arrange_in(level, parts, true, budget);
-    // What leads to the right is taken where it is clearly better; what was taken before stays unless it is much worse.
+    // Layout to the right is chosen only if it is clearly better. After an edit, the previous direction is kept unless
+    // it is much worse.
     const double bound = !level.previous ? 0.85 : level.previous == Direction::right ? 1.3 : 0.7;
     return extent(right.size) < bound * extent(down.size) ? right : down;
 }

@@ -1,5 +1,5 @@
-// The layout of a level, in layers (Sugiyama, Tagawa, Toda: Methods for visual understanding of hierarchical system
-// structures, 1981). docs/diagrams.md describes its steps.
+// The layered layout of a level (Sugiyama, Tagawa, Toda: Methods for visual understanding of hierarchical system
+// structures, 1981). docs/diagrams.md describes the steps.
 #pragma once
 
 #include <stdexcept>
@@ -9,13 +9,13 @@
 
 namespace robochart::diagrams::layout {
 
-/// A level is too large to be laid out in reasonable time and space.
+/// A level is too large to be laid out with reasonable time and memory.
 class TooLarge : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// The same level gives the same placement, bit by bit. Throws TooLarge.
+/// Deterministic: equal levels give bitwise equal placements. Throws TooLarge.
 [[nodiscard]] Placement arrange(const Level& level, diagnostics::Budget* budget = nullptr);
 
 }  // namespace robochart::diagrams::layout

@@ -1,7 +1,7 @@
-// Which edges are drawn against their direction: those that lead back in a search in depth from the entries, their
-// targets in the order of the text. Before an edit some edges led upwards already: these are turned first, and, so that
-// what was there may stay, those of what was added. Or few (P. Eades, X. Lin, W. Smyth: A fast and effective heuristic
-// for the feedback arc set problem, 1993).
+// Decides which edges are drawn against their direction. By default, these are the back edges of a depth-first search
+// from the entries, with targets in textual order. After an edit, edges that led upwards before are reversed first.
+// `kept` also reverses edges that join added boxes, so that the other boxes can keep their places. `few` reverses few
+// edges (P. Eades, X. Lin, W. Smyth: A fast and effective heuristic for the feedback arc set problem, 1993).
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -17,19 +17,19 @@ bool led_upwards(const Level& level, const Edge& edge) {
     return from && to && from->layer > to->layer;
 }
 
-/// Between a box that was there before an edit and one that was not, neither of them pinned.
+/// True for an edge between a box that existed before an edit and one that did not, if neither is pinned.
 bool joins_added(const Level& level, const Edge& edge) {
     const Box& from = level.boxes[edge.from];
     const Box& to = level.boxes[edge.to];
     return from.pin == Pin::none && to.pin == Pin::none && from.previous.has_value() != to.previous.has_value();
 }
 
-/// An end that is pinned decides alone.
+/// True if a pinned end forces the edge to lead upwards.
 bool pinned_upwards(const Level& level, const Edge& edge) {
     return level.boxes[edge.to].pin == Pin::first || level.boxes[edge.from].pin == Pin::last;
 }
 
-/// The search in depth, without recursion: a level may be as deep as it has boxes.
+/// An iterative depth-first search, because a path may be as long as the number of boxes.
 class DepthFirst {
 public:
     explicit DepthFirst(Graph& graph) : graph_(graph), out_(graph.level->boxes.size()), state_(out_.size()) {
@@ -72,12 +72,12 @@ private:
     Graph& graph_;
     std::vector<std::vector<std::size_t>> out_;
     std::vector<State> state_;
-    std::vector<std::pair<std::size_t, std::size_t>> path_;  ///< a box, and which of its edges is next
+    std::vector<std::pair<std::size_t, std::size_t>> path_;  ///< a box and the index of its next edge
 };
 
-/// An order of the boxes that few edges lead back in: boxes that no edge leads to come first, those that none leads
-/// from last; where there are neither, the box from which most edges more lead than to it comes next, among equals the
-/// first of the text.
+/// An order of the boxes with few backward edges. Boxes without incoming edges come first, boxes without outgoing edges
+/// last. If there are none of either, the box with the largest surplus of outgoing edges comes next; ties are broken by
+/// textual order.
 class GreedyOrder {
 public:
     explicit GreedyOrder(const Graph& graph)
@@ -95,7 +95,7 @@ public:
         }
     }
 
-    /// The place of each box.
+    /// The position of each box.
     std::vector<std::size_t> places() {
         std::size_t first = 0;
         std::size_t behind = near_.size();
@@ -117,7 +117,7 @@ public:
 private:
     struct Near {
         std::vector<std::size_t> in, out;
-        std::size_t ins = 0, outs = 0;  ///< of those that are left
+        std::size_t ins = 0, outs = 0;  ///< of the remaining boxes
     };
 
     [[nodiscard]] std::size_t next() const {

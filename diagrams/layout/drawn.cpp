@@ -14,9 +14,9 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-constexpr double inset = 5;  ///< between the border of a level and what is in it
+constexpr double inset = 5;  ///< between the border of a level and its contents
 
-/// The place in the middle of a line.
+/// The point in the middle of a line.
 Point middle_of(const std::vector<Point>& line) {
     const auto length = [&](std::size_t i) { return std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y); };
     double rest = 0;
@@ -32,7 +32,7 @@ Point middle_of(const std::vector<Point>& line) {
     return line.back();
 }
 
-/// Places beside the pieces of a line.
+/// Adds places for a label along the segments of a line.
 void add_places_beside(const Point& a, const Point& b, const Size& label, std::vector<Rectangle>& places) {
     for (const double part : {0.5, 0.3, 0.7, 0.15, 0.85}) {
         const Point at{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
@@ -51,7 +51,7 @@ void add_places_beside(const Point& a, const Point& b, const Size& label, std::v
 std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& label, const Point* offset) {
     std::vector<Rectangle> places;
     const Point middle = middle_of(line);
-    constexpr double far = 25;  // from its line, no label says whose it is
+    constexpr double far = 25;  // a label farther from its line cannot be assigned to it by the reader
     if (offset != nullptr && std::abs(offset->x) < label.width / 2 + far &&
         std::abs(offset->y) < label.height / 2 + far)
         places.push_back({middle.x + offset->x - label.width / 2, middle.y + offset->y - label.height / 2, label.width,
@@ -61,7 +61,7 @@ std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& 
     const auto length = [&](std::size_t i) { return std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y); };
     std::stable_sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
     for (const std::size_t i : pieces) add_places_beside(line[i - 1], line[i], label, places);
-    // Further away, above and below.
+    // Then places farther above and below.
     for (const double away : {16.0, 32.0, 48.0, 64.0, 96.0, 128.0})
         for (const double part : {0.5, 0.1, 0.9}) {
             const double x = middle.x - part * label.width;
@@ -71,7 +71,7 @@ std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& 
     return places;
 }
 
-/// What is around everything of a placement.
+/// The bounding box of everything in a placement.
 class Extent {
 public:
     void see(const Rectangle& it) {
@@ -91,7 +91,7 @@ public:
     DrawnArrangement(const Level& level, const DrawnLevel& drawn, diagnostics::Budget* budget)
         : level_(level), drawn_(drawn), budget_(budget) {}
 
-    /// With everything moved by a distance, and the level at least so large.
+    /// The placement moved by a vector; the level is at least of size `least`.
     Placement place(const Point& by, const Size& least) {
         placement_ = {};
         placement_.boxes.resize(level_.boxes.size());
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// How much larger a box has to be than it was drawn.
+    /// How much larger a box must be than it was drawn.
     [[nodiscard]] Size growth_of(std::size_t b) const {
         if (!drawn_.boxes[b] || level_.boxes[b].round) return {};
         const DrawnBox& drawn = *drawn_.boxes[b];
@@ -117,7 +117,7 @@ private:
                 drawn.height ? std::max(0.0, least.height - *drawn.height) : 0};
     }
 
-    /// How far each box moves to the right and down for those that have grown before and above it.
+    /// How far each box moves right and down, because boxes to the left of it or above it have grown.
     [[nodiscard]] std::vector<Point> shifts() const {
         std::vector<Point> result(level_.boxes.size());
         push(result, &Point::x, &Size::width, &DrawnBox::width);
@@ -168,7 +168,7 @@ private:
         placement_.size.height = std::max(placement_.size.height, place.bottom() + inset);
     }
 
-    /// What the drawing lacks is laid out alone and stands below the rest.
+    /// Boxes that are not in the drawing are laid out separately and placed below the others.
     void place_new_boxes(const Point& by) {
         Level fresh;
         fresh.direction = level_.direction;
@@ -254,7 +254,8 @@ private:
         labels_.add(line);
     }
 
-    /// Drawn routes first: new ones keep off them. One that goes through boxes now gives way to a better one.
+    /// Drawn routes come first, and new routes avoid them. A drawn route that now crosses boxes is replaced by a better
+    /// one.
     void route() {
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
             if (level_.boxes[b].on_border) continue;
@@ -286,7 +287,7 @@ private:
         }
     }
 
-    /// Labels of edges first: squares have more places for theirs.
+    /// Labels of edges come first, because squares have more possible places for their labels.
     void write_labels() {
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) add_box(b);
         const Rectangle header{0, -drawn_.header, placement_.size.width, drawn_.header};
@@ -301,7 +302,7 @@ private:
         }
     }
 
-    /// Labels of squares may be in boxes that have space for them.
+    /// The label of a square may be inside a box that has free space.
     void add_box(std::size_t b) {
         const PlacedBox& box = placement_.boxes[b];
         for (const PlacedPort& port : box.ports) {
@@ -333,8 +334,8 @@ private:
     const DrawnLevel& drawn_;
     diagnostics::Budget* budget_;
     Placement placement_;
-    FreeSpace lines_;   ///< what lines keep off, and labels of edges
-    FreeSpace labels_;  ///< what labels of squares keep off
+    FreeSpace lines_;   ///< obstacles of lines and of edge labels
+    FreeSpace labels_;  ///< obstacles of labels of squares
 };
 
 }  // namespace
@@ -342,12 +343,13 @@ private:
 Placement arrange_as_drawn(const Level& level, const DrawnLevel& drawn, diagnostics::Budget* budget) {
     DrawnArrangement arrangement(level, drawn, budget);
     Placement first = arrangement.place({0, 0}, drawn.size);
-    // What lines and labels need beyond the boxes.
+    // The bounding box of lines and labels, which may extend beyond the boxes.
     Extent extent;
     for (std::size_t b = 0; b < level.boxes.size(); ++b)
         if (!level.boxes[b].on_border) extent.see(first.boxes[b].place);
     for (const PlacedEdge& edge : first.edges) {
-        // Ends are at what is there anyway; bends above lead to squares of what the level is in.
+        // The ends are at boxes, which are included already. Bends above the level lead to squares of the enclosing
+        // box.
         for (std::size_t i = 1; i + 1 < edge.points.size(); ++i)
             if (edge.points[i].y >= 0) extent.see(edge.points[i]);
         if (!edge.label.empty()) extent.see(edge.label);

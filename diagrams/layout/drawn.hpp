@@ -1,4 +1,5 @@
-// The layout of a level as a person drew it: what fits is kept, and what the drawing does not have is laid out anew.
+// The layout of a level as a person drew it. The parts of the drawing that still fit are kept; missing parts are laid
+// out automatically.
 #pragma once
 
 #include "diagnostics/budget.hpp"
@@ -6,8 +7,8 @@
 
 namespace robochart::diagrams::layout {
 
-/// The placement as drawn; boxes are larger than drawn where they have to be. Boxes on the border are on that of what
-/// the level is in. The same drawing and level give the same placement, bit by bit. Throws TooLarge.
+/// The placement as drawn; boxes are enlarged if necessary. Boxes with `on_border` are on the border of the enclosing
+/// box. Deterministic: equal input gives bitwise equal placements. Throws TooLarge.
 [[nodiscard]] Placement arrange_as_drawn(const Level& level, const DrawnLevel& drawn,
                                          diagnostics::Budget* budget = nullptr);
 

@@ -1,5 +1,5 @@
-// A level as a person drew it, as data: places of boxes and squares, ends and bends of edges. Nothing stands for what
-// the drawing does not have.
+// A level as a person drew it, as data: positions of boxes and squares, ends and bends of edges. Elements that are not
+// in the drawing have no value.
 #pragma once
 
 #include <cstddef>
@@ -13,43 +13,43 @@ namespace robochart::diagrams::layout {
 /// A box within its level.
 struct DrawnBox {
     Point corner;
-    std::optional<double> width, height;  ///< none: as large as it has to be
+    std::optional<double> width, height;  ///< no value: as large as necessary
 };
 
-/// A square on the border of a box or of what the level is in.
+/// A square on the border of a box or of the enclosing box.
 struct DrawnPort {
-    Point centre;              ///< from the corner of the box
-    Side label = Side::right;  ///< where its label was
+    Point centre;              ///< relative to the corner of the box
+    Side label = Side::right;  ///< the side of the label in the drawing
 };
 
-/// How an edge was drawn. A bend, or an end, is given from an anchor in each of the two boxes; where the boxes have
-/// other sizes than in the drawing, it lies between both.
+/// How an edge was drawn. A bend or an end is stored relative to an anchor in each of the two boxes. If the sizes of
+/// the boxes have changed, the bend is placed between the two resulting points.
 struct DrawnEdge {
     struct Bend {
         Point from_source, from_target;
     };
-    Point source_anchor{0.5, 0.5}, target_anchor{0.5, 0.5};  ///< as shares of width and height
-    std::vector<Bend> bends;                                 ///< from end to end; fewer than two: no route is known
+    Point source_anchor{0.5, 0.5}, target_anchor{0.5, 0.5};  ///< as fractions of width and height
+    std::vector<Bend> bends;                                 ///< from end to end; fewer than two: the route is unknown
     bool right_angled = true;
-    std::optional<Point> label;  ///< the middle of the label, from the middle of the route
+    std::optional<Point> label;  ///< the middle of the label, relative to the middle of the route
 };
 
 /// The squares of a box, in the order of the box's ports.
 struct DrawnPorts {
     std::vector<std::optional<DrawnPort>> ports;
-    std::vector<Size> labels;  ///< of what is written beside each
-    Size owner;                ///< size of the box in the drawing, as far as it is known
-    double header = 0;         ///< what was above its inside in the drawing: squares below move with that
-    bool full = false;         ///< there is no space for labels in the box
+    std::vector<Size> labels;  ///< sizes of the labels of the squares
+    Size owner;                ///< size of the box in the drawing, if known
+    double header = 0;         ///< height above the inside in the drawing; squares below move with it
+    bool full = false;         ///< the box has no space for labels
 };
 
-/// All of it, in the order of the level's boxes and edges; nothing stands for what the drawing does not have.
+/// The whole drawing, in the order of the level's boxes and edges. Elements that are not in the drawing have no value.
 struct DrawnLevel {
     std::vector<std::optional<DrawnBox>> boxes;
-    std::vector<DrawnPorts> ports;  ///< of boxes on the border, those of what the level is in
+    std::vector<DrawnPorts> ports;  ///< for boxes on the border: those of the enclosing box
     std::vector<std::optional<DrawnEdge>> edges;
-    Size size;          ///< of the level, at least
-    double header = 0;  ///< height of what is above the level in what it is in
+    Size size;          ///< the minimum size of the level
+    double header = 0;  ///< height of the part of the enclosing box above the level
 };
 
 }  // namespace robochart::diagrams::layout

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double half_port = port_size / 2;
 
-/// The side of a box of a size that a place is nearest to; what is outside of the box belongs to the side it is beyond.
+/// The side of a box that is nearest to a point. A point outside the box belongs to the side that it is beyond.
 Side side_of(const Point& place, const Size& size) {
     const std::array<double, 4> inside{place.x, size.width - place.x, place.y, size.height - place.y};
     const auto nearest = std::min_element(inside.begin(), inside.end());
@@ -24,7 +24,7 @@ double on_side(double place, double length) {
     return std::clamp(place, margin, length - margin);
 }
 
-/// A square on a side of a box.
+/// The centre of a square on a side of a box.
 Point port_centre(const Rectangle& box, Side side, double along) {
     switch (side) {
         case Side::left:
@@ -48,7 +48,7 @@ Point place_port(const Rectangle& box, double header, const DrawnPorts& drawn, c
     return port_centre(box, side, upright ? centre.y + moved : centre.x);
 }
 
-/// The next place on the right side, from a y on, that is apart from all squares; the last one where the side is full.
+/// The next free place on the right side, from a given y; the last place if the side is full.
 Point free_port(const Rectangle& box, double& from, const std::vector<PlacedPort>& ports) {
     Point centre{box.right(), from};
     const auto taken = [&](const PlacedPort& port) {
@@ -61,7 +61,7 @@ Point free_port(const Rectangle& box, double& from, const std::vector<PlacedPort
     return centre;
 }
 
-/// Places for the label of a square, those on the side where it was drawn first.
+/// Possible places for the label of a square; those on the side of the drawn label come first.
 std::vector<Rectangle> label_places(const Point& centre, const Size& label, Side first) {
     constexpr double gap = 4;
     const double left = centre.x - half_port - gap - label.width;

@@ -1,4 +1,4 @@
-// Squares on the borders of boxes that stand where a person put them, and their labels.
+// Squares on the borders of boxes whose positions a person has drawn, and the labels of the squares.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace robochart::diagrams::layout {
 
-/// The square of a port.
+/// The square of a port as a rectangle.
 [[nodiscard]] Rectangle square_at(const Point& centre);
-/// The squares of a box, without labels (`ports_as_drawn`).
+/// The squares of a box, without labels (see `ports_as_drawn`).
 [[nodiscard]] std::vector<PlacedPort> squares_of(const Rectangle& box, double header, const DrawnPorts& drawn);
-/// Gives them labels where nothing else is.
+/// Places the labels of the squares where nothing else is.
 void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space);
 
-/// Squares on the border of a box, with their labels outside of it: those of the drawing on the side where they were,
-/// others where there is space on the right side. `header`: height of what is above the inside of the box now.
+/// Squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their side; the
+/// others are placed on the right side where there is space. `header`: the height of the part of the box above its
+/// inside.
 [[nodiscard]] std::vector<PlacedPort> ports_as_drawn(const Rectangle& box, double header, const DrawnPorts& drawn);
 
 }  // namespace robochart::diagrams::layout

@@ -1,5 +1,5 @@
-// See drawn_routes.hpp. A route with right angles is a list of pieces, horizontal and vertical in turn, each with its y
-// or x: whatever these are, it has right angles and ends on the borders of its boxes.
+// See drawn_routes.hpp. An orthogonal route is a list of alternating horizontal and vertical segments, each stored as
+// its y or x. So every list of numbers is an orthogonal route that ends at the borders of its boxes.
 #include "diagrams/layout/drawn_routes.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// A piece at a y, or, where it is vertical, at an x.
+/// A horizontal segment at a y, or a vertical one at an x.
 struct Piece {
     bool horizontal = true;
     double at = 0;
@@ -29,12 +29,12 @@ Range overlap_of(const Range& a, const Range& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-/// What a box covers, in the direction of a piece.
+/// The range of a box in the direction of a segment.
 Range extent_along(const RouteEnd& end, bool horizontal) {
     return horizontal ? Range{end.place.x, end.place.right()} : Range{end.place.y, end.place.bottom()};
 }
 
-/// Where a piece may end at a box, not in its corners.
+/// The range in which a segment may end at a box, without the corners.
 Range slots(const RouteEnd& end, bool horizontal) {
     const Range side = extent_along(end, !horizontal);
     const double half = (side.high - side.low) / 2;
@@ -48,14 +48,15 @@ double clamped(double value, const Range& range) {
     return std::clamp(value, range.low, range.high);
 }
 
-/// Drops pieces that begin a route within its box, and moves the first of the others to where it may end.
+/// Removes the segments at the beginning of a route that are inside its box, and moves the first remaining one to an
+/// allowed end.
 void begin_at(std::vector<Piece>& pieces, const RouteEnd& end) {
     while (pieces.size() > 1 && extent_along(end, pieces[0].horizontal).contains(pieces[1].at))
         pieces.erase(pieces.begin());
     pieces.front().at = clamped(pieces.front().at, slots(end, pieces.front().horizontal));
 }
 
-/// What a box covers along a piece that ends at it.
+/// The range of a box along a segment that ends at it.
 Range covered_by(const RouteEnd& end, const Piece& piece) {
     const Range extent = extent_along(end, piece.horizontal);
     if (end.shape != RouteEnd::Shape::circle) return extent;
@@ -65,7 +66,7 @@ Range covered_by(const RouteEnd& end, const Piece& piece) {
     return {extent.middle() - half, extent.middle() + half};
 }
 
-/// Beside which of the sides of a box is a place? Nothing where it is between them.
+/// The side of a box that a coordinate is beyond; no value if it is between the sides.
 std::optional<double> side_towards(const Range& extent, double place) {
     if (place >= extent.high) return extent.high;
     if (place <= extent.low) return extent.low;
@@ -76,7 +77,7 @@ Point point_at(const Piece& piece, double along) {
     return piece.horizontal ? Point{along, piece.at} : Point{piece.at, along};
 }
 
-/// A route of one piece.
+/// A route of one segment.
 std::vector<Point> straight(const Piece& piece, const RouteEnd& from, const RouteEnd& to) {
     const Range range = overlap_of(slots(from, piece.horizontal), slots(to, piece.horizontal));
     if (range.empty()) return {};
@@ -88,7 +89,7 @@ std::vector<Point> straight(const Piece& piece, const RouteEnd& from, const Rout
     return {};
 }
 
-/// Without points that are no bends.
+/// Removes points that are not bends.
 std::vector<Point> simplified(const std::vector<Point>& points) {
     constexpr double tiny = 0.01;
     std::vector<Point> result;
@@ -107,7 +108,7 @@ std::vector<Point> simplified(const std::vector<Point>& points) {
     return result;
 }
 
-/// The points of a route; none where it does not lead from one box to the other.
+/// The points of a route; empty if it does not lead from one box to the other.
 std::vector<Point> points_of(std::vector<Piece> pieces, const RouteEnd& from, const RouteEnd& to) {
     if (pieces.empty()) return {};
     begin_at(pieces, from);
@@ -124,12 +125,12 @@ std::vector<Point> points_of(std::vector<Piece> pieces, const RouteEnd& from, co
     return simplified(points);
 }
 
-/// Lists of pieces grow here: pieces of one direction behind each other become one.
+/// Appends a segment; consecutive segments of one direction are merged.
 void add_piece(std::vector<Piece>& pieces, const Piece& piece) {
     if (pieces.empty() || pieces.back().horizontal != piece.horizontal) pieces.push_back(piece);
 }
 
-/// Does a line between two places leave the box at the first of them to the left or right?
+/// True if a line between two points leaves the box at the first point to the left or right.
 bool leaves_sideways(const RouteEnd& end, const Point& at, const Point& other) {
     const Rectangle& box = end.place;
     const double x = std::abs(at.x - box.centre().x) * box.height;
@@ -138,7 +139,7 @@ bool leaves_sideways(const RouteEnd& end, const Point& at, const Point& other) {
     return std::abs(other.x - at.x) > std::abs(other.y - at.y);
 }
 
-/// The places of bends between boxes as they are now.
+/// The positions of the bends between the boxes at their current places.
 std::vector<Point> bends_of(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to) {
     const auto anchor = [](const Rectangle& box, const Point& share) {
         return Point{box.x + share.x * box.width, box.y + share.y * box.height};
@@ -157,14 +158,14 @@ std::vector<Point> bends_of(const DrawnEdge& edge, const RouteEnd& from, const R
 
 constexpr double straight_enough = 3;
 
-/// Was the piece that ends at a bend neither horizontal nor vertical in the drawing, whatever has become of its ends?
+/// True if the segment that ends at this bend was neither horizontal nor vertical in the drawing.
 bool is_askew(const DrawnEdge& edge, std::size_t bend) {
     const Point& a = edge.bends[bend - 1].from_source;
     const Point& b = edge.bends[bend].from_source;
     return std::abs(a.x - b.x) > straight_enough && std::abs(a.y - b.y) > straight_enough;
 }
 
-/// The pieces of a drawn route; what was drawn askew gets a corner.
+/// The segments of a drawn route; a diagonal segment becomes a corner.
 std::vector<Piece> pieces_of(const DrawnEdge& edge, const std::vector<Point>& points, const RouteEnd& from,
                              const RouteEnd& to) {
     std::vector<Piece> pieces;
@@ -191,7 +192,7 @@ std::vector<Piece> pieces_of(const DrawnEdge& edge, const std::vector<Point>& po
     return pieces;
 }
 
-/// Where a straight line from within a rectangle leaves it.
+/// The point at which a straight line from the inside of a rectangle leaves it.
 Point exit_of(const Rectangle& box, const Point& inside, const Point& outside) {
     double part = 1;
     const auto see = [&](double start, double change, double low, double high) {
@@ -207,7 +208,8 @@ bool contains(const Rectangle& box, const Point& point) {
     return box.x <= point.x && point.x <= box.right() && box.y <= point.y && point.y <= box.bottom();
 }
 
-/// Begins an oblique line at the border of its box: cut off, or led to the nearest place of it.
+/// Makes a diagonal line begin at the border of its box, by clipping it or by extending it to the nearest point of the
+/// border.
 void begin_oblique(std::vector<Point>& points, const RouteEnd& end) {
     const Rectangle& box = end.place;
     if (end.shape != RouteEnd::Shape::box) {
@@ -236,14 +238,14 @@ std::vector<Point> oblique(std::vector<Point> points, const RouteEnd& from, cons
     return points;
 }
 
-/// Places at a side for ends, the middle first.
+/// Possible positions of an end on a side, the middle first.
 std::vector<double> tries(const Range& range) {
     const double step = (range.high - range.low) / 4;
     if (step < 3) return {range.middle()};
     return {range.middle(), range.low + step, range.high - step, range.low, range.high};
 }
 
-/// Where the middle piece of three may be.
+/// Possible positions of the middle segment of three.
 std::vector<double> between(const Range& a, const Range& b) {
     std::vector<double> places;
     if (a.high < b.low || b.high < a.low) {

@@ -1,4 +1,4 @@
-// Routes of edges between boxes that stand where a person put them.
+// Routes of edges between boxes whose positions a person has drawn.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace robochart::diagrams::layout {
 
-/// Where an edge ends: a box, a circle, or the square of a port.
+/// An end of an edge: a box, a circle, or the square of a port.
 struct RouteEnd {
     enum class Shape { box, circle, square };
     Rectangle place;
     Shape shape = Shape::box;
 };
 
-/// From border to border as drawn; empty where the drawing has no route, only a line askew that is to have right
-/// angles, or one that fits the boxes no more.
+/// The drawn route from border to border. Empty if the drawing has no route, if it has only a diagonal line but the
+/// route must be orthogonal, or if the route no longer fits the boxes.
 [[nodiscard]] std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to);
 
-/// A route with right angles that avoids what is there.
+/// An orthogonal route that avoids existing elements.
 [[nodiscard]] std::vector<Point> new_route(const RouteEnd& from, const RouteEnd& to, const FreeSpace& space);
 
 }  // namespace robochart::diagrams::layout

@@ -1,4 +1,4 @@
-// The widths of the characters of DejaVu Sans, the font that diagrams name first.
+// The widths of the characters of DejaVu Sans, the preferred font of diagrams.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,17 @@
 
 namespace robochart::diagrams::layout {
 
-/// Of how many parts the widths are: the em of the font.
+/// The number of font units of an em.
 inline constexpr double units_of_em = 2048;
 
-/// The widths of consecutive characters, in regular and in bold (oblique letters are as wide as regular ones).
+/// The widths of consecutive characters, in regular and bold. Oblique characters have the width of regular ones.
 struct WidthRange {
     std::uint32_t first, last;
     const std::uint16_t* regular;
     const std::uint16_t* bold;
 };
 
-/// In ascending order. A character in no range is taken to be an em wide.
+/// The ranges in ascending order. A character in no range is assumed to be one em wide.
 [[nodiscard]] std::span<const WidthRange> width_ranges();
 
 }  // namespace robochart::diagrams::layout

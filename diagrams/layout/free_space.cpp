@@ -7,12 +7,12 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// The length of what two ranges have in common.
+/// The length of the intersection of two ranges.
 double common(double a_low, double a_high, double b_low, double b_high) {
     return std::max(0.0, std::min(a_high, b_high) - std::max(a_low, b_low));
 }
 
-/// How much of a straight line is in a rectangle, by the bounds of the part of it that is (Liang and Barsky, 1984).
+/// The length of the part of a straight line that is inside a rectangle, by clipping (Liang and Barsky, 1984).
 double length_within(const Point& from, const Point& to, const Rectangle& it) {
     double first = 0;
     double last = 1;
@@ -79,7 +79,7 @@ bool FreeSpace::is_crossed(std::span<const Point> line) const {
 
 double FreeSpace::cost(const Segment& piece) const {
     constexpr double through_box = 1000;
-    constexpr double on_line = 0.5;  // of its length
+    constexpr double on_line = 0.5;  // fraction of its length
     constexpr double crossing = 20;
     constexpr double near = 5;
     double result = 0.1 * std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y);

@@ -1,4 +1,4 @@
-// What is already on a level, to find places for text and lines where nothing else is.
+// Records the occupied places of a level, to find free places for text and lines.
 #pragma once
 
 #include <span>
@@ -8,23 +8,23 @@
 
 namespace robochart::diagrams::layout {
 
-/// Rectangles and lines that something new keeps off, as far as possible.
+/// Rectangles and lines that new elements avoid if possible.
 class FreeSpace {
 public:
     void add(const Rectangle& taken) { rectangles_.push_back(taken); }
-    /// A line from point to point.
+    /// A line through these points.
     void add(std::span<const Point> line);
-    /// The border of a rectangle, but not what is in it.
+    /// The border of a rectangle without its inside.
     void add_border(const Rectangle& it);
 
-    /// How much is in a rectangle: 0 where nothing is.
+    /// How much of the rectangle is occupied; 0 if it is free.
     [[nodiscard]] double taken(const Rectangle& it) const;
-    /// The first place with nothing on it; where there is none, the one with the least. There is at least one place.
+    /// The first free place; if there is none, the least occupied one. There must be at least one place.
     [[nodiscard]] Rectangle best(std::span<const Rectangle> places) const;
-    /// Does a line go through one of the rectangles?
+    /// True if the line crosses one of the rectangles.
     [[nodiscard]] bool is_crossed(std::span<const Point> line) const;
-    /// What a line of horizontal and vertical pieces costs: boxes that it goes through above all, then lines that it
-    /// runs on or crosses, its bends and its length.
+    /// The cost of a line of horizontal and vertical segments. Crossed boxes cost most; then lines that it crosses or
+    /// overlaps, its bends and its length.
     [[nodiscard]] double cost(std::span<const Point> line) const;
 
 private:

@@ -3,20 +3,20 @@
 
 namespace robochart::diagrams::layout {
 
-/// A place.
+/// A point.
 struct Point {
     double x = 0, y = 0;
     friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// How large something is.
+/// A size.
 struct Size {
     double width = 0, height = 0;
     [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
     friend bool operator==(const Size&, const Size&) = default;
 };
 
-/// A rectangle with sides along the axes.
+/// An axis-parallel rectangle.
 struct Rectangle {
     double x = 0, y = 0, width = 0, height = 0;
 
@@ -30,7 +30,7 @@ struct Rectangle {
 /// A side of a rectangle.
 enum class Side { left, right, top, bottom };
 
-/// Do they share more than a border? `apart`: how far they may reach into each other.
+/// True if the rectangles overlap by more than `apart` in both directions.
 [[nodiscard]] inline bool overlap(const Rectangle& a, const Rectangle& b, double apart = 0) {
     return a.x + apart < b.right() && b.x + apart < a.right() && a.y + apart < b.bottom() && b.y + apart < a.bottom();
 }

@@ -1,8 +1,8 @@
-// The graph of layers that the steps of the layout work on. Its layers lie below each other; for edges that lead to the
-// right, boxes and labels are turned before and turned back after.
+// The layered graph on which the steps of the layout work. Layers are stacked from top to bottom. For a layout to the
+// right, boxes and labels are transposed before and transposed back after.
 //
-// Even layers hold boxes, odd ones labels. An edge passes each layer between its ends in a node of its own, so that
-// every link joins neighbouring layers, but for turns, where an edge leaves a port on the side away from its other end.
+// Even layers contain boxes, odd layers labels. An edge has a node in each layer between its ends, so that every link
+// joins adjacent layers. An exception are turns, where an edge leaves a port on the side away from its other end.
 #pragma once
 
 #include <cstddef>
@@ -16,57 +16,58 @@ namespace robochart::diagrams::layout {
 /// No node, no port.
 inline constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 
-/// A box, or the place where an edge passes a layer, with its label or without.
+/// A box, or the place where an edge passes a layer, with or without its label.
 struct Node {
     enum class Kind { box, line, label };
     Kind kind = Kind::line;
-    std::size_t box = nothing;  ///< of the level
+    std::size_t box = nothing;  ///< index in the level
     std::size_t edge = nothing;
     std::size_t layer = 0;
-    std::size_t position = 0;                 ///< in its layer
-    double before = 0, after = 0;             ///< how far it reaches to both sides of `x`
-    double above = 0, below = 0;              ///< how far it reaches to both sides of the middle of its layer
-    double loops = 0;                         ///< of `after`: what belongs to the loops beside the box
-    double ports_above = 0, ports_below = 0;  ///< of `above` and `below`: what belongs to ports
-    double x = 0;                             ///< of the line, or of the middle of the box
+    std::size_t position = 0;                 ///< index in its layer
+    double before = 0, after = 0;             ///< extent on both sides of `x`
+    double above = 0, below = 0;              ///< extent on both sides of the middle of its layer
+    double loops = 0;                         ///< the part of `after` needed by the loops at the box
+    double ports_above = 0, ports_below = 0;  ///< the parts of `above` and `below` needed by ports
+    double x = 0;                             ///< x of the line, or of the middle of the box
     std::vector<std::size_t> up, down;        ///< links
 
     [[nodiscard]] bool is_box() const { return kind == Kind::box; }
 };
 
-/// A piece of an edge between two layers, or a turn beside one.
+/// A part of an edge between two layers, or a turn next to one layer.
 struct Link {
     enum class Turn { none, under, over };
-    std::size_t upper = nothing, lower = nothing;  ///< nodes; of one layer for a turn
+    std::size_t upper = nothing, lower = nothing;  ///< nodes; in the same layer for a turn
     Turn turn = Turn::none;
     std::size_t edge = nothing;
-    std::size_t upper_port = nothing, lower_port = nothing;  ///< of the box there
+    std::size_t upper_port = nothing, lower_port = nothing;  ///< index in the box of that node
     double upper_x = 0, lower_x = 0;
-    double upper_offset = 0, lower_offset = 0;  ///< of the ends from the middles of their boxes, as far as known
-    /// The tracks that it runs on: y, and the x at which it goes on to the next one; the last goes on to `lower_x`.
+    double upper_offset = 0, lower_offset = 0;  ///< of the ends from the middles of their boxes, if known
+    /// The tracks of the link: the y of each, and the x at which it continues to the next track. The last one continues
+    /// to `lower_x`.
     struct Track {
         double y = 0, x = 0;
     };
     std::vector<Track> tracks;
 };
 
-/// A port of a box: on which side it is, and where.
+/// A port of a box: its side and position.
 struct GraphPort {
-    bool down = true;  ///< at the lower side
+    bool down = true;  ///< on the lower side
     double x = 0;
 };
 
 /// All nodes and links.
 struct Graph {
     const Level* level = nullptr;
-    bool turned = false;  ///< for edges that lead to the right
+    bool turned = false;  ///< transposed, for a layout to the right
     bool has_ports = false;
     std::vector<Node> nodes;  ///< the boxes first, in their order
     std::vector<Link> links;
     std::vector<std::vector<std::size_t>> layers;  ///< nodes from left to right
-    std::vector<std::size_t> layer_of_box;         ///< before layers are doubled
+    std::vector<std::size_t> layer_of_box;         ///< before label layers are inserted
     std::vector<bool> reversed;                    ///< edges drawn against their direction
-    std::vector<std::vector<std::size_t>> chains;  ///< links of each edge, from the upper end to the lower one
+    std::vector<std::vector<std::size_t>> chains;  ///< the links of each edge, from the upper end to the lower one
     std::vector<std::vector<GraphPort>> ports;     ///< of each box
     std::vector<double> layer_y;                   ///< the middle of each layer
     diagnostics::Budget* budget = nullptr;
@@ -77,28 +78,28 @@ struct Graph {
     }
 };
 
-/// How it is decided which edges of a cycle are drawn against their direction.
+/// The method that selects the edges of cycles that are drawn against their direction.
 enum class Cycles {
-    text,  ///< those that lead back in a search in depth, in the order of the text
-    few,   ///< few, by the greedy heuristic of Eades, Lin and Smyth
-    kept,  ///< as `text`, and those that join what an edit has added to what was there before
+    text,  ///< back edges of a depth-first search in textual order
+    few,   ///< few edges, by the greedy heuristic of Eades, Lin and Smyth
+    kept,  ///< as `text`, and also edges between boxes that an edit added and boxes that existed before
 };
-/// Decides which edges are drawn against their direction, so that none of the others are on a cycle.
+/// Selects the edges that are drawn against their direction, so that the remaining edges have no cycle.
 void break_cycles(Graph& graph, Cycles cycles);
-/// Gives each box its layer: each edge leads downwards.
+/// Assigns a layer to each box, so that all edges lead downwards.
 void assign_layers(Graph& graph);
-/// Makes the nodes and links of all edges, and decides on which side ports are. Throws TooLarge.
+/// Makes the nodes and links of all edges, and selects the sides of ports. Throws TooLarge.
 void make_nodes(Graph& graph);
-/// How layers were ordered.
+/// The result of ordering the layers.
 struct Ordered {
     std::size_t crossings = 0;
-    bool as_before = true;  ///< what was there before an edit has kept its order
+    bool as_before = true;  ///< boxes that existed before an edit have kept their order
 };
 /// Orders the nodes of each layer so that few edges cross.
 Ordered order_layers(Graph& graph);
-/// Gives every node its x, and every link the x of its ends.
+/// Computes the x of every node and of the ends of every link.
 void place_nodes(Graph& graph);
-/// Gives every layer its y, and every link its tracks.
+/// Computes the y of every layer and the tracks of every link.
 void place_tracks(Graph& graph);
 
 /// Sizes and distances in pixels.
@@ -106,17 +107,17 @@ namespace distance {
 inline constexpr double boxes = 26;        ///< between two boxes
 inline constexpr double box_line = 16;     ///< between a box and a line
 inline constexpr double lines = 12;        ///< between two lines
-inline constexpr double slots = 14;        ///< between two ends of edges on a side of a box
-inline constexpr double slot_margin = 8;   ///< between such an end and the corner
-inline constexpr double tracks = 10;       ///< between two parallel pieces of edges
+inline constexpr double slots = 14;        ///< between two edge ends on a side of a box
+inline constexpr double slot_margin = 8;   ///< between an edge end and the corner
+inline constexpr double tracks = 10;       ///< between two parallel edge segments
 inline constexpr double label = 5;         ///< between a line and its label
-inline constexpr double label_below = 2;   ///< the same where the label is below the line
-inline constexpr double ports = 28;        ///< between the middles of two ports
-inline constexpr double port_margin = 15;  ///< between the middle of a port and the corner
-inline constexpr double at_boxes = 14;     ///< between a layer of boxes and the tracks beside it
+inline constexpr double label_below = 2;   ///< the same if the label is below the line
+inline constexpr double ports = 28;        ///< between the centres of two ports
+inline constexpr double port_margin = 15;  ///< between the centre of a port and the corner
+inline constexpr double at_boxes = 14;     ///< between a layer of boxes and the adjacent tracks
 inline constexpr double at_labels = 7;     ///< the same for a layer of labels
-inline constexpr double at_lines = 4;      ///< the same for a layer that only lines pass
-inline constexpr double pieces = 6;        ///< between two pieces that are not to look like one
+inline constexpr double at_lines = 4;      ///< the same for a layer that contains only lines
+inline constexpr double pieces = 6;        ///< between two segments that must remain distinguishable
 }  // namespace distance
 
 inline double Graph::label_gap() const {
@@ -124,9 +125,9 @@ inline double Graph::label_gap() const {
 }
 
 /// Edges from a box to itself are stacked at its right side.
-inline constexpr double loop_reach = 18;   ///< how far a loop goes out
+inline constexpr double loop_reach = 18;   ///< horizontal extent of a loop
 inline constexpr double loop_margin = 10;  ///< above the first and below the last
-inline constexpr double loop_gap = 6;      ///< between two
+inline constexpr double loop_gap = 6;      ///< between two loops
 /// The height of a loop with its label.
 [[nodiscard]] inline double loop_height(const Size& label) {
     constexpr double least = 14;

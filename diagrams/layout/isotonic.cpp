@@ -7,7 +7,7 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// Neighbours at one place, distances taken away.
+/// Adjacent items at one position, after subtracting the gaps.
 struct Pool {
     double mean = 0, weight = 0;
     std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Places on a line that keep their order and their distances, as near as possible to where they want to be.
+// Positions on a line that keep a given order and minimum gaps, and are as near as possible to wanted positions.
 #pragma once
 
 #include <span>
@@ -6,18 +6,18 @@
 
 namespace robochart::diagrams::layout {
 
-/// One of the things to be placed.
+/// An item to be placed.
 struct Wish {
     double wanted = 0;
     double weight = 1;  ///< above 0
-    double gap = 0;     ///< at least so far behind the one before
+    double gap = 0;     ///< minimum distance from the item before
 };
 
 /// Minimises the sum of weight * (place - wanted)^2: isotonic regression by pooling adjacent violators (Barlow,
 /// Bartholomew, Bremner, Brunk: Statistical inference under order restrictions, 1972).
 [[nodiscard]] std::vector<double> nearest_places(std::span<const Wish> wishes);
 
-/// The same between two bounds that are far enough apart; where they are not, evenly between them.
+/// The same between two bounds. If the bounds are too close together, the items are distributed evenly.
 [[nodiscard]] std::vector<double> nearest_places(std::span<const Wish> wishes, double low, double high);
 
 }  // namespace robochart::diagrams::layout

@@ -1,5 +1,5 @@
-// Layers: each box as high as the boxes above it allow (longest path); then each goes to where its edges are shortest,
-// which moves boxes with more successors than predecessors down.
+// Assigns layers. Each box is placed as high as the boxes above it allow (longest path). Then each box moves to where
+// its edges are shortest, which moves boxes with more successors than predecessors down.
 #include <algorithm>
 #include <numeric>
 
@@ -8,7 +8,7 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// The boxes above and below each box, one for each edge.
+/// The boxes above and below each box, one entry per edge.
 struct Neighbours {
     std::vector<std::vector<std::size_t>> up, down;
 };
@@ -28,7 +28,7 @@ Neighbours neighbours(const Graph& graph) {
     return result;
 }
 
-/// Every box behind the boxes above it.
+/// An order in which every box comes after the boxes above it.
 std::vector<std::size_t> topological_order(const Neighbours& near) {
     std::vector<std::size_t> waiting(near.up.size());
     std::vector<std::size_t> order;
@@ -40,14 +40,15 @@ std::vector<std::size_t> topological_order(const Neighbours& near) {
     return order;
 }
 
-/// The first layer that a box may be in, whatever its neighbours: behind pinned boxes, and where it was before an edit.
+/// The first layer that a box may be in, apart from its neighbours: after pinned boxes, and not above its layer before
+/// an edit.
 std::size_t first_layer(const Level& level, std::size_t box, bool some_first) {
     const Box& it = level.boxes[box];
     const std::size_t lowest = some_first && it.pin != Pin::first ? 1 : 0;
     return std::max(lowest, it.previous && it.pin == Pin::none ? it.previous->layer : 0);
 }
 
-/// Moves each box to the end of its free layers where its edges are shorter. Returns whether one moved.
+/// Moves each box to the end of its free layers at which its edges are shorter. Returns true if one moved.
 bool shorten(const Graph& graph, const Neighbours& near, const std::vector<std::size_t>& order,
              std::vector<std::size_t>& layers) {
     bool moved = false;
@@ -64,7 +65,7 @@ bool shorten(const Graph& graph, const Neighbours& near, const std::vector<std::
     return moved;
 }
 
-/// What is pinned to the end goes behind all others; layers that nobody is in are left out.
+/// Moves boxes pinned to the end to the last layer, and removes empty layers.
 void finish(const Level& level, std::vector<std::size_t>& layers) {
     std::size_t end = 0;
     for (std::size_t b = 0; b < layers.size(); ++b)

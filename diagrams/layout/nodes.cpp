@@ -1,5 +1,5 @@
-// The nodes and links of all edges. An edge passes every layer between its ends; its label is in the odd layer nearest
-// to the middle. An edge that ends at a port on the side away from its other end turns beside the box.
+// Makes the nodes and links of all edges. An edge passes every layer between its ends; its label is in the odd layer
+// nearest to the middle. An edge that ends at a port on the side away from its other end turns next to the box.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_nodes = 100'000;
 
-/// Where an edge ends.
+/// An end of an edge.
 struct End {
     std::size_t box = nothing;
     std::size_t port = nothing;
@@ -48,7 +48,7 @@ private:
         graph_.layers.resize(last + 1);
     }
 
-    /// A port is on the side to which more of its edges lead; one without edges where there are fewer.
+    /// A port is on the side to which more of its edges lead. A port without edges is on the side with fewer ports.
     void decide_sides() {
         std::vector<std::vector<int>> towards(level_.boxes.size());
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
@@ -84,7 +84,7 @@ private:
     void make_edge(std::size_t e) {
         const Edge& edge = level_.edges[e];
         graph_.poll();
-        if (edge.from == edge.to && !edge.from_port) return;  // a loop beside the box
+        if (edge.from == edge.to && !edge.from_port) return;  // a loop next to the box
         End upper{edge.from, edge.from_port.value_or(nothing)};
         End lower{edge.to, edge.to_port.value_or(nothing)};
         const std::size_t from = graph_.layer_of_box[edge.from];
@@ -97,7 +97,7 @@ private:
             make_chain(e, upper, lower);
     }
 
-    /// Between boxes of one layer.
+    /// Makes the turn of an edge between boxes of one layer.
     void make_turn(std::size_t e, const End& upper, const End& lower) {
         const bool upper_down = leaves_down(upper, true);
         const bool lower_down = leaves_down(lower, true);

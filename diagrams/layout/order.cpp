@@ -1,7 +1,7 @@
-// The order of the nodes of each layer: sweeps that sort a layer by the mean place of the neighbours in the one beside
-// it (barycentres), and exchanges of neighbours, from several orders to begin with; the one with the fewest crossings
-// is kept, among equals the first. The first is the order of the text (Domroes, von Hanxleden: Preserving order during
-// crossing minimization in Sugiyama layouts, 2022), or the one before an edit.
+// Orders the nodes of each layer. Sweeps sort each layer by the mean position of the neighbours in the adjacent layer
+// (barycentres), and adjacent nodes are exchanged. This is done from several initial orders. The order with the fewest
+// crossings is kept; of equal ones, the first. The first initial order is that of the text (Domroes, von Hanxleden:
+// Preserving order during crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
 #include <algorithm>
 #include <cstdint>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Layers = std::vector<std::vector<std::size_t>>;
 
-/// How much is tried; large graphs get less.
+/// The number of attempts; large graphs get fewer.
 struct Effort {
     std::size_t starts = 40, sweeps = 16, exchanges = 8;
 };
@@ -42,7 +42,7 @@ public:
         const bool known = keep_order();
         if (known) {
             const std::size_t crossing = crossings();
-            fewest = crossing - std::min(crossing, 2 + crossing / 4);  // what is kept may be a little worse
+            fewest = crossing - std::min(crossing, 2 + crossing / 4);  // the kept order may be slightly worse
             best = graph_.layers;
         }
         const Layers before = known ? best : Layers();
@@ -67,7 +67,7 @@ private:
         for (std::size_t i = 0; i < layer.size(); ++i) nodes_[layer[i]].position = i;
     }
 
-    /// Sorts each layer by keys; equal ones stay.
+    /// Sorts each layer by keys; the sort is stable.
     void sort_layers(const std::vector<double>& keys) {
         for (auto& layer : graph_.layers) {
             std::sort(layer.begin(), layer.end());
@@ -77,7 +77,8 @@ private:
         number();
     }
 
-    /// The order before an edit, with what is new where it crosses least; false where nothing was before.
+    /// Restores the order before an edit and inserts new nodes where they cause the fewest crossings. Returns false if
+    /// there was no previous order.
     bool keep_order() {
         std::vector<std::size_t> places(nodes_.size(), nothing);
         bool known = false;
@@ -102,7 +103,7 @@ private:
         return true;
     }
 
-    /// The places of an edge that passes as many layers as before.
+    /// Restores the positions of an edge that passes the same number of layers as before.
     void keep_order_of(std::size_t e, std::vector<std::size_t>& places) const {
         std::vector<std::size_t> passed;
         for (const std::size_t l : graph_.chains[e])
@@ -112,7 +113,7 @@ private:
         for (std::size_t i = 0; i < passed.size(); ++i) places[passed[i]] = before[i];
     }
 
-    /// Puts a node (again) to where its edges cross the others least.
+    /// Moves a node to the position at which its edges have the fewest crossings.
     void insert_best(std::size_t n) {
         graph_.poll();
         auto& layer = graph_.layers[nodes_[n].layer];
@@ -147,7 +148,7 @@ private:
         sort_layers(keys);
     }
 
-    /// The place of a box in the text; the passing edges by their ends.
+    /// Keys from the textual order of boxes; passing edges get keys from their ends.
     [[nodiscard]] std::vector<double> text_keys() const {
         const Level& level = *graph_.level;
         std::vector<double> keys(nodes_.size());
@@ -160,7 +161,7 @@ private:
         return keys;
     }
 
-    /// The order in which a search in depth comes to the nodes.
+    /// The order in which a depth-first search visits the nodes.
     [[nodiscard]] std::vector<double> depth_keys() const {
         std::vector<double> keys(nodes_.size(), -1);
         double next = 0;
@@ -215,7 +216,7 @@ private:
         number(layer);
     }
 
-    /// Crossings between the edges of two nodes with `a` left of `b`, on one side.
+    /// The number of crossings, on one side, between the edges of two nodes if `a` is left of `b`.
     [[nodiscard]] std::size_t crossings_of(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) const {
         std::size_t count = 0;
         for (const std::size_t x : a)
@@ -228,7 +229,7 @@ private:
         return crossings_of(left.up, right.up) + crossings_of(left.down, right.down);
     }
 
-    /// Exchanges neighbours where that takes crossings away.
+    /// Exchanges adjacent nodes if that reduces the number of crossings.
     bool exchange() {
         bool changed = false;
         for (auto& layer : graph_.layers)
@@ -251,8 +252,8 @@ private:
         return count;
     }
 
-    /// Pairs of links in different order at both ends, counted with a tree of sums (Barth, Mutzel, Juenger: Simple and
-    /// efficient bilayer cross counting, 2004).
+    /// The number of pairs of links in different order at both ends, counted with a tree of sums (Barth, Mutzel,
+    /// Juenger: Simple and efficient bilayer cross counting, 2004).
     [[nodiscard]] std::size_t crossings_below(std::size_t upper) const {
         std::vector<std::size_t> sums(graph_.layers[upper + 1].size() + 1);
         std::size_t seen = 0;

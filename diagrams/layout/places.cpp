@@ -1,5 +1,6 @@
-// x of every node: sweeps over the layers, each solved exactly for what its neighbours are at; then every edge is made
-// straight where there is space. Last where edges end on the sides of boxes.
+// Computes the x of every node. Sweeps over the layers solve each layer exactly for the current positions of its
+// neighbours. Then edges are straightened where there is space. Finally, the edge ends on the sides of boxes are
+// placed.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,12 +15,12 @@ namespace {
 
 constexpr double far = 1e9;
 
-/// The nearest whole number; halves upwards on both sides of zero, so that distances stay.
+/// The nearest whole number. Halves are rounded up on both sides of zero, so that distances are kept.
 double whole(double x) {
     return std::floor(x + 0.5);
 }
 
-/// An interval; empty where `low` is above `high`.
+/// An interval; empty if `low` is above `high`.
 struct Interval {
     double low = -far, high = far;
     [[nodiscard]] bool empty() const { return low > high; }
@@ -37,12 +38,12 @@ double distance_between(const Graph& graph, const Node& left, const Node& right)
     return graph.has_ports ? distance::lines : distance::box_line;
 }
 
-/// Between the x of two neighbours of a layer.
+/// The minimum distance between the x of two adjacent nodes of a layer.
 double separation(const Graph& graph, const Node& left, const Node& right) {
     return left.after + right.before + distance_between(graph, left, right);
 }
 
-/// Where ends of edges on one side of a box may be.
+/// The interval of the edge ends on one side of a box.
 Interval side_of(const Graph& graph, const Node& node, std::size_t ends) {
     const Box& box = graph.level->boxes[node.box];
     if (box.round) {
@@ -85,7 +86,7 @@ public:
     }
 
 private:
-    /// Boxes go to where their ports are opposite of each other.
+    /// Moves boxes so that connected ports are opposite each other.
     void meet_ports() {
         for (int round = 0; round < 12; ++round) {
             place_ends();
@@ -102,7 +103,7 @@ private:
                     if (nodes_[n].is_box()) make_straight(n);
     }
 
-    /// Moves a box a little so that as many edges from above as possible are straight.
+    /// Moves a box slightly so that as many edges from above as possible are straight.
     void make_straight(std::size_t n) {
         constexpr double little = 24;
         place_ends();
@@ -150,7 +151,7 @@ private:
         for (std::size_t i = 0; i < layer.size(); ++i) nodes_[layer[i]].x = places[i];
     }
 
-    /// The mean of its neighbours; a node between two lines follows these.
+    /// The mean position of the neighbours; a node between two lines follows those lines.
     [[nodiscard]] Wish wish(const Node& node, bool above, bool below) const {
         double sum = 0;
         double weight = 0;
@@ -171,7 +172,7 @@ private:
         return weight > 0 ? Wish{sum / weight, weight, 0} : Wish{node.x, 0.05, 0};
     }
 
-    /// Where a node may move while its neighbours stay.
+    /// The interval in which a node may move while its neighbours stay.
     [[nodiscard]] Interval free_around(std::size_t n) const {
         const Node& node = nodes_[n];
         const auto& layer = graph_.layers[node.layer];
@@ -206,7 +207,7 @@ private:
         }
     }
 
-    /// Moves the nodes to one x, or to few where there is no common one; where it can be, above both ends.
+    /// Moves the nodes to one x, or to few if no common one exists; if possible, above both ends.
     void straighten(const std::vector<std::size_t>& chain, const Interval& upper, const Interval& lower) {
         for (std::size_t begin = 0; begin < chain.size();) {
             Interval free = free_around(chain[begin]);
@@ -218,7 +219,7 @@ private:
                 free = narrower;
                 sum += nodes_[chain[end]].x;
             }
-            if (free.empty()) free = {nodes_[chain[begin]].x, nodes_[chain[begin]].x};  // by an error of rounding
+            if (free.empty()) free = {nodes_[chain[begin]].x, nodes_[chain[begin]].x};  // due to a rounding error
             if (begin == 0 && !common(free, upper).empty()) free = common(free, upper);
             if (end == chain.size() && !common(free, lower).empty()) free = common(free, lower);
             const double x = free.nearest(sum / static_cast<double>(end - begin));
@@ -226,12 +227,12 @@ private:
         }
     }
 
-    /// To whole pixels: what is straight is so exactly.
+    /// Rounds to whole pixels, so that straight lines are exactly straight.
     void round_all() {
         for (Node& node : nodes_) node.x = whole(node.x);
     }
 
-    /// Ends on one side of a box that are at one place.
+    /// Edge ends on one side of a box that share a position.
     struct Slot {
         std::vector<std::size_t> links;
         std::size_t port = nothing;
@@ -269,7 +270,7 @@ private:
         }
     }
 
-    /// The end of a link at a box; of a turn from a box to itself the one at the port.
+    /// The end of a link at a box. For a turn from a box to itself, this is the end at the port.
     double& end_of(std::size_t l, std::size_t b, std::size_t port, bool down) {
         Link& link = graph_.links[l];
         if (link.upper == link.lower) return link.upper_port == port ? link.upper_x : link.lower_x;
@@ -298,7 +299,8 @@ private:
         return slots;
     }
 
-    /// Ends are in the order of the nodes that their links lead to; turns to the left before, to the right behind them.
+    /// The ends are in the order of the nodes to which their links lead; turns to the left come first, turns to the
+    /// right last.
     void wish_of(std::size_t b, Slot& slot, bool down) const {
         const Node& node = nodes_[b];
         slot.wanted = slot.links.empty() ? node.x : 0;
@@ -315,7 +317,7 @@ private:
         }
     }
 
-    /// Lines that are not quite above an end of theirs move there where there is space.
+    /// Lines that are almost above one of their ends move there if there is space.
     void follow_ends() {
         for (std::size_t e = 0; e < graph_.chains.size(); ++e) {
             if (graph_.chains[e].size() < 2) continue;
@@ -325,7 +327,7 @@ private:
         }
     }
 
-    /// An edge whose ends are nearly opposite becomes straight where there is space for it.
+    /// An edge whose ends are almost opposite becomes straight if there is space.
     void take_jog_away(std::size_t e) {
         constexpr double little = 18;
         const auto& chain = graph_.chains[e];
@@ -349,7 +351,7 @@ private:
         }
     }
 
-    /// An end that is nearly opposite of where its line goes on moves there.
+    /// An end that is almost opposite the continuation of its line moves there.
     void meet_line(std::size_t l, bool upper) {
         constexpr double little = 8;
         Link& link = graph_.links[l];
@@ -365,7 +367,7 @@ private:
         if (graph_.level->boxes[nodes_[node].box].on_border) nodes_[node].x = x;
     }
 
-    /// May the end of a link at a box be here? Not where others end there too.
+    /// True if the end of a link may be at this position of a box. False if other edges end there.
     [[nodiscard]] bool is_free(std::size_t l, bool upper, double x) const {
         const Link& link = graph_.links[l];
         if (link.turn != Link::Turn::none) return false;
@@ -374,7 +376,7 @@ private:
         if ((upper ? link.upper_x : link.lower_x) == x) return true;
         const std::vector<std::size_t>& ends = upper ? nodes_[b].down : nodes_[b].up;
         if (graph_.level->boxes[nodes_[b].box].on_border) {
-            const Interval around = free_around(b);  // it moves itself
+            const Interval around = free_around(b);  // the box itself moves
             return ends.size() == 1 && around.low <= x && x <= around.high;
         }
         const Interval side = side_of(graph_, nodes_[b], ends.size());

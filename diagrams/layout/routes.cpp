@@ -16,7 +16,7 @@ Rectangle turned(const Rectangle& it) {
     return {it.y, it.x, it.height, it.width};
 }
 
-/// Without points in the middle of a straight piece.
+/// Removes points in the middle of straight segments.
 std::vector<Point> corners(const std::vector<Point>& points) {
     std::vector<Point> result;
     for (const Point& point : points) {
@@ -72,7 +72,7 @@ private:
         return graph_.turned ? turned(place) : place;
     }
 
-    /// y of the border of a box at this x; of a port, the side away from the box.
+    /// The y of the border of a box at this x; for a port, of the side away from the box.
     [[nodiscard]] double border(std::size_t n, double x, bool lower) const {
         const Node& node = graph_.nodes[n];
         double reach = lower ? node.below : node.above;
@@ -106,7 +106,7 @@ private:
         result_.edges[e].points = std::move(points);
     }
 
-    /// Loops at the right side of a box, one below the other. Levels with loops lead downwards.
+    /// Places loops at the right side of a box, one below the other. Levels with loops are laid out downwards.
     void place_loops() {
         std::vector<std::vector<std::size_t>> loops(level_.boxes.size());
         for (std::size_t e = 0; e < level_.edges.size(); ++e)
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    /// x of the right side of a box at this y.
+    /// The x of the right side of a box at this y.
     [[nodiscard]] double side_at(std::size_t b, double y) const {
         const Rectangle& box = result_.boxes[b].place;
         if (!level_.boxes[b].round) return box.right();

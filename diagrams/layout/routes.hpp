@@ -1,4 +1,4 @@
-// From the graph of layers back to boxes and edges.
+// Converts the layered graph back to boxes and edges.
 #pragma once
 
 #include "diagrams/layout/graph.hpp"
@@ -6,7 +6,7 @@
 
 namespace robochart::diagrams::layout {
 
-/// The placement of a graph whose nodes have their places and whose links have their tracks.
+/// The placement of a graph whose nodes have positions and whose links have tracks.
 [[nodiscard]] Placement placement_of(const Graph& graph);
 
 }  // namespace robochart::diagrams::layout

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view ellipsis = "\xE2\x80\xA6";
 
-/// The first character of a text that is not empty, and its length in bytes.
+/// The first character of a nonempty text, and its length in bytes.
 struct Character {
     std::uint32_t code = 0;
     std::size_t bytes = 1;
@@ -40,15 +40,15 @@ std::size_t columns_of(std::string_view text) {
     return count;
 }
 
-/// How many bytes the first `columns` characters take.
+/// The number of bytes of the first `columns` characters.
 std::size_t bytes_of(std::string_view text, std::size_t columns) {
     std::size_t bytes = 0;
     for (; columns > 0 && bytes < text.size(); --columns) bytes += first_character(text.substr(bytes)).bytes;
     return bytes;
 }
 
-/// Where a line that has to end within `columns` characters ends: behind the last blank; where there is none behind a
-/// sign in its second half, or anywhere.
+/// Where to break a line that must end within `columns` characters: after the last blank; if there is none, after a
+/// sign in the second half, or anywhere.
 std::size_t line_end(std::string_view text, std::size_t columns) {
     const std::size_t most = bytes_of(text, columns);
     if (most >= text.size()) return text.size();

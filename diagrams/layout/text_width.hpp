@@ -1,4 +1,4 @@
-// How wide text is, and text broken into lines: by the widths of DejaVu Sans, without a font at hand.
+// Computes the width of text and breaks text into lines, with the widths of DejaVu Sans; no font is loaded.
 #pragma once
 
 #include <string>
@@ -7,29 +7,29 @@
 
 namespace robochart::diagrams::layout {
 
-/// What fonts that stand in for DejaVu Sans may be wider.
+/// Allowance for substitute fonts that are wider than DejaVu Sans.
 inline constexpr double font_slack = 1.06;
 
-/// Width of UTF-8 text in pixels, with the slack. A byte that is no UTF-8 counts as a character of one em.
+/// The width of UTF-8 text in pixels, including the allowance. A byte that is not UTF-8 counts as a character of one
+/// em.
 [[nodiscard]] double text_width(std::string_view text, double font_size, bool bold = false);
 
-/// Text in lines, perhaps not all of it.
+/// Text broken into lines, possibly shortened.
 struct Lines {
     std::vector<std::string> lines;
-    bool elided = false;  ///< the last line ends with an ellipsis: there was more
+    bool elided = false;  ///< text is missing; the last line ends with an ellipsis
 };
 
-/// How text is broken.
+/// Limits for breaking text.
 struct LineLimits {
-    std::size_t columns = 34;  ///< characters of a line, where the text has a blank to be broken at
-    std::size_t lines = 6;     ///< what is longer is elided
+    std::size_t columns = 34;  ///< characters per line, if the text can be broken at a blank
+    std::size_t lines = 6;     ///< longer text is elided
 };
 
-/// Pieces one behind the other, broken between pieces where they do not fit into one line, then at blanks, then
-/// anywhere.
+/// Joins pieces and breaks them into lines: between pieces if possible, otherwise at blanks, otherwise anywhere.
 [[nodiscard]] Lines broken(const std::vector<std::string>& pieces, const LineLimits& limits);
 
-/// The front of a text, with an ellipsis where something is missing.
+/// The beginning of a text, with an ellipsis if characters are missing.
 [[nodiscard]] std::string elided(std::string_view text, std::size_t columns);
 
 }  // namespace robochart::diagrams::layout

@@ -1,6 +1,6 @@
-// y of every layer, and the tracks of the horizontal pieces of edges between two layers. Which of two pieces is above
-// the other decides whether they cross, and whether their vertical pieces lie on each other; a search by insertion
-// orders all pieces of a gap.
+// Computes the y of every layer and the tracks of horizontal edge segments between two layers. The vertical order of
+// two segments decides whether they cross, and whether their vertical neighbours overlap. An insertion search orders
+// all segments of a gap.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,13 +11,13 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// A horizontal piece with the vertical ones at its ends.
+/// A horizontal segment with the vertical segments at its ends.
 struct Piece {
     std::size_t link = nothing;
-    std::size_t part = 0;          ///< of its link, from the upper end on
-    std::vector<double> up, down;  ///< x of the pieces that lead up and down from it
-    double low = 0, high = 0;      ///< from x to x
-    double to = 0;                 ///< x at which it goes on
+    std::size_t part = 0;          ///< index in its link, from the upper end
+    std::vector<double> up, down;  ///< x of the segments that lead up and down from it
+    double low = 0, high = 0;      ///< the range of x
+    double to = 0;                 ///< x at which it continues
     std::size_t track = 0;
 };
 
@@ -31,10 +31,10 @@ void set_extent(Piece& piece) {
         }
 }
 
-constexpr std::size_t on_each_other = 1000;   ///< costs of lines that would look like one
-constexpr std::size_t largest_search = 1200;  ///< pieces of a gap whose order is searched for
+constexpr std::size_t on_each_other = 1000;   ///< cost of overlapping lines
+constexpr std::size_t largest_search = 1200;  ///< order is optimised only for gaps with at most this many segments
 
-/// What it costs that `a` is above `b`.
+/// The cost of placing `a` above `b`.
 std::size_t cost_above(const Piece& a, const Piece& b) {
     if (a.link == b.link) return a.part < b.part ? 0 : on_each_other * on_each_other;
     std::size_t cost = 0;
@@ -52,7 +52,7 @@ bool meet(const Piece& a, const Piece& b) {
     return a.low - distance::pieces < b.high && b.low - distance::pieces < a.high;
 }
 
-/// The pieces between two layers.
+/// The segments between two layers.
 class Gap {
 public:
     explicit Gap(Graph& graph) : graph_(graph) {}
@@ -75,7 +75,7 @@ public:
         pieces_.push_back(std::move(piece));
     }
 
-    /// Orders the pieces and gives them tracks; returns how many there are.
+    /// Orders the segments and assigns tracks; returns the number of tracks.
     std::size_t arrange() {
         order();
         for (int i = 0; i < 32 && split_one(); ++i) order();
@@ -89,7 +89,7 @@ public:
         return count;
     }
 
-    /// The first track is at `y`.
+    /// Sets the positions; the first track is at `y`.
     void finish(double y) {
         std::stable_sort(pieces_.begin(), pieces_.end(),
                          [](const Piece& a, const Piece& b) { return a.part < b.part; });
@@ -99,8 +99,8 @@ public:
     }
 
 private:
-    /// Inserts the pieces one by one, the longest first, each where it costs least; then each once more until nothing
-    /// gets better.
+    /// Inserts the segments one at a time, longest first, each where it costs least. Then moves each again until the
+    /// cost does not improve.
     void order() {
         for (Piece& piece : pieces_) piece.track = 0;
         std::stable_sort(pieces_.begin(), pieces_.end(),
@@ -124,7 +124,7 @@ private:
         }
     }
 
-    /// Returns what the piece costs at the place where it costs least, which is where it is put.
+    /// Inserts the segment where it costs least; returns the cost.
     std::size_t insert(std::vector<std::size_t>& order, std::size_t piece) const {
         std::size_t cost = 0;
         for (const std::size_t other : order) cost += costs_[piece][other];
@@ -158,8 +158,8 @@ private:
         return better;
     }
 
-    /// Two pieces that would lie on each other in either order: one of them goes over two tracks. Returns whether there
-    /// were such.
+    /// Splits one segment over two tracks, if two segments would overlap in either order. Returns true if there was
+    /// such a pair.
     bool split_one() {
         for (std::size_t i = 0; i < pieces_.size() && pieces_.size() <= largest_search; ++i)
             for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
@@ -187,7 +187,7 @@ private:
         return true;
     }
 
-    /// The x nearest to this one at which no line goes up or down.
+    /// The x nearest to this one at which no vertical line is.
     [[nodiscard]] double free_x(double middle) const {
         for (double away = 0;; away += 1)
             for (const double x : {middle + away, middle - away}) {
@@ -198,17 +198,17 @@ private:
 
     Graph& graph_;
     std::vector<Piece> pieces_;
-    std::vector<double> straight_;  ///< x of all lines that go up or down
+    std::vector<double> straight_;  ///< x of all vertical lines
     std::vector<std::vector<std::size_t>> costs_;
 };
 
-/// The gap above a layer, 0 for the first: the one that a link is in.
+/// The gap above a layer (0 for the first layer) that contains a link.
 std::size_t gap_of(const Graph& graph, const Link& link) {
     const std::size_t layer = graph.nodes[link.upper].layer;
     return link.turn == Link::Turn::over ? layer : layer + 1;
 }
 
-/// Between the tracks and a layer beside them.
+/// The distance between the tracks and an adjacent layer.
 double margin(const Graph& graph, std::size_t layer) {
     if (layer % 2 == 0) return distance::at_boxes;
     for (const std::size_t n : graph.layers[layer])

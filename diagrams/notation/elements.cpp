@@ -16,13 +16,13 @@ namespace {
 
 using namespace frontend;
 
-/// An element on its way to its number.
+/// An element before it is numbered.
 struct Found {
     const void* node = nullptr;
     Element element;
 };
 
-/// Walks over everything that is drawn.
+/// Visits everything that is drawn.
 class Collector {
 public:
     std::vector<Found> found;

@@ -1,5 +1,5 @@
-// The elements of a model that diagrams show, numbered in the order of the text: an element has one id in all diagrams
-// of a run, made of its number and never of its name.
+// The elements of a model that diagrams show, numbered in textual order. An element has one id in all diagrams of a
+// run. The id contains its number and never its name.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace robochart::diagrams {
 
-/// What an id stands for.
+/// The element that an id denotes.
 struct Element {
     std::string id;    ///< "e17"
     std::string kind;  ///< "state", "entry action", "connection"
-    std::string name;  ///< as it is shown; "" where it has none
+    std::string name;  ///< as shown; "" if it has none
     diagnostics::Span span;
     diagnostics::Span name_span;
 };
 
-/// All elements of a model, but those of the toolkits.
+/// All elements of a model, without those of the toolkits.
 class Elements {
 public:
-    /// The first has the number `first`: where several models are drawn, none of their elements have the same.
+    /// The numbers start at `first`, so that the elements of several models can get different numbers.
     explicit Elements(const frontend::Model& model, std::size_t first = 1);
 
     [[nodiscard]] const std::vector<Element>& all() const { return elements_; }
-    /// By place in `all`: a declaration, an action, a clause with an interface, a precondition; `none` for other nodes
-    /// of the tree.
+    /// The index in `all` of a declaration, an action, an interface clause or a precondition; `none` for other nodes of
+    /// the tree.
     [[nodiscard]] std::size_t find(const void* node) const;
 
 private:
     std::vector<Element> elements_;
-    std::unordered_map<const void*, std::size_t> places_;  ///< asked only, never walked
+    std::unordered_map<const void*, std::size_t> places_;  ///< for lookup only; the order of pointers is never used
 };
 
 }  // namespace robochart::diagrams

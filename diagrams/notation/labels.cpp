@@ -47,7 +47,7 @@ std::string choice_of(const Stmt& statement) {
 }  // namespace
 
 std::string shown_name(std::string_view name) {
-    if (name.starts_with('?')) return "";  // the parser's, for one that is not there yet
+    if (name.starts_with('?')) return "";  // the parser's placeholder for a missing name
     return diagnostics::shown(name);
 }
 

@@ -1,4 +1,4 @@
-// The text of diagrams, in RoboTool's order and spelling, where no character is invisible.
+// The text of diagrams, in RoboTool's order and spelling. Invisible characters are escaped.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robochart::diagrams {
 
-/// A name as people see it, whatever it holds.
+/// A name for display; any characters are allowed in it.
 [[nodiscard]] std::string shown_name(std::string_view name);
 /// "entry", "during", "exit".
 [[nodiscard]] std::string_view word_of(frontend::ActionKind kind);
@@ -17,7 +17,7 @@ namespace robochart::diagrams {
 [[nodiscard]] std::string_view word_of(frontend::InterfaceUse use);
 
 [[nodiscard]] std::string text_of(const frontend::Expr& expr);
-/// Without the word `send`, as RoboTool draws statements.
+/// A statement without the keyword `send`, as RoboTool draws it.
 [[nodiscard]] std::string text_of(const frontend::Stmt& statement);
 /// `v: T = e`
 [[nodiscard]] std::string text_of(const frontend::Variable& variable);
@@ -31,7 +31,7 @@ namespace robochart::diagrams {
 [[nodiscard]] std::string text_of(const frontend::Function& function);
 /// `l(T)`
 [[nodiscard]] std::string text_of(const frontend::EnumLiteral& literal);
-/// `trigger #C <{d}p{e}[guard]/action`, in the pieces that a line may be broken between.
+/// `trigger #C <{d}p{e}[guard]/action`, as pieces between which a line may be broken.
 [[nodiscard]] std::vector<std::string> label_of(const frontend::Transition& transition);
 
 }  // namespace robochart::diagrams

@@ -1,4 +1,4 @@
-// How components were laid out before an edit, so that an edit moves little.
+// Remembers how components were laid out before an edit, so that an edit moves few elements.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,25 @@
 
 namespace robochart::diagrams {
 
-/// A level of a component: its nodes and edges by their names.
+/// The layout of one level: its nodes and edges by name.
 struct LevelMemory {
     layout::Direction direction = layout::Direction::down;
     std::map<std::string, layout::Rank> boxes;
     std::map<std::string, std::vector<std::size_t>> edges;
 };
 
-/// The levels of all diagrams by their paths.
+/// The levels of all diagrams, by path.
 struct Memory {
     std::map<std::string, LevelMemory> levels;
 };
 
-/// The names of the boxes and edges of a level, made different by numbers.
+/// The names of the boxes and edges of a level; equal names are numbered.
 struct LevelNames {
     std::string path;
     std::vector<std::string> boxes, edges;
 };
 
-/// Lays a level out as far as possible as it was before, and remembers how.
+/// Lays out a level as similarly as possible to the last time, and remembers the result.
 [[nodiscard]] layout::Placement arrange_again(layout::Level& level, LevelNames names, Memory* memory,
                                               diagnostics::Budget* budget);
 

@@ -17,7 +17,7 @@ using layout::Size;
 namespace {
 
 constexpr double circle = 24;
-constexpr double inset = 12;  ///< between the border of a composite state and the nodes in it
+constexpr double inset = 12;  ///< between the border of a composite state and its nodes
 constexpr layout::LineLimits label_limits{34, 6};
 constexpr layout::LineLimits action_limits{44, 6};
 
@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& pieces) {
     return result;
 }
 
-/// Is it the node, or in it?
+/// True if `target` is the node or inside it.
 bool holds(const State& node, const State* target) {
     if (&node == target) return true;
     return std::any_of(node.nodes.begin(), node.nodes.end(), [&](const auto& each) { return holds(*each, target); });
@@ -92,7 +92,7 @@ void NodeLevel::add_node(const State& state) {
     nodes_.push_back(std::move(shape));
 }
 
-/// How many characters there is space for in a line where a person drew the state wide.
+/// The characters per line; more if a person drew the state wide.
 std::size_t NodeLevel::columns_of(const State& state) const {
     constexpr double widest = 2000;
     const auto drawn = drawing_.stored->box(&state);
@@ -100,7 +100,7 @@ std::size_t NodeLevel::columns_of(const State& state) const {
     return space <= 0 ? 0 : static_cast<std::size_t>(space / layout::text_width("n", measure::row_font));
 }
 
-/// The title, and a paragraph for each action.
+/// Adds the title, and a paragraph for each action.
 void NodeLevel::add_actions(Shape& shape) {
     double width = std::max(shape.title.width(), 60.0);
     layout::LineLimits limits = action_limits;
@@ -132,7 +132,7 @@ void NodeLevel::add_arrow(const Transition& transition) {
     arrows_.push_back(std::move(arrow));
 }
 
-/// The node of this level that is meant or that it is in; a box with the name where it is nowhere here.
+/// The node of this level that is the target or contains it. If there is none, a box with the name is added.
 std::size_t NodeLevel::end_of(const State* target, const QualifiedName& name) {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         if (target != nullptr && nodes_[n].state != nullptr && holds(*nodes_[n].state, target)) return n;
@@ -165,7 +165,7 @@ void NodeLevel::lay_out() {
     placement_ = arrange_again(level_, std::move(names), drawing_.memory, drawing_.budget);
 }
 
-/// Nothing where no node of the level is in the drawing.
+/// No value if the drawing contains no node of the level.
 std::optional<layout::DrawnLevel> NodeLevel::drawn_level() const {
     if (drawing_.stored == nullptr) return std::nullopt;
     layout::DrawnLevel drawn;
@@ -187,7 +187,7 @@ Point NodeLevel::corner_in(const Rectangle& space) const {
 
 void NodeLevel::paint(Picture& picture, const Point& corner, std::size_t parent) const {
     const std::size_t first_box = picture.boxes.size();
-    // The boxes of this level stand one behind the other, before those in them.
+    // The boxes of this level come before the boxes inside them.
     for (std::size_t n = 0; n < nodes_.size(); ++n) paint_node(picture, n, corner, parent);
     for (std::size_t a = 0; a < arrows_.size(); ++a) paint_arrow(picture, a, corner, first_box);
     for (std::size_t n = 0; n < nodes_.size(); ++n) {

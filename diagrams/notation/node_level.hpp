@@ -1,4 +1,4 @@
-// The nodes and transitions of a machine or a composite state, laid out from the inside to the outside.
+// The nodes and transitions of a machine or a composite state, laid out from inside out.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace robochart::diagrams {
 
-/// One level with those inside of it.
+/// One level and the levels inside it.
 class NodeLevel {
 public:
     NodeLevel(const frontend::Machine& machine, std::string path, const Drawing& drawing);
@@ -18,17 +18,17 @@ public:
 
     [[nodiscard]] const layout::Size& size() const { return placement_.size; }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
-    /// Between the level and the border of what it is in: `own`, or none where the level is as a person drew it.
+    /// The distance between the level and the enclosing border: `own`, or 0 if the level is as a person drew it.
     [[nodiscard]] double margin(double own) const { return as_drawn_ ? 0 : own; }
-    /// Where its corner is in the space for it: in the middle, or as a person drew it.
+    /// The position of its corner in the available space: centred, or as a person drew it.
     [[nodiscard]] layout::Point corner_in(const layout::Rectangle& space) const;
     /// Adds its boxes and lines to a picture.
     void paint(Picture& picture, const layout::Point& corner, std::size_t parent) const;
 
 private:
-    /// What is drawn for a node.
+    /// The drawing of a node.
     struct Shape {
-        const frontend::State* state = nullptr;  ///< null for a name that means nothing
+        const frontend::State* state = nullptr;  ///< null for an unresolved name
         Look look = Look::plain;
         Title title;
         std::string name;

@@ -21,14 +21,14 @@ std::string short_title(const std::string& text) {
     return layout::elided(text, measure::longest_title);
 }
 
-/// Where text reaches.
+/// The bounding box of a text.
 Rectangle extent_of(const Text& text) {
     const double width = text_width(text.text, text.size, text.bold);
     const double shift = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? width / 2 : width;
     return {text.at.x - shift, text.at.y - text.size, width, text.size * 1.3};
 }
 
-/// The smallest rectangle around what it has seen.
+/// A bounding box that grows.
 class Extent {
 public:
     void see(const Rectangle& it) {

@@ -1,4 +1,4 @@
-// What the diagrams of all kinds have in common: titles, labels, squares of events.
+// Drawing functions that diagrams of all kinds share: titles, labels, squares of events.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@
 
 namespace robochart::diagrams {
 
-/// What drawing needs.
+/// The input of drawing.
 struct Drawing {
     const Elements& elements;
     Memory* memory = nullptr;
     diagnostics::Budget* budget = nullptr;
-    const StoredLayout* stored = nullptr;  ///< of the component that is drawn
+    const StoredLayout* stored = nullptr;  ///< of the drawn component
 };
 
-/// A title of a box: a sign and text.
+/// A title of a box: an icon and text.
 struct Title {
     Icon icon = Icon::no_icon;
     std::string text;
@@ -30,13 +30,13 @@ struct Title {
     bool reference = false;
 
     [[nodiscard]] double width() const;
-    /// Writes it, centred, into the first `height` pixels of a box.
+    /// Writes the title, centred, into the first `height` pixels of a box.
     void write(PictureBox& box, double height) const;
 };
 
-/// Lines of text one below the other.
+/// The size of lines of text, one below the other.
 [[nodiscard]] layout::Size size_of(const layout::Lines& lines);
-/// Writes them below a place.
+/// Writes the lines below a point.
 void write_lines(const layout::Lines& lines, const layout::Point& corner, std::vector<Text>& texts);
 
 /// An event on the border of a component.
@@ -44,24 +44,24 @@ struct EventSquare {
     std::string label;
     std::size_t element = none;
     bool broadcast = false;
-    std::string whole;  ///< the label where that is elided
+    std::string whole;  ///< the complete label if it is elided
 };
-/// A label of a square.
+/// The square of an event with its label.
 [[nodiscard]] EventSquare square_of(const std::string& label, std::size_t element, bool broadcast);
-/// The events of a component, its own and those of the interfaces that it uses.
+/// The events of a component: its own and those of the interfaces that it uses.
 [[nodiscard]] std::vector<const frontend::Event*> events_of(const frontend::Context& context);
 [[nodiscard]] EventSquare square_of(const frontend::Event& event, const Elements& elements);
 [[nodiscard]] double label_width(const EventSquare& square);
-/// Of its label alone.
+/// The size of the label.
 [[nodiscard]] layout::Size label_size(const EventSquare& square);
-/// The square with its label to the left or to the right of it.
+/// The square with its label to the left or right.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::Point& centre, std::size_t owner,
                                      bool label_left);
-/// The square at a port, with its label where that has it, else as above.
+/// The square at a port. The label is where the port says; otherwise as above.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port,
                                      const layout::Point& corner, std::size_t owner, bool label_left);
 
-/// Moves a picture so that everything is within its size, with a margin.
+/// Moves a picture so that everything is inside its size, with a margin.
 void crop(Picture& picture);
 
 }  // namespace robochart::diagrams

@@ -18,7 +18,7 @@ using layout::Size;
 
 namespace {
 
-constexpr double component_inset = 22;  ///< between the border of the component and what is in it
+constexpr double component_inset = 22;  ///< between the border of the component and its contents
 
 Icon icon_of(DeclKind kind) {
     switch (kind) {
@@ -33,7 +33,7 @@ Icon icon_of(DeclKind kind) {
     }
 }
 
-/// `async` connections say so.
+/// The label of a connection: `async`, or none.
 layout::Lines label_of(const Connection& connection) {
     return connection.async ? layout::Lines{{"async"}, false} : layout::Lines{};
 }
@@ -50,7 +50,7 @@ PartLevel::PartLevel(const Component& component, const Size& header, const Drawi
         part.events = {event};
         part.squares = {square_of(*event, drawing.elements)};
         parts_.push_back(std::move(part));
-        pins_.push_back(Pin::none);  // decided by its first connection
+        pins_.push_back(Pin::none);  // its first connection decides
     }
     for (const auto& connection : component.connections) add_connection(*connection);
     lay_out();
@@ -72,7 +72,7 @@ void PartLevel::add_part(const Declaration& declaration) {
     pins_.push_back(kind == DeclKind::platform ? Pin::first : Pin::none);
 }
 
-/// What is declared in place; what is in it is in its own diagram, unless a person drew it here.
+/// Fills in a component that is declared inline. Its contents are in its own diagram, unless a person drew them here.
 void PartLevel::describe(Part& part) const {
     part.title.text = part.name;
     if (const auto* operation = dynamic_cast<const Machine*>(part.declaration);
@@ -139,7 +139,7 @@ PartLevel::End PartLevel::end_of(const Connection::End& end, bool source) {
     return {part, square_in(parts_[part], end)};
 }
 
-/// An event of the component is on the left where it leads inwards, on the right where it leads outwards.
+/// An own event of the component is on the left if it leads inwards, on the right if it leads outwards.
 std::size_t PartLevel::own_event(const Connection::End& end, bool source) {
     const std::string name = shown_name(end.event.text());
     std::size_t found = parts_.size();
@@ -162,7 +162,7 @@ std::size_t PartLevel::own_event(const Connection::End& end, bool source) {
     return found;
 }
 
-/// The part that is meant; a box with its name where there is none.
+/// The component at the end of a connection. If there is none, a box with the name is added.
 std::size_t PartLevel::part_of(const Connection::End& end) {
     const std::string name = shown_name(end.node.text());
     for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -234,7 +234,7 @@ void PartLevel::set_size(Part& part) const {
     part.size.height = part.header + part.inner->size().height;
 }
 
-/// Nothing where no part is in the drawing.
+/// No value if the drawing contains none of the components.
 std::optional<layout::DrawnLevel> PartLevel::drawn_level() const {
     if (drawing_.stored == nullptr) return std::nullopt;
     layout::DrawnLevel drawn;
@@ -281,13 +281,13 @@ PartLevel::Borders PartLevel::borders() const {
     }
     if (!result.events_left) result.left = -component_inset;
     if (!result.events_right) result.right = placement_.size.width + component_inset;
-    // What no connection joins may reach further than the events on the right border, which have to be outside of it.
+    // Components without connections may extend beyond the events on the right border, which must be outside of them.
     result.missing = std::max({0.0, header_.width - (result.right - result.left), rightmost - result.right});
     return result;
 }
 
-/// Where the frame has to be wider than the parts need, these are in its middle, unless events are on its right border:
-/// then that is moved with them.
+/// If the frame must be wider than the components need, they are centred. If there are events on the right border, the
+/// border is moved instead.
 void PartLevel::paint(Picture& picture) {
     if (as_drawn_) {
         paint_as_drawn(picture);
@@ -346,7 +346,7 @@ void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner)
     }
     for (std::size_t s = 0; s < part.squares.size(); ++s) {
         const layout::PlacedPort& port = placed.ports[s];
-        // Inside of a part; an event of the component itself has its label outside of that.
+        // The label is inside a component, but outside the frame for an own event of the frame's component.
         const bool label_left = part.on_border ? is_first(p) : !port.left;
         squares_[p].push_back(picture.boxes.size());
         picture.boxes.push_back(draw_square(part.squares[s], port, corner, owner, label_left));

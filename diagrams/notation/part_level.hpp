@@ -1,4 +1,4 @@
-// The parts of a module or a controller with the squares of their events, and the connections between them.
+// The components of a module or controller with the squares of their events, and the connections between them.
 #pragma once
 
 #include <memory>
@@ -11,27 +11,27 @@
 
 namespace robochart::diagrams {
 
-/// The inside of a module or controller. The component's own events are on its border.
+/// The inside of a module or controller. Its own events are on its border.
 class PartLevel {
 public:
-    /// `header`: the size of what is above the parts.
+    /// `header`: the size of the part of the frame above the components.
     PartLevel(const frontend::Component& component, const layout::Size& header, const Drawing& drawing);
 
-    /// Adds the parts and connections to a picture whose first box is the frame, and gives that its place.
+    /// Adds the components and connections to a picture whose first box is the frame, and sets the place of the frame.
     void paint(Picture& picture);
 
 private:
-    /// A part, or an event of the component itself.
+    /// A component, or an own event of the module or controller.
     struct Part {
-        const frontend::Declaration* declaration = nullptr;  ///< null for a name that means nothing
+        const frontend::Declaration* declaration = nullptr;  ///< null for an unresolved name
         std::string name;
         Look look = Look::plain;
         Title title;
         Rows rows;
         std::vector<const frontend::Event*> events;  ///< null for one that is only named
-        std::vector<EventSquare> squares;            ///< of these
-        bool on_border = false;                      ///< an event of the component itself
-        std::unique_ptr<NodeLevel> inner;            ///< of a machine that a person drew with its nodes
+        std::vector<EventSquare> squares;            ///< one per event
+        bool on_border = false;                      ///< an own event of the module or controller
+        std::unique_ptr<NodeLevel> inner;            ///< of a machine whose nodes a person drew here
         double header = 0;
         layout::Size size;
     };
@@ -41,11 +41,11 @@ private:
         std::size_t square = 0;
     };
 
-    /// x of the borders of the component.
+    /// The x of the borders of the module or controller.
     struct Borders {
         double left = 0, right = 0;
         bool events_left = false, events_right = false;
-        double missing = 0;  ///< what they have to be further apart
+        double missing = 0;  ///< by how much the borders must move apart
     };
 
     void add_part(const frontend::Declaration& declaration);
@@ -66,21 +66,21 @@ private:
     void paint_connection(Picture& picture, std::size_t connection, const layout::Point& corner) const;
     [[nodiscard]] Borders borders() const;
     [[nodiscard]] bool is_first(std::size_t part) const { return pins_[part] == layout::Pin::first; }
-    /// An event on the right border.
+    /// True for an event on the right border.
     [[nodiscard]] bool is_last(std::size_t part) const { return parts_[part].on_border && !is_first(part); }
 
     const frontend::Component& component_;
     layout::Size header_;
     const Drawing& drawing_;
     std::vector<Part> parts_;
-    std::vector<layout::Pin> pins_;  ///< of the parts
+    std::vector<layout::Pin> pins_;  ///< one per part
     std::vector<const frontend::Connection*> connections_;
-    std::vector<std::pair<End, End>> ends_;  ///< of the connections
-    std::string left_out_;                   ///< connections from an event to itself
+    std::vector<std::pair<End, End>> ends_;  ///< one per connection
+    std::string left_out_;                   ///< connections from an event to itself, which are not drawn
     layout::Level level_;
     layout::Placement placement_;
     bool as_drawn_ = false;
-    std::vector<std::vector<std::size_t>> squares_;  ///< of the parts, as boxes of the picture
+    std::vector<std::vector<std::size_t>> squares_;  ///< of each part: indices of boxes of the picture
 };
 
 }  // namespace robochart::diagrams

@@ -1,5 +1,5 @@
-// A diagram as data: boxes, lines and text with their places, and the elements of the model that they show. Formats are
-// written from this alone (diagrams/svg).
+// A diagram as data: boxes, lines and text with their places, and the elements of the model that they show. All formats
+// are written from this data (diagrams/svg).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace robochart::diagrams {
 /// No element, no box.
 inline constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-/// What stands in front of titles and rows.
+/// The icon before a title or row.
 enum class Icon {
     no_icon,
     module,
@@ -35,7 +35,7 @@ enum class Icon {
     postcondition,
 };
 
-/// Which point of a text its place is.
+/// The point of a text that its position refers to.
 enum class Anchor { start, middle, end };
 
 /// Text on one line.
@@ -45,24 +45,24 @@ struct Text {
     double size = 11;
     Anchor anchor = Anchor::start;
     bool bold = false, italic = false, underlined = false;
-    bool flows = false;          ///< right behind the text before it, wherever that ends
-    std::size_t element = none;  ///< where it shows another element than its box
+    bool flows = false;          ///< directly after the text before it
+    std::size_t element = none;  ///< if it shows another element than its box
 };
 
-/// A small sign.
+/// An icon in a picture.
 struct Sign {
     Icon icon = Icon::no_icon;
     layout::Point centre;
-    bool reference = false;  ///< of a reference: in the colour of references
+    bool reference = false;  ///< of a reference, in the colour of references
 };
 
-/// How a box is drawn.
+/// The style of a box.
 enum class Look {
     plain,
-    frame,              ///< the component that the diagram shows
-    reference,          ///< to a declaration elsewhere
+    frame,              ///< the component shown by the diagram
+    reference,          ///< refers to a declaration elsewhere
     machine_reference,  ///< with a dashed border
-    missing,            ///< a name that means nothing
+    missing,            ///< an unresolved name
     event,              ///< the square of an event
     broadcast,
     initial,
@@ -70,22 +70,22 @@ enum class Look {
     probabilistic,
     final,
 };
-/// Nodes that are drawn as circles.
+/// True for nodes that are drawn as circles.
 [[nodiscard]] inline bool is_round(Look look) {
     return look >= Look::initial;
 }
 
-/// A box with what is written in it.
+/// A box with its text.
 struct PictureBox {
     Look look = Look::plain;
     std::size_t element = none;
-    std::size_t parent = none;    ///< box that it is in
-    std::size_t event_of = none;  ///< of the square of an event, the box on whose border it is
+    std::size_t parent = none;    ///< the box that contains it
+    std::size_t event_of = none;  ///< for the square of an event: the box on whose border it is
     layout::Rectangle place;
     std::vector<double> rules;  ///< y of the lines that divide it
     std::vector<Sign> signs;
     std::vector<Text> texts;
-    std::string whole;  ///< what was elided in it
+    std::string whole;  ///< the complete text of elided parts
 };
 
 /// A transition or a connection.
@@ -93,18 +93,18 @@ struct PictureLine {
     std::size_t element = none;
     std::size_t from = none, to = none;  ///< boxes
     std::vector<layout::Point> points;
-    bool both_ways = false;  ///< an arrow at its beginning too
+    bool both_ways = false;  ///< also has an arrow at its beginning
     layout::Rectangle label;
     std::vector<Text> texts;
-    std::string whole;  ///< its label where that is elided or left out
+    std::string whole;  ///< its complete label if it is elided or omitted
 };
 
 /// A diagram.
 struct Picture {
     std::string title;        ///< "state machine Movement"
-    std::string description;  ///< what is in it, in a sentence
+    std::string description;  ///< the contents in one sentence
     layout::Size size;
-    std::vector<PictureBox> boxes;  ///< each behind the one that it is in
+    std::vector<PictureBox> boxes;  ///< each after the box that contains it
     std::vector<PictureLine> lines;
 };
 

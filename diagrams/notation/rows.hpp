@@ -1,4 +1,4 @@
-// Rows of a box: a sign and what is declared, one element behind the other, broken where it gets too wide.
+// Rows of a box: an icon and declarations, one after another, broken if the row is too wide.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace robochart::diagrams {
 
-/// Sizes of what is written, in pixels.
+/// Sizes of text in pixels.
 namespace measure {
 inline constexpr double title_font = 12;
 inline constexpr double title = 26;  ///< height of the title of a component
@@ -19,7 +19,7 @@ inline constexpr double row_font = 11;
 inline constexpr double row = 16;
 inline constexpr double line = 14;  ///< of a label or an action
 inline constexpr double padding = 7;
-inline constexpr double sign = 24;  ///< width of the column with signs
+inline constexpr double sign = 24;  ///< width of the icon column
 inline constexpr double widest_row = 420;
 inline constexpr std::size_t longest_title = 60;  ///< in characters
 }  // namespace measure
@@ -31,29 +31,30 @@ struct RowText {
     bool italic = false;
 };
 
-/// One line of a box.
+/// One row of a box.
 struct Row {
     Icon icon = Icon::no_icon;
-    std::vector<RowText> texts;  ///< one behind the other
+    std::vector<RowText> texts;  ///< one after another
 };
 
-/// Several rows, and what they left out.
+/// Several rows, and the texts that they elide.
 struct Rows {
     std::vector<Row> rows;
-    std::string whole;  ///< texts that are elided
+    std::string whole;  ///< the complete texts that are elided
 
-    /// A row for each line that the texts need; commas between them.
+    /// Adds one row for each line that the texts need; texts are separated by commas.
     void add(Icon icon, const std::vector<RowText>& texts);
     [[nodiscard]] bool empty() const { return rows.empty(); }
-    /// With space around them.
+    /// The size including margins.
     [[nodiscard]] layout::Size size() const;
-    /// Writes them into a box, below a place.
+    /// Writes the rows into a box, below a point.
     void write(const layout::Point& corner, PictureBox& box) const;
 };
 
-/// Clauses, operations, constants, variables, clocks of a context; its events too where they are no squares.
+/// The rows of a context: clauses, operations, constants, variables, clocks, and events if they are not drawn as
+/// squares.
 [[nodiscard]] Rows rows_of(const frontend::Context& context, const Elements& elements, bool with_events);
-/// Pre- and postconditions.
+/// Adds pre- or postconditions.
 void add_conditions(Rows& rows, Icon icon, const std::vector<frontend::ExprPtr>& conditions, const Elements& elements);
 
 }  // namespace robochart::diagrams

@@ -1,5 +1,4 @@
-// Where a person put the elements of a component, by their declarations. diagrams/stored reads it from files of
-// RoboTool.
+// The layout of a component by a person, keyed by declarations. diagrams/stored reads it from RoboTool's files.
 #pragma once
 
 #include <unordered_map>
@@ -9,19 +8,19 @@
 
 namespace robochart::diagrams {
 
-/// Where the nodes of a machine or state are, or the parts of a component.
+/// The area of the nodes of a machine or state, or of the components of a component.
 struct StoredArea {
     layout::Size size;            ///< 0: automatic
-    std::optional<double> above;  ///< height of what is above it in the diagram, its title too
+    std::optional<double> above;  ///< height of the part of the diagram above the area, including the title
 };
 
-/// The layout of one component; its maps are asked only, never walked. Places are within the area that an element is
-/// in.
+/// The layout of one component. Its maps are used for lookup only. Positions are relative to the enclosing area.
 struct StoredLayout {
-    std::unordered_map<const frontend::Declaration*, layout::DrawnBox> boxes;   ///< nodes, parts, the component itself
+    std::unordered_map<const frontend::Declaration*, layout::DrawnBox> boxes;   ///< nodes, components, the component
+                                                                                ///< itself
     std::unordered_map<const frontend::Declaration*, StoredArea> areas;         ///< of components, machines, states
     std::unordered_map<const frontend::Declaration*, layout::DrawnEdge> lines;  ///< transitions, connections
-    /// Events on the border of a component or part.
+    /// Events on the border of the component or of its components.
     std::unordered_map<const frontend::Declaration*,
                        std::unordered_map<const frontend::Declaration*, layout::DrawnPort>>
         squares;
@@ -31,7 +30,7 @@ struct StoredLayout {
     [[nodiscard]] std::optional<layout::DrawnEdge> line(const frontend::Declaration* of) const;
     [[nodiscard]] std::optional<layout::DrawnPort> square(const frontend::Declaration* owner,
                                                           const frontend::Declaration* event) const;
-    /// The size that a component or part has in the diagram, as far as it is known.
+    /// The size of a component in the diagram, if known.
     [[nodiscard]] layout::Size size(const frontend::Declaration* of) const;
 };
 

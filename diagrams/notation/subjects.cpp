@@ -24,7 +24,7 @@ using layout::Size;
 
 namespace {
 
-/// A name as a file is called: whatever is no letter or digit of ASCII is "_".
+/// A name as part of a file name: all characters except ASCII letters and digits become "_".
 std::string safe(const std::string& name) {
     constexpr std::size_t longest = 100;
     std::string result;
@@ -82,7 +82,8 @@ private:
         found_[at->second].files.push_back(&file);
     }
 
-    /// The last name of each; where two are alike (on any file system), the whole names; then numbers.
+    /// Files are named after the last part of each name. If two are equal (on any file system), the full names are
+    /// used, then numbers are added.
     void name_files() {
         std::map<std::string, std::size_t> uses;
         const auto last_name = [](const Subject& subject) {
@@ -105,7 +106,7 @@ private:
     std::map<std::string, std::size_t> packages_;
 };
 
-/// The title and the rows of a component, the squares of its events at the right where `events` says so.
+/// The title and the rows of a component; with `events`, also squares of its events at the right.
 class Frame {
 public:
     Frame(const Context& context, const Drawing& drawing, bool events) : context_(context), stored_(drawing.stored) {
@@ -126,7 +127,7 @@ public:
         set_title();
     }
 
-    /// What the title, the rows and the squares need.
+    /// The size of the title, the rows and the squares.
     [[nodiscard]] Size header() const {
         const Size rows = rows_.size();
         if (stored_ != nullptr)
@@ -138,10 +139,10 @@ public:
         return {std::max(title_.width(), rows.width + labels), measure::title + std::max(rows.height, squares)};
     }
 
-    /// The frame without its place.
+    /// The frame without its position.
     [[nodiscard]] PictureBox box() const { return box_; }
 
-    /// Writes what it holds into the first box of a picture, which has its place.
+    /// Writes the contents into the first box of a picture, whose position is set.
     void write(Picture& picture, bool more_below) const {
         PictureBox& box = picture.boxes.front();
         title_.write(box, measure::title);
@@ -161,9 +162,9 @@ public:
 
 private:
     static constexpr double pitch = 26;
-    static constexpr double row_indent = layout::port_size / 2;  ///< where squares may be on the left border
+    static constexpr double row_indent = layout::port_size / 2;  ///< space for squares on the left border
 
-    /// Where a person put them.
+    /// Writes the squares where a person drew them.
     void write_squares(Picture& picture, double header) const {
         layout::DrawnPorts drawn = drawn_;
         drawn.owner = stored_->size(&context_);
@@ -242,7 +243,7 @@ Picture draw_platform(const Context& platform, const Drawing& drawing) {
     return picture;
 }
 
-/// A declaration of a package: its title and rows.
+/// A declaration of a package with its title and rows.
 struct Card {
     const void* node = nullptr;
     Title title;
@@ -320,7 +321,7 @@ std::string counted(std::size_t count, const std::string& one) {
     return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// Without the squares of events and the frame.
+/// Counts the contents, without squares of events and the frame.
 std::string description_of(const Picture& picture) {
     const auto boxes =
         static_cast<std::size_t>(std::count_if(picture.boxes.begin(), picture.boxes.end(), [](const PictureBox& box) {

@@ -1,4 +1,4 @@
-// What of a model has a diagram, and the diagrams.
+// The parts of a model that have a diagram, and their diagrams.
 #pragma once
 
 #include <string>
@@ -10,22 +10,21 @@ namespace robochart::diagrams {
 
 /// A component, or the types and interfaces of a package.
 struct Subject {
-    std::string name;                                  ///< "P::C::S"; of a package without a name, that of its file
-    std::string file;                                  ///< for names of files: letters, digits, "_"; no two are alike
+    std::string name;  ///< "P::C::S"; for a package without a name, the name of its file
+    std::string file;  ///< for file names: letters, digits, "_"; unique
     const frontend::Declaration* component = nullptr;  ///< null for a package
     std::vector<const frontend::File*> files;          ///< of the package
 };
 
-/// Whether it is a component, which has a diagram of its own.
+/// True for a component, which has its own diagram.
 [[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
 
-/// In the order of the text: modules, controllers, machines, operations and platforms, also those declared inside of
-/// others, then every package with types, functions or interfaces. `paths`: where texts are from, to name packages that
-/// have no name.
+/// In textual order: modules, controllers, machines, operations and platforms (also inline ones), then every package
+/// with types, functions or interfaces. `paths`: where the texts come from, for the names of packages without a name.
 [[nodiscard]] std::vector<Subject> subjects(const frontend::Model& model, const diagnostics::SourceManager& sources);
 
-/// Its diagram. A model with findings is drawn as far as it is known: a name that means nothing is a box of its own.
-/// Throws layout::TooLarge.
+/// The diagram. A model with errors is drawn as far as possible; an unresolved name is drawn as a box. Throws
+/// layout::TooLarge.
 [[nodiscard]] Picture draw(const Subject& subject, const Drawing& drawing);
 
 }  // namespace robochart::diagrams

@@ -1,4 +1,4 @@
-// See aird.hpp. Expat reports elements one after the other; what is of interest goes straight into the data.
+// See aird.hpp. Expat reports elements one after another; the relevant ones are stored directly.
 #include "diagrams/stored/aird.hpp"
 
 #include <expat.h>
@@ -15,7 +15,7 @@
 namespace robochart::diagrams {
 namespace {
 
-/// What is wrong with the text.
+/// The reason why the text is rejected.
 class Refused : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -26,13 +26,13 @@ class Attributes {
 public:
     explicit Attributes(const XML_Char** list) : list_(list) {}
 
-    /// "" where there is none.
+    /// The value of an attribute; "" if it does not exist.
     [[nodiscard]] std::string_view operator[](std::string_view name) const {
         for (const XML_Char** at = list_; *at != nullptr; at += 2)
             if (name == at[0]) return at[1];
         return {};
     }
-    /// Files of different years name the same attribute differently.
+    /// Files of different RoboTool versions use different names for the same attribute.
     [[nodiscard]] std::string_view first(std::string_view name, std::string_view other) const {
         const std::string_view found = (*this)[name];
         return found.empty() ? (*this)[other] : found;
@@ -43,7 +43,7 @@ private:
     const XML_Char** list_;
 };
 
-/// Numbers from the front of a text, each as a number of pixels or a share of a side.
+/// Reads numbers from the beginning of a text; each is a number of pixels or a fraction of a side.
 class Numbers {
 public:
     explicit Numbers(std::string_view text) : text_(text), rest_(text) {}
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] bool done() const { return rest_.empty(); }
 
 private:
-    /// As far as it was read, and a bit more.
+    /// The text around the current position, for messages.
     [[nodiscard]] std::string_view shown() const {
         constexpr std::size_t around = 24;
         const std::size_t read = text_.size() - rest_.size();
@@ -88,7 +88,7 @@ std::optional<double> number_of(std::string_view text) {
 
 /// "(0.5,1.0)".
 layout::Point anchor_of(std::string_view text) {
-    if (!text.starts_with('(')) return {0.5, 0.5};  // by name: in the middle
+    if (!text.starts_with('(')) return {0.5, 0.5};  // a named anchor: the middle
     Numbers numbers(text);
     numbers.expect('(');
     const double x = numbers.next();
@@ -121,7 +121,7 @@ std::vector<layout::DrawnEdge::Bend> bends_of(std::string_view text) {
     return bends;
 }
 
-/// "...[name='StateID']/..." of the last name.
+/// The last name in "...[name='StateID']/...".
 std::string mapping_of(std::string_view href) {
     constexpr std::string_view before = "[name='";
     const std::size_t begin = href.rfind(before);
@@ -130,7 +130,7 @@ std::string mapping_of(std::string_view href) {
     return std::string(href.substr(0, href.find('\'')));
 }
 
-/// The data so far, and the elements that are open.
+/// The data read so far, and the open elements.
 class AirdBuilder {
 public:
     explicit AirdBuilder(std::vector<AirdDiagram>& diagrams) : diagrams_(diagrams) {}
@@ -149,11 +149,11 @@ public:
     void end() { open_.pop_back(); }
 
 private:
-    /// What an open element is.
+    /// The role of an open element.
     enum class Kind { outside, diagram, element, layout, shape, line, other };
     struct Open {
         Kind kind = Kind::outside;
-        std::string element;  ///< id of an element
+        std::string element;  ///< id of the drawn element
         std::size_t shape = no_shape;
         std::size_t line = 0;
     };
@@ -229,7 +229,7 @@ private:
         }
     }
 
-    /// In a line, or in a label of one, whose `shape` is its type.
+    /// Handles a child of a line or of one of its labels; the type of a label is in `shape`.
     void in_line(Open& now, std::string_view tag, const Attributes& attributes) {
         layout::DrawnEdge& route = diagrams_.back().lines[now.line].route;
         constexpr int label_in_the_middle = 6001;
@@ -257,7 +257,7 @@ private:
     std::vector<Open> open_;
 };
 
-/// Expat with the builder; what is thrown waits until Expat has returned.
+/// Runs Expat with the builder. An exception is stored until Expat has returned.
 class AirdReader {
 public:
     AirdReader(std::string_view text, diagnostics::Budget* budget) : text_(text), budget_(budget) {}
@@ -310,7 +310,8 @@ private:
         return result;
     }
 
-    /// What it throws ends the reading: exceptions must not pass through Expat, which is C.
+    /// Calls `work` and stores its exception, which ends the parsing: exceptions must not pass through Expat, which is
+    /// C code.
     template <class Work>
     void guarded(Work work) {
         if (!error_.empty() || failure_) return;

@@ -1,4 +1,4 @@
-// Files with diagrams for servers: read once, and again where they change on the disk.
+// Caches files with diagrams for servers: each is read once, and again if it changes on disk.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace robochart::diagrams {
 
-/// The files that were asked for last.
+/// The files that were requested most recently.
 class AirdFiles {
 public:
-    /// Null where there is none, or none that can be read.
+    /// Null if the file does not exist or cannot be read.
     [[nodiscard]] const Aird* read(const std::string& path, diagnostics::Budget* budget);
 
 private:
@@ -23,7 +23,7 @@ private:
         Aird aird;
     };
     static constexpr std::size_t most = 16;
-    std::map<std::string, Entry> entries_;  ///< by their paths
+    std::map<std::string, Entry> entries_;  ///< by path
 };
 
 }  // namespace robochart::diagrams

@@ -1,6 +1,6 @@
-// See component_reader.hpp. What RoboTool's file calls a node, part or event is the declaration that its reference
-// leads to where that has the name shown; where not, since declarations were added or moved, the one of that name
-// beside it.
+// See component_reader.hpp. A node, component or event in RoboTool's file is the declaration to which its reference
+// leads, if that declaration has the displayed name. Otherwise, because declarations may have been added or moved, it
+// is the declaration of that name next to it.
 #include "diagrams/stored/component_reader.hpp"
 
 #include <algorithm>
@@ -20,8 +20,8 @@ using layout::Point;
 
 namespace {
 
-constexpr double inset = 5;          ///< of shapes in an area
-constexpr double title_height = 28;  ///< of a title that is shown
+constexpr double inset = 5;          ///< of shapes inside an area
+constexpr double title_height = 28;  ///< of a displayed title
 
 /// "S" of "ref S = T", "e: nat", "op(x: nat)".
 std::string_view identifier_of(std::string_view text) {
@@ -41,16 +41,16 @@ bool is_called(const Declaration& declaration, std::string_view shown) {
                                     (!reference->target_name.empty() && name == reference->target_name.parts.back()));
 }
 
-/// Of the areas that shapes are stacked in: those with nodes or parts.
+/// True for areas in which shapes are stacked: those with nodes or components.
 bool is_inside(std::string_view mapping) {
     return mapping == "NodesID" || mapping == "MachinesID" || mapping == "ModuleNodes";
 }
-/// Those with rows.
+/// True for areas with rows.
 bool is_rows(std::string_view mapping) {
     return mapping == "ContextID" || mapping == "OpContextID" || mapping == "ActionsID";
 }
 
-/// What may stand in an area, and not be found: mappings of nodes, parts and events.
+/// True for shapes in an area that may be missing in the model: mappings of nodes, components and events.
 bool is_placed(std::string_view mapping) {
     constexpr std::string_view placed[] = {"StateID",
                                            "InitialID",
@@ -72,7 +72,7 @@ bool is_placed(std::string_view mapping) {
     return std::ranges::find(placed, mapping) != std::end(placed);
 }
 
-/// The events that may be on the border of a component or part.
+/// The events that may be on the border of a component.
 std::vector<const Event*> events_on(const Declaration* owner) {
     if (const auto* reference = dynamic_cast<const Reference*>(owner)) owner = reference->target;
     const auto* context = dynamic_cast<const Context*>(owner);
@@ -92,13 +92,13 @@ std::string label_text(const Transition& transition) {
     return result;
 }
 
-/// An end of a line: a node, or an event on the border of a part.
+/// An end of a line: a node, or an event on the border of a component.
 struct LineEnd {
     const Declaration* node = nullptr;
     const Declaration* event = nullptr;
 };
 
-/// What is in and at the shapes of a diagram.
+/// The children of the shapes of a diagram, and the lines at them.
 struct DiagramIndex {
     explicit DiagramIndex(const AirdDiagram& diagram) : children(diagram.shapes.size()) {
         for (std::size_t s = 0; s < diagram.shapes.size(); ++s)
@@ -108,8 +108,8 @@ struct DiagramIndex {
                 lines[at->second.source].push_back(l);
     }
 
-    std::vector<std::vector<std::size_t>> children;                      ///< of shapes
-    std::map<std::string, std::vector<std::size_t>, std::less<>> lines;  ///< from elements, by their ids
+    std::vector<std::vector<std::size_t>> children;                      ///< of each shape
+    std::map<std::string, std::vector<std::size_t>, std::less<>> lines;  ///< by the id of their source
 };
 
 /// One component of a diagram.
@@ -162,7 +162,7 @@ private:
         for (const std::size_t child : children_[shape]) visit(child, *node);
     }
 
-    /// In the owner, by the reference, else by its name.
+    /// The node in the owner: by the reference, otherwise by its name.
     [[nodiscard]] const Declaration* node_of(const AirdElement& element, const Declaration& owner) const {
         const Declaration* meant = fragments_.find(element.href);
         const Declaration* called = nullptr;
@@ -193,7 +193,7 @@ private:
                                                                      label_side(shape)});
     }
 
-    /// On which side of a square of 30 pixels the corner of its label is.
+    /// The side of a square of 30 pixels on which the corner of its label is.
     [[nodiscard]] layout::Side label_side(std::size_t shape) const {
         constexpr double beyond = 28;
         for (const std::size_t child : children_[shape]) {
@@ -211,7 +211,7 @@ private:
 
     // ---------------------------------------------------------------- boxes
 
-    /// The areas in a shape, those of shapes in it left out.
+    /// The areas in a shape, without those of the shapes inside it.
     void areas_in(std::size_t shape, std::vector<std::size_t>& areas) const {
         for (const std::size_t child : children_[shape]) {
             const AirdElement* element = element_of(child);
@@ -230,7 +230,7 @@ private:
         return title_height;
     }
 
-    /// What has areas is as large as they need.
+    /// A shape with areas is as large as the areas need.
     void read_box(std::size_t shape, const Declaration& it) {
         const AirdShape& own = diagram_.shapes[shape];
         layout::DrawnBox box{{own.x.value_or(0) + inset, own.y.value_or(0) + inset}, own.width, own.height};
@@ -253,7 +253,8 @@ private:
         if (!areas.empty()) result_.layout.areas[&it] = area;
     }
 
-    /// RoboTool puts what nobody has moved into one corner, and makes nodes and parts when they are first shown.
+    /// RoboTool stacks shapes that were never moved in one corner, and creates nodes and components when they are first
+    /// shown.
     void count_boxes(const Declaration& component) {
         for (const auto& [place, count] : places_) {
             result_.boxes += count;
@@ -268,7 +269,8 @@ private:
 
     // ---------------------------------------------------------------- lines
 
-    /// Those between shapes of the component; first what the references lead to, then what else has the same ends.
+    /// Reads the lines between shapes of the component: first those whose references can be resolved, then those with
+    /// the same ends as a declaration.
     void read_lines() {
         std::vector<std::pair<const AirdLine*, const AirdElement*>> rest;
         for (const std::size_t l : lines_inside()) {
@@ -285,7 +287,7 @@ private:
         }
     }
 
-    /// Those whose ends are shapes of the component, found or not, or events of its own; in the order of the file.
+    /// The lines whose ends are shapes of the component (found or not) or own events, in the order of the file.
     [[nodiscard]] std::vector<std::size_t> lines_inside() const {
         std::vector<std::size_t> result;
         for (const std::string& id : ids_) {
@@ -312,7 +314,7 @@ private:
         return at == ends_.end() ? LineEnd() : at->second;
     }
 
-    /// Does it lead from and to what the line does?
+    /// True if the declaration has the same ends as the line.
     [[nodiscard]] bool joins(const Declaration& declaration, const AirdElement& line) const {
         const LineEnd source = end_of(line.source);
         const LineEnd target = end_of(line.target);
@@ -326,7 +328,8 @@ private:
         return connection != nullptr && is(connection->from, source) && is(connection->to, target);
     }
 
-    /// One that no other line stands for, in what the source of the line is in; of several that with its label.
+    /// Finds a declaration for the line, in the container of the line's source, that has no other line; of several, the
+    /// one with the line's label.
     void find_line(const AirdLine& line, const AirdElement& element) {
         const Declaration* source = end_of(element.source).node;
         const Declaration* best = nullptr;
@@ -350,12 +353,12 @@ private:
     const Fragments& fragments_;
     diagnostics::Budget* budget_;
     StoredDiagram result_;
-    std::set<std::string, std::less<>> ids_;                                 ///< elements of the component
-    std::map<std::string, LineEnd, std::less<>> ends_;                       ///< those that the model has
-    std::map<std::tuple<std::size_t, double, double>, std::size_t> places_;  ///< how many shapes have one
+    std::set<std::string, std::less<>> ids_;                                 ///< ids of the elements of the component
+    std::map<std::string, LineEnd, std::less<>> ends_;                       ///< those found in the model
+    std::map<std::tuple<std::size_t, double, double>, std::size_t> places_;  ///< number of shapes at each place
 };
 
-/// By the reference, else by its name.
+/// The component, by the reference or otherwise by its name.
 const Declaration* component_of(const AirdElement& element, const Fragments& fragments) {
     const auto is_meant = [&](const Declaration* each) {
         return each != nullptr && has_diagram(*each) && is_called(*each, element.name);

@@ -1,4 +1,4 @@
-// From the shapes and lines of a file to the layouts of the components in it.
+// Converts the shapes and lines of a file to the layouts of its components.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace robochart::diagrams {
 
-/// The components that a diagram shows, in the order of the file; also those inside of others.
+/// The layouts of the components that a diagram shows, including inner ones, in the order of the file.
 [[nodiscard]] std::vector<std::pair<const frontend::Declaration*, StoredDiagram>> read_components(
     const AirdDiagram& diagram, const Fragments& fragments, diagnostics::Budget* budget);
 

@@ -19,7 +19,7 @@ int digit_of(char c) {
     return -1;
 }
 
-/// With "%40" as "@"; what is no such escape stays.
+/// Replaces escapes such as "%40" by the character ("@"); anything else is kept.
 std::string unescaped(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -38,13 +38,13 @@ std::string last_part(const std::string& path) {
     return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-/// "@nodes.3".
+/// A step of a path, such as "@nodes.3".
 struct Step {
     std::string feature;
     std::size_t number = 0;
 };
 
-/// Nothing where a step has another form.
+/// No value if a step has another form.
 std::optional<std::vector<Step>> steps_of(std::string_view path) {
     std::vector<Step> steps;
     while (!path.empty()) {
@@ -68,7 +68,7 @@ DeclKind kind_of(const Declaration& declaration) {
     return reference != nullptr ? reference->refers_to : declaration.kind;
 }
 
-/// The one of a number among those that fit.
+/// The item with this number among those that satisfy `fits`.
 template <class Items, class Fits>
 const Declaration* nth(const Items& items, std::size_t number, Fits fits) {
     for (const auto& item : items)
@@ -134,7 +134,7 @@ Fragments::Fragments(const Model& model, const diagnostics::SourceManager& sourc
     }
 }
 
-/// A file and the steps in it; null and none where it is nothing of the model.
+/// A file and the steps in it; null and empty if the reference does not lead into the model.
 struct Fragments::Reference {
     const File* file = nullptr;
     std::vector<Step> steps;

@@ -1,6 +1,6 @@
-// References of RoboTool's files to elements of a model: `FILE.rct#//@machines.0/@nodes.1`. A feature with a number is
-// the declaration of that number, in the order of the text. No file is opened: only the last part of FILE is compared
-// with the names of the model's files.
+// Resolves references in RoboTool's files to elements of a model: `FILE.rct#//@machines.0/@nodes.1`. A feature with a
+// number denotes the declaration with that number in textual order. No file is opened: only the last part of FILE is
+// compared with the names of the model's files.
 #pragma once
 
 #include <map>
@@ -12,22 +12,23 @@
 
 namespace robochart::diagrams {
 
-/// The declarations that references lead to.
+/// Finds the declarations to which references lead.
 class Fragments {
 public:
-    /// `folder`: where the referring file is, "" or with "/" at its end; of files of one name, the one there is meant.
+    /// `folder`: the folder of the referring file, "" or ending with "/". Of several files with one name, the one in
+    /// this folder is used.
     Fragments(const frontend::Model& model, const diagnostics::SourceManager& sources, const std::string& folder);
 
-    /// Null where the reference leads to nothing that is drawn.
+    /// Null if the reference does not lead to a drawn declaration.
     [[nodiscard]] const frontend::Declaration* find(std::string_view href) const;
-    /// What the same reference leads to with any number at its end.
+    /// The declarations to which the reference leads with any number at its end.
     [[nodiscard]] std::vector<const frontend::Declaration*> siblings(std::string_view href) const;
 
 private:
     struct Reference;
     [[nodiscard]] Reference read(std::string_view href) const;
 
-    std::map<std::string, const frontend::File*> files_;  ///< by their names without folders
+    std::map<std::string, const frontend::File*> files_;  ///< by file name without the folder
 };
 
 }  // namespace robochart::diagrams

@@ -1,4 +1,4 @@
-// What is said of diagrams that RoboTool keeps (docs/diagrams.md).
+// Findings about diagrams that RoboTool stores (docs/diagrams.md).
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ extern const diagnostics::Rule unreadable_diagrams;  ///< RC-D01
 extern const diagnostics::Rule other_diagram;        ///< RC-D02
 extern const diagnostics::Rule incomplete_diagram;   ///< RC-D03
 
-/// Every rule, for `explain` and for the tests.
+/// All rules, for `explain` and for tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
 
 }  // namespace robochart::diagrams::rules

@@ -20,19 +20,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "" or with "/" at its end.
+/// The folder of a path: "" or ending with "/".
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     return slash == std::string::npos ? "" : path.substr(0, slash + 1);
 }
 
-/// The innermost folder that both are in.
+/// The innermost folder that contains both.
 std::string common_folder(const std::string& a, const std::string& b) {
     const auto [end, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     return folder_of(std::string(a.begin(), end));
 }
 
-/// Where diagrams may be, in the order of their names.
+/// The folders that may contain diagrams, sorted by name.
 std::set<std::string> folders_of(const Model& model, const diagnostics::SourceManager& sources) {
     std::set<std::string> folders;
     std::optional<std::string> common;
@@ -46,7 +46,7 @@ std::set<std::string> folders_of(const Model& model, const diagnostics::SourceMa
     return folders;
 }
 
-/// Names of what a diagram lacks, as many as fit into a sentence.
+/// The names of the missing parts of a diagram, as many as fit into a sentence.
 class Missing {
 public:
     explicit Missing(const StoredLayout& layout) : layout_(layout) {}
@@ -86,7 +86,7 @@ private:
     std::size_t connections_ = 0;
 };
 
-/// Nothing where there is no such file, or none that can be read, which is a finding.
+/// Empty if the file does not exist or cannot be read; the latter is reported.
 Aird read_file(const std::string& path, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error))) return {};

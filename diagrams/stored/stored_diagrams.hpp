@@ -1,5 +1,5 @@
-// The diagrams of a model that people drew in RoboTool: found beside its files, and used where they are of the model as
-// it is. They are never written.
+// The diagrams of a model that people drew in RoboTool. They are searched for in the folders of the model's files, and
+// used if they match the current model. They are never written.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace robochart::diagrams {
 
-/// How RoboTool calls the file in which it keeps diagrams.
+/// The name of the file in which RoboTool stores diagrams.
 inline constexpr std::string_view aird_file = "representations.aird";
 
 /// The diagram of a component in such a file.
@@ -22,42 +22,43 @@ struct StoredDiagram {
     std::string file;  ///< its path
     StoredLayout layout;
     std::size_t elements = 0;  ///< nodes, parts, squares of events and lines
-    std::size_t found = 0;     ///< of these, those that the model has, with their names or ends
+    std::size_t found = 0;     ///< of these, how many the model has, with their names or ends
     std::size_t boxes = 0;     ///< nodes and parts
-    std::size_t stacked = 0;   ///< of these, those that stand where another one does: nobody has put them there
+    std::size_t stacked = 0;   ///< of these, how many are at the place of another one, because nobody moved them
 
-    /// Did somebody draw it? Else it is as RoboTool made it.
+    /// True if a person arranged it; false if it is as RoboTool created it.
     [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
-    /// Is it of this model?
+    /// True if it matches this model.
     [[nodiscard]] bool fits() const { return is_drawn() && found * 100 >= elements * 95; }
 };
 
-/// The diagrams of the components of a model, or of several.
+/// The diagrams of the components of one or more models.
 class StoredDiagrams {
 public:
-    /// None.
+    /// No diagrams.
     StoredDiagrams() = default;
-    /// As by `read`, for servers: without findings.
+    /// The same as `read`, but without findings; for servers.
     StoredDiagrams(const frontend::Model& model, const diagnostics::SourceManager& sources, AirdFiles& files,
                    diagnostics::Budget* budget);
 
-    /// Adds those in files `representations.aird` in the folders of the model's files, and in the one that they have in
-    /// common. A file that cannot be read is a finding, once.
+    /// Adds the diagrams in files `representations.aird` in the folders of the model's files and in their common
+    /// folder. A file that cannot be read is reported once.
     void read(const frontend::Model& model, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out);
-    /// Adds those of a file with a path; of several of one component that fits best, then the first.
+    /// Adds the diagrams of a file with this path. Of several diagrams of one component, the one that fits best is
+    /// kept; of equal ones, the first.
     void add(const Aird& aird, const std::string& path, const frontend::Model& model,
              const diagnostics::SourceManager& sources, diagnostics::Budget* budget);
 
-    /// The diagram of a component, of this model or not; null where there is none.
+    /// The diagram of a component, even if it does not match this model; null if there is none.
     [[nodiscard]] const StoredDiagram* diagram(const frontend::Declaration* component) const;
-    /// The layout of a component; null where there is none, or none of this model.
+    /// The layout of a component; null if there is no diagram that matches this model.
     [[nodiscard]] const StoredLayout* find(const frontend::Declaration* component) const;
-    /// Says why the diagram of a component is not used, or what it does not have.
+    /// Reports why the diagram of a component is not used, or which parts it does not contain.
     void explain(const frontend::Declaration* component, diagnostics::Diagnostics& out) const;
 
 private:
-    std::map<std::string, Aird> files_;  ///< that `read` has read, by their paths
-    std::unordered_map<const frontend::Declaration*, StoredDiagram> diagrams_;  ///< asked only, never walked
+    std::map<std::string, Aird> files_;                                         ///< read by `read`, by path
+    std::unordered_map<const frontend::Declaration*, StoredDiagram> diagrams_;  ///< for lookup only
 };
 
 }  // namespace robochart::diagrams

@@ -1,4 +1,4 @@
-// The signs of diagrams, drawn for this project.
+// The icons of diagrams, drawn for this project.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robochart::diagrams {
 
-/// The inside of an SVG group whose origin is the middle of the sign.
+/// The contents of an SVG group whose origin is the centre of the icon.
 [[nodiscard]] std::string icon_svg(Icon icon);
 
 }  // namespace robochart::diagrams

@@ -1,5 +1,5 @@
-// See svg.hpp. Colours are rules of classes, not custom properties, which librsvg does not know; arrowheads are paths,
-// not markers, whose ids would have to be kept apart.
+// See svg.hpp. Colours are CSS class rules, because librsvg does not support custom properties. Arrowheads are paths,
+// because markers would need unique ids.
 #include "diagrams/svg/svg.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 using layout::Point;
 using layout::Rectangle;
 
-/// One colour of the two themes for each thing.
+/// The two colours of an item, for the light and the dark theme.
 struct Colours {
     std::string_view page, fill, reference_fill, ink, line, label, accent, warning;
 };
@@ -73,7 +73,7 @@ std::string_view class_of(Look look) {
     return "";
 }
 
-/// The path of a line with round corners.
+/// The path of a line with rounded corners.
 std::string path_of(const std::vector<Point>& points) {
     constexpr double radius = 5;
     std::string path = fmt::format("M{} {}", number(points[0].x), number(points[0].y));
@@ -92,7 +92,7 @@ std::string path_of(const std::vector<Point>& points) {
     return path + fmt::format("L{} {}", number(points.back().x), number(points.back().y));
 }
 
-/// An open arrowhead at `tip`, coming from `before`.
+/// An open arrowhead at `tip`, for a line that comes from `before`.
 std::string head_of(const Point& before, const Point& tip) {
     constexpr double length = 7;
     constexpr double half = 4;
@@ -131,14 +131,14 @@ public:
     }
 
 private:
-    /// The class of a group, with those that the options add.
+    /// The class attribute of a group, including the classes from the options.
     [[nodiscard]] std::string classes(std::string_view own, std::size_t element) const {
         const auto found =
             element == none ? options_.classes.end() : options_.classes.find(elements_.all()[element].id);
         return found == options_.classes.end() ? std::string(own) : fmt::format("{} {}", own, found->second);
     }
 
-    /// `id="…" data-element="…"`; a counter for what is no element of the model.
+    /// `id="…" data-element="…"`; a counter replaces the id of anything that is not an element of the model.
     std::string identity(std::size_t element) {
         if (element == none) return fmt::format("id=\"{}x{}\"", options_.id_prefix, ++others_);
         const std::string& id = elements_.all()[element].id;
@@ -147,7 +147,7 @@ private:
         return fmt::format("id=\"{}{}{}\" data-element=\"{}\"", options_.id_prefix, id, again, id);
     }
 
-    /// What is shown where a pointer rests: kind and name, and what was elided.
+    /// The tooltip: kind and name, and elided text.
     [[nodiscard]] std::string hint(std::size_t element, const std::string& whole) const {
         std::string text;
         if (element != none) {
@@ -247,7 +247,7 @@ private:
     const Elements& elements_;
     const SvgOptions& options_;
     std::string out_;
-    std::map<std::size_t, std::size_t> times_;  ///< how often an element was written
+    std::map<std::size_t, std::size_t> times_;  ///< how many groups each element has so far
     std::size_t others_ = 0;
 };
 

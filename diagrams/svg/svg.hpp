@@ -1,4 +1,4 @@
-// Pictures as SVG: one file that needs no other, readable in the light and in the dark. docs/diagrams.md shows it.
+// Writes pictures as SVG: a self-contained file, readable with light and dark themes. docs/diagrams.md shows it.
 #pragma once
 
 #include <map>
@@ -9,23 +9,23 @@
 
 namespace robochart::diagrams {
 
-/// The colours.
+/// The colour theme.
 enum class Theme {
-    automatic,  ///< as the reader prefers (prefers-color-scheme)
+    automatic,  ///< follows the reader's preference (prefers-color-scheme)
     light,
     dark,
 };
 
-/// How a picture is written.
+/// Options for writing a picture.
 struct SvgOptions {
     Theme theme = Theme::automatic;
-    std::string id_prefix;  ///< in front of all ids, where several pictures come into one document
-    /// By ids of elements: what their groups are besides, for styles around the picture.
+    std::string id_prefix;  ///< before all ids, if one document contains several pictures
+    /// Additional classes for groups, by element id, for style sheets of the enclosing document.
     std::map<std::string, std::string> classes = {};
 };
 
-/// The picture. A group for every element has the element's id, and a second one of the same element `ID-2`;
-/// `data-element` is the id without any of that. Names are text wherever they stand.
+/// The picture. The group of an element has the element's id; a second group of the same element has `ID-2`.
+/// `data-element` is the id without prefix or number. Names are always escaped as text.
 [[nodiscard]] std::string svg(const Picture& picture, const Elements& elements, const SvgOptions& options = {});
 
 }  // namespace robochart::diagrams
