@@ -1,5 +1,5 @@
-// The loop over streams. One thread reads, so that a cancellation is seen before the request that it cancels is begun
-// or while it is worked on, and so that diagnostics wait while the editor is still sending.
+// The main loop over streams. A separate thread reads. So a cancellation is noticed before its request is started or
+// while it is handled, and diagnostics wait while the editor is still sending.
 #include <condition_variable>
 #include <exception>
 #include <istream>
@@ -14,14 +14,14 @@ namespace robochart::lsp {
 
 namespace {
 
-/// What has come, taken apart by the reading thread: an end, or a message or what was wrong with it.
+/// An item from the reader thread: the end of input, a message, or a fault.
 struct Arrival {
     bool end = false;
     Json message;
     std::string fault;
 };
 
-/// Messages passed on by the reading thread.
+/// The messages from the reader thread.
 class Inbox {
 public:
     void put(Arrival arrival) {
@@ -29,7 +29,7 @@ public:
         arrivals_.push_back(std::move(arrival));
         filled_.notify_one();
     }
-    /// Everything there is; waits for something if `wait`.
+    /// Takes all available items; with `wait`, waits until there is one.
     std::deque<Arrival> take(bool wait) {
         std::unique_lock lock(mutex_);
         if (wait) filled_.wait(lock, [this] { return !arrivals_.empty(); });
@@ -50,7 +50,7 @@ Arrival arrival_of(Frame frame) {
     return arrival;
 }
 
-/// `exit` is the last message: reading behind it could wait for ever.
+/// `exit` is the last message; reading after it could block forever.
 bool is_exit(const Arrival& arrival) {
     const View message = arrival.message;
     return arrival.fault.empty() && message["method"].text() == "exit" && !message.has("id");
@@ -96,7 +96,7 @@ int serve(std::istream& in, std::ostream& out) {
     while (!server.exit_code() && (!ended || server.has_work())) {
         receive(!server.has_work() && !ended);
         if (server.has_work()) server.step();
-        // More may have come meanwhile; diagnostics of a text that is already old help nobody.
+        // More messages may have arrived; diagnostics of an outdated text are useless.
         receive(false);
         if (!server.has_work() && !ended) server.idle();
     }

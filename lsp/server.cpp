@@ -1,4 +1,5 @@
-// The loop of the server: states of the protocol, requests, notifications, and diagnostics when nothing else is queued.
+// The protocol states, requests and notifications of the server, and the diagnostics that it sends when no message is
+// queued.
 #include "lsp/server.hpp"
 
 #include <fmt/format.h>
@@ -116,7 +117,7 @@ void Server::idle() {
         publish_rules(session_, rules_);
         publish_plain(session_, plain_);
     } catch (const diagnostics::LimitReached&) {
-        // What is newer comes first; then it is tried again.
+        // Newer messages are handled first; then this is tried again.
     } catch (const std::exception& error) {
         log("diagnostics", error.what());
     }
@@ -141,7 +142,7 @@ bool Server::is_cancelled(const Json& id) const {
 void Server::request(View message) {
     const Json& id = message["id"].json();
     if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
-    // Ending is always possible.
+    // `shutdown` is always handled.
     if (message["method"].text() != "shutdown" && is_cancelled(id))
         return fail(id, ErrorCode::request_cancelled, "cancelled");
     const Interruption::Work work(interruption_, id);
@@ -186,7 +187,7 @@ Json Server::initialize(View params) {
     return server_capabilities(session_.client);
 }
 
-/// Notifications are never answered, so faults in them go no further than the editor's log.
+/// Notifications have no answer, so their errors only go to the editor's log.
 void Server::notification(const std::string& method, View params) {
     if (method == "exit") {
         exit_code_ = phase_ == Phase::shut_down ? 0 : 1;

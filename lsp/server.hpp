@@ -1,5 +1,5 @@
-// The server's life: which messages are allowed when, and who answers them (LSP 3.17, lifecycle messages;
-// JSON-RPC 2.0).
+// The states of the server: which messages are allowed when, and which functions handle them (LSP 3.17, lifecycle
+// messages; JSON-RPC 2.0).
 #pragma once
 
 #include <deque>
@@ -19,22 +19,23 @@ namespace robochart::lsp {
 
 class Server {
 public:
-    /// `send` takes each message to the editor, as JSON text.
+    /// `send` sends a message, as JSON text, to the editor.
     explicit Server(std::function<void(const std::string&)> send);
 
-    /// What the reading thread tells while the server works.
+    /// For the reader thread to report messages while the server works.
     [[nodiscard]] Interruption& interruption() { return interruption_; }
-    /// Puts a message into the queue.
+    /// Adds a message to the queue.
     void receive(const std::string& text);
-    /// The same for one that was read already. With a fault, which is answered with a parse error, there is none.
+    /// The same for a message that is already parsed. If `fault` is not empty there is no message, and the fault is
+    /// answered with a parse error.
     void receive(Json message, std::string fault);
-    /// Handles the first message of the queue. A request that the queue also cancels is not begun.
+    /// Handles the first message of the queue. A request is not started if the queue contains its cancellation.
     void step();
     [[nodiscard]] bool has_work() const { return !queue_.empty(); }
-    /// For when nothing is queued: sends what changed in the diagnostics.
+    /// Sends diagnostics that changed. Called when no message is queued.
     void idle();
 
-    /// The process's exit code, once the editor asked to exit.
+    /// The exit code of the process, if the editor has sent `exit`.
     [[nodiscard]] std::optional<int> exit_code() const { return exit_code_; }
 
 private:
@@ -56,7 +57,7 @@ private:
     void fail(const Json& id, ErrorCode code, const std::string& why);
 
     Interruption interruption_;
-    diagnostics::Budget budget_;  ///< ends what `interruption_` says should end
+    diagnostics::Budget budget_;  ///< ends work when `interruption_` has a reason
     Session session_;
     Scripts scripts_;
     RuleTexts rules_;
@@ -66,7 +67,7 @@ private:
     std::optional<int> exit_code_;
 };
 
-/// Serves one editor over a pair of streams until it exits or the input ends; the process's exit code.
+/// Serves one editor over a pair of streams until it exits or the input ends. Returns the exit code of the process.
 int serve(std::istream& in, std::ostream& out);
 
 }  // namespace robochart::lsp

@@ -27,12 +27,12 @@ Json script_location(const Session& session, const Scripts& scripts, const Scrip
                          {"range", range(reading.sources, span, session.client.encoding)}});
 }
 
-/// A finding in a file that several scripts include, or one several times, is listed once.
+/// Adds a finding unless the list contains it. A file may be included by several scripts, or several times by one.
 void add_new(Json& list, Json finding) {
     if (std::ranges::find(list, finding) == list.end()) list.push_back(std::move(finding));
 }
 
-/// The findings of all scripts by URI; every open document has a list.
+/// The findings of all scripts by URI; every open document has a list, which may be empty.
 std::map<std::string, Json> script_findings(const Session& session, Scripts& scripts) {
     std::map<std::string, Json> result;
     for (const ScriptReading* reading : scripts.readings()) {
@@ -48,7 +48,7 @@ std::map<std::string, Json> script_findings(const Session& session, Scripts& scr
 
 // ---------------------------------------------------------------- names
 
-/// Where in a script a request asks.
+/// The place in a script that a request is about.
 struct ScriptPlace {
     const ScriptReading& reading;
     SourceId source;

@@ -1,5 +1,4 @@
-// What the server does with scripts in CSPM (LSP 3.17): notifications about their texts, findings, and the requests
-// that are answered for them.
+// The server's functions for CSPM scripts (LSP 3.17): notifications about texts, findings, and requests.
 #pragma once
 
 #include <string_view>
@@ -9,15 +8,15 @@
 
 namespace robochart::lsp {
 
-/// Applies a notification about a script. False if it is about something else, or not about scripts alone.
+/// Applies a notification about a script. Returns false if it is not, or not only, about scripts.
 bool notify_script(const Session&, Scripts&, std::string_view method, View params);
 
-/// Is a request about a script?
+/// True if a request is about a script.
 [[nodiscard]] bool asks_for_script(Scripts&, View params);
-/// The answer to a request about a script; null for what is known of models alone.
+/// The answer to a request about a script; null for requests that only models support.
 [[nodiscard]] Json answer_for_script(const Session&, Scripts&, std::string_view method, View params);
 
-/// Sends the findings about scripts and the files they include where they changed.
+/// Sends the findings about scripts and the files that they include, if they changed.
 void publish_scripts(Session&, Scripts&);
 
 }  // namespace robochart::lsp

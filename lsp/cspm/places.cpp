@@ -17,14 +17,14 @@ std::uint32_t length(Span span) {
     return span.end - span.begin;
 }
 
-/// Of the uses that cover a place the shortest.
+/// The shortest of the uses that contain a place.
 std::optional<NameAt> use_at(const ScriptReading& reading, SourceId source, std::uint32_t offset) {
     std::optional<NameAt> best;
     const auto& uses = reading.names.uses;
     const auto behind = std::ranges::upper_bound(uses, std::tuple(source, offset), {}, [](const auto& use) {
         return std::tuple(use.span.source, use.span.begin);
     });
-    // Names do not overlap but for a name and the qualified one that it is a part of.
+    // Spans of names overlap only if one is part of a qualified name, so few neighbours must be checked.
     constexpr std::ptrdiff_t looked_at = 4;
     for (auto use = behind; use != uses.begin() && behind - use < looked_at;) {
         --use;

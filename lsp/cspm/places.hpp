@@ -1,4 +1,4 @@
-// Names of a script by place.
+// Finds the names in a script by place.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace robochart::lsp {
 
-/// The name without the modules around it.
+/// The name without its modules.
 [[nodiscard]] std::string_view short_name(std::string_view qualified);
-/// Where in a declaration its name stands; the declaration's beginning if it does not.
+/// The place of the name in a declaration; the beginning of the declaration if the name is not in it.
 [[nodiscard]] Span name_place(const SourceManager&, Span declaration, std::string_view name);
 
-/// A name as it stands somewhere in a script.
+/// A name at some place in a script.
 struct NameAt {
     const cspm::KnownName* known = nullptr;
-    Span span;  ///< where it was found
+    Span span;  ///< the place where it was found
 };
 /// The name at or directly before an offset, used or declared.
 [[nodiscard]] std::optional<NameAt> name_at(const ScriptReading&, SourceId, std::uint32_t offset);

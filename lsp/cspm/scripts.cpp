@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One name for a file, whichever links lead to it. What is no place on disk is its own name.
+/// A unique name for a file, with links resolved. A path that is not on disk is used unchanged.
 std::string file_at(const std::string& path) {
     if (!path.starts_with('/')) return path;
     std::error_code code;
@@ -64,7 +64,7 @@ void Scripts::refresh(const std::string& uri) {
     if (opened(file) == nullptr) forget(file);
 }
 
-/// What was read of a file is no longer true.
+/// Discards readings that used this file.
 void Scripts::forget(const std::string& file) {
     news_ = true;
     for (const auto& [uri, document] : documents_)
@@ -78,7 +78,7 @@ const ScriptDocument* Scripts::opened(const std::string& file) const {
     return nullptr;
 }
 
-/// Links may have changed since a document was opened; it stays the document of its path.
+/// The file recorded for an open document of this path. Links may have changed since then; the document keeps its file.
 std::string Scripts::file_of(const std::string& path) const {
     for (const auto& [uri, document] : documents_)
         if (document->path == path) return document->file;
@@ -111,7 +111,7 @@ void Scripts::read(ScriptDocument& document) {
     document.reading = std::move(reading);
 }
 
-/// Of files that include one another the first counts as the whole.
+/// If open files include each other, the first counts as the whole script.
 bool Scripts::is_part_of_another(const ScriptDocument& document) const {
     return std::ranges::any_of(documents_, [&](const auto& entry) {
         const ScriptDocument& other = *entry.second;

@@ -1,6 +1,6 @@
-// The scripts in CSPM that an editor has open. A script is read with the files that it includes, whose open texts
-// override those on disk. An open file that another open one includes is read as a part of that, since its names may
-// need what stands around it.
+// The CSPM scripts that an editor has open. A script is read together with the files that it includes; open texts
+// override those on disk. An open file that another open file includes is read as part of that file, because its names
+// may be declared there.
 #pragma once
 
 #include <map>
@@ -18,47 +18,47 @@
 
 namespace robochart::lsp {
 
-/// Does a document contain CSPM? Its name says so, or the editor, which may call it anything.
+/// True if a document contains CSPM. Its name decides, or the language identifier from the editor.
 [[nodiscard]] bool is_script(std::string_view uri, std::string_view language = {});
 
-/// A script with all that it includes, as far as it has been looked at.
+/// A script with all files that it includes, and the analysis so far.
 struct ScriptReading {
     SourceManager sources;
     cspm::Script script;
     diagnostics::Diagnostics findings;
-    cspm::NameTable names;               ///< empty until the types are known
-    std::map<std::string, SourceId> at;  ///< texts by file; of one included several times the first
+    cspm::NameTable names;               ///< empty until types are computed
+    std::map<std::string, SourceId> at;  ///< texts by file; the first if a file is included several times
     std::map<SourceId, std::string> in;  ///< the file of every text
-    std::set<std::string> asked;         ///< files looked for, whether they are there or not
-    bool typed = false;                  ///< types have been checked, or cannot be as reading has failed
+    std::set<std::string> asked;         ///< files that were searched for, whether they exist or not
+    bool typed = false;                  ///< types were checked, or cannot be because reading failed
 };
 
 /// An open script.
 struct ScriptDocument : OpenText {
-    std::string file;                        ///< the file that is meant, whichever links lead to it
-    std::unique_ptr<ScriptReading> reading;  ///< of the document with what it includes; null after a change
+    std::string file;                        ///< its file, with links resolved
+    std::unique_ptr<ScriptReading> reading;  ///< of the document with its includes; null after a change
 };
 
 class Scripts {
 public:
-    /// What reads and checks polls the budget, if there is one; ended by it, it begins anew when it is asked again.
+    /// Reading and checking poll the budget, if given. If the budget ends them, the next request repeats them.
     explicit Scripts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] ScriptDocument* find(std::string_view uri);
     ScriptDocument& open(const std::string& uri, std::string text);
     void change(ScriptDocument& document, std::string text);
     void close(const std::string& uri);
-    /// A file has changed on disk.
+    /// Must be called when a file has changed on disk.
     void refresh(const std::string& uri);
 
-    /// The scripts that the open documents are parts of, with their types.
+    /// The scripts that contain the open documents, with types.
     [[nodiscard]] std::vector<const ScriptReading*> readings();
-    /// The first of these that contains the document.
+    /// The first of these scripts that contains the document.
     [[nodiscard]] const ScriptReading& reading_of(const ScriptDocument& document);
-    /// What the editor calls a file.
+    /// The URI that the editor uses for a file.
     [[nodiscard]] std::string uri_of(const ScriptReading& reading, SourceId source) const;
 
-    /// Did anything change since this was last settled?
+    /// True if something changed since it was last settled.
     [[nodiscard]] bool has_news() const { return news_; }
     void settle_news() { news_ = false; }
 

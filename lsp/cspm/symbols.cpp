@@ -13,7 +13,7 @@ using cspm::Decl;
 using cspm::DeclKind;
 using cspm::DeclPtr;
 
-/// One entry, with what is inside it.
+/// An entry of the outline with its inner entries.
 struct Entry {
     std::string name;
     std::string detail;
@@ -147,7 +147,7 @@ Json symbol(const SourceManager& sources, const Entry& entry, Encoding encoding)
     return result;
 }
 
-/// With what is inside, one after the other.
+/// Adds an entry and its inner entries to a flat list.
 void add_flat(const SourceManager& sources, const Entry& entry, const std::string& container, const std::string& uri,
               Encoding encoding, Json& out) {
     out.push_back(

@@ -5,7 +5,8 @@
 
 namespace robochart::lsp {
 
-/// What a text declares, in its order: DocumentSymbols, or SymbolInformation for editors that know only that.
+/// The declarations of a text in textual order: DocumentSymbols, or SymbolInformation for editors that support only
+/// that.
 [[nodiscard]] Json script_symbols(const ScriptReading&, SourceId, const std::string& uri, Encoding, bool hierarchical);
 
 }  // namespace robochart::lsp

@@ -1,5 +1,5 @@
-// Who calls an operation, and what an operation or a machine calls. As for definitions, a call means every operation
-// with the name of the signature that it refers to.
+// The callers of an operation, and the calls of an operation or machine. As for definitions, a call refers to every
+// operation with the name of the called signature.
 #include <algorithm>
 #include <utility>
 
@@ -19,7 +19,7 @@ struct CallSite {
     Span span;
 };
 
-/// The calls and the operations of a project, by file and place.
+/// The calls and the operations of a project, sorted by file and place.
 struct CallGraph {
     std::vector<CallSite> calls;
     std::vector<const Machine*> operations;
@@ -35,7 +35,7 @@ struct CallGraph {
     template <class Node>
     void visit(const Node&) {}
 
-    /// The operations that may answer a call; the signature if none is defined.
+    /// The operations that a call may run; the signature if none is defined.
     [[nodiscard]] std::vector<const Declaration*> definitions(const Declaration& callee) const {
         std::vector<const Declaration*> result;
         for (const Machine* each : operations)
@@ -66,7 +66,7 @@ Json item(const Session& session, Project& project, const Declaration& declarati
                          {"selectionRange", range(project.sources(), declaration.name_span, session.client.encoding)}});
 }
 
-/// The operation, signature or machine whose name stands at the place; null if there is none.
+/// The operation, signature or machine whose name is at the place; null if there is none.
 const Declaration* callable_at(const Target& target) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr || name->target == nullptr) return nullptr;
@@ -76,14 +76,14 @@ const Declaration* callable_at(const Target& target) {
     return callable ? name->target : nullptr;
 }
 
-/// The target of an item that the editor sends back.
+/// The target of an item that the editor returns in a later request.
 Target target_of_item(Session& session, View params) {
     const View item = params["item"];
     return target_of(session, Json::object({{"textDocument", Json::object({{"uri", item["uri"].json()}})},
                                             {"position", item["selectionRange"]["start"].json()}}));
 }
 
-/// The places of calls by what is at their other end, in the order of the first call.
+/// The places of calls, grouped by the other end, in the order of the first call.
 class Ends {
 public:
     Ends(const Session& session, Project& project, const char* key) : session_(session), project_(project), key_(key) {}

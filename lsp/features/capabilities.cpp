@@ -25,7 +25,7 @@ Client client_of(View params) {
     const View document = capabilities["textDocument"];
     const View offered = capabilities["general"]["positionEncodings"];
     Client client;
-    // Our own texts are UTF-8, so that is the cheapest to agree upon.
+    // Texts are stored in UTF-8, so this encoding is the cheapest.
     if (lists(offered, "utf-8"))
         client.encoding = Encoding::utf8;
     else if (!lists(offered, "utf-16") && lists(offered, "utf-32"))

@@ -1,4 +1,4 @@
-// What the two sides of a connection can do (LSP 3.17, initialize).
+// The capabilities of client and server (LSP 3.17, initialize).
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace robochart::lsp {
 
-/// The commands of lenses, with the document's URI and a name: of an assertion to be checked, of a component to be
-/// drawn or to be stepped through. A client that has one says so: `initializationOptions.commands` lists it.
+/// The commands of code lenses. Their arguments are the document's URI and a name: of an assertion to check, or of a
+/// component to draw or to step through. A client lists the commands that it supports in
+/// `initializationOptions.commands`.
 inline constexpr const char* check_command = "robochart.check";
 inline constexpr const char* draw_command = "robochart.draw";
 inline constexpr const char* step_command = "robochart.step";
 
-/// What the parameters of `initialize` mean for us.
+/// Reads the client's capabilities from the parameters of `initialize`.
 [[nodiscard]] Client client_of(View params);
-/// The folders that the editor has open, as paths.
+/// The paths of the folders that the editor has open.
 [[nodiscard]] std::vector<std::string> folders_of(View params);
 /// The result of `initialize`.
 [[nodiscard]] Json server_capabilities(const Client&);

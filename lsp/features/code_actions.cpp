@@ -1,4 +1,4 @@
-// Fixes that rules offer, as quick fixes.
+// Offers the fixes of rules as quick fixes.
 #include <fmt/format.h>
 
 #include "diagnostics/fixes.hpp"
@@ -21,7 +21,7 @@ std::string title_of(const FixIt& fix, std::string_view replaced) {
     return fmt::format("Change `{}` to `{}`", replaced, fix.replacement);
 }
 
-/// The editor's own diagnostic that the fix is for, so that it can show them together.
+/// The editor's diagnostic that the fix belongs to, so that it can show both together.
 Json matching(View context, const Diagnostic& finding, const Json& place) {
     for (const View shown : context["diagnostics"].items())
         if (shown["code"].text() == finding.rule->code && shown["range"].json() == place)

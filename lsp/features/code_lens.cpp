@@ -1,5 +1,5 @@
 // Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
-// editor runs them, since they may take long and show what only it can show.
+// editor runs them, because they may take long and need its windows.
 
 #include "diagrams/notation/subjects.hpp"
 #include "lsp/features/capabilities.hpp"
@@ -9,15 +9,15 @@ namespace robochart::lsp {
 
 namespace {
 
-/// The lenses of one document. Each is one of a command that the editor has, whose arguments are the document's URI and
-/// a name.
+/// The lenses of one document. Each has a command that the editor supports; its arguments are the document's URI and a
+/// name.
 class Lenses {
 public:
     Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}
 
     Json find() {
         for (const frontend::Assertion& each : target_.project.tree(target_.document).assertions)
-            // The parser gives a name to those that have none.
+            // The parser makes up a name, with an empty span, for an assertion without one.
             if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
         for (const auto& each : target_.project.tree(target_.document).probabilistic_assertions)
             if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    /// A component of the document that has a process.
+    /// True for a component of the document that has a process.
     [[nodiscard]] bool is_component(const diagrams::Subject& subject) const {
         if (subject.component == nullptr || subject.component->span.source != target_.document.source) return false;
         const Span name = subject.component->name_span;

@@ -1,4 +1,4 @@
-// Completion: the names and words that are allowed at a place.
+// Completion: the names and keywords that are allowed at a place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace frontend;
 
-/// How near a name is; sorts the list.
+/// The nearness of a name, by which the list is sorted.
 enum class Rank { scope = 1, project = 2, word = 3, snippet = 4 };
 
 bool is_node(DeclKind kind) {
@@ -109,7 +109,7 @@ private:
         for (const Declaration* each : visible_from(model_, file_))
             if (filter(each->kind)) add(*each, Rank::project);
     }
-    /// Components inside the controllers and modules around the place.
+    /// Adds the components inside the controllers and modules that contain the place.
     template <class Filter>
     void from_parts(const Filter& filter) {
         for (const Enclosing& each : context_.enclosing)
@@ -121,7 +121,7 @@ private:
         for (const std::string& name : packages_behind(model_, {})) package(name);
     }
 
-    // What is wanted
+    // The expected construct
 
     void plain() {
         switch (context_.wanted) {
@@ -177,7 +177,7 @@ private:
         }
     }
 
-    /// Those of the files beside the assertions.
+    /// The rules in the files of the assertion file's folder.
     void rules() {
         constexpr int function = 3;
         const std::string& path = sources_.path(source_);
@@ -201,7 +201,7 @@ private:
             if (node->kind != except) add(*node, Rank::scope);
     }
 
-    /// States at any depth, outer ones first.
+    /// Adds states at any depth, outer ones first.
     void states() {
         const auto* machine = dynamic_cast<const Machine*>(scope_);
         std::vector<const NodeContainer*> level;
@@ -280,7 +280,7 @@ private:
             for (const CspBlock& block : file->csp_blocks) add(block.name, function, Rank::project, "csp", block.name);
     }
 
-    /// After `A::B::`, of the kinds that fit.
+    /// After `A::B::`: adds the names of suitable kinds.
     void qualified() {
         const auto fits = [&](DeclKind kind) {
             switch (context_.wanted) {
@@ -305,7 +305,7 @@ private:
         if (context_.wanted == Wanted::import) add("*", 14, Rank::word, "everything", "*");
     }
 
-    /// After `a[1].f.`; behind an event comes a value.
+    /// After `a[1].f.`: adds fields. After an event, a value is expected instead.
     void fields() {
         const auto first = [&](const Declaration* each) { return each->name == context_.value.front(); };
         if (scope_ == nullptr) return;
@@ -336,8 +336,8 @@ private:
     SourceId source_;
     CompletionContext context_;
     Json edit_range_;
-    const Declaration* scope_ = nullptr;      ///< the component or function around the place
-    const Declaration* container_ = nullptr;  ///< the innermost machine, operation or state around it
+    const Declaration* scope_ = nullptr;      ///< the component or function that contains the place
+    const Declaration* container_ = nullptr;  ///< the innermost machine, operation or state that contains it
     Json items_ = Json::array();
     std::set<std::string> seen_;
 };

@@ -1,4 +1,4 @@
-// Determines from the words before the cursor what may be written there.
+// Determines what may be written at the cursor from the tokens before it.
 #include "lsp/features/completion_context.hpp"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ bool is_name(const Token& token) {
 struct HeadRow {
     std::string_view word;
     Block block;
-    bool top_level;  ///< stands in files only: bodies before it were not closed
-    bool part;       ///< stands in files, controllers and modules only
+    bool top_level;  ///< allowed only at file level: earlier bodies were not closed
+    bool part;       ///< allowed only at file level and in controllers and modules
 };
 constexpr std::array<HeadRow, 13> heads = {{{"interface", Block::interface, true, true},
                                             {"enumeration", Block::type, true, true},
@@ -52,7 +52,7 @@ const HeadRow* head_row(const Token& token) {
     return nullptr;
 }
 
-/// Bodies around the end of some words. Forgotten braces are seen by words that cannot stand where they do.
+/// The bodies that contain the end of a list of tokens. A missing brace is noticed when a token cannot be where it is.
 class Bodies {
 public:
     std::vector<Enclosing> around(const Tokens& words) {
@@ -101,7 +101,7 @@ private:
 
 // ---------------------------------------------------------------- what is wanted
 
-/// The words before the place, and questions about them.
+/// The tokens before the cursor, and queries about them.
 class Reader {
 public:
     Reader(const Tokens& words, bool is_assertions, CompletionContext& context)
@@ -124,7 +124,7 @@ private:
     }
     [[nodiscard]] const Enclosing& body() const { return context_.enclosing.back(); }
 
-    /// `A::B::` before the end; the place where it begins.
+    /// Reads `A::B::` before the end; returns the index of its first token.
     std::size_t qualifier(std::size_t end) {
         while (end >= 2 && last(end).is("::") && is_name(last(end, 2))) {
             context_.qualifier.insert(context_.qualifier.begin(), std::string(last(end, 2).text));
@@ -133,7 +133,7 @@ private:
         return end;
     }
 
-    /// `a[1].f.`; after an event's name and a point comes a value.
+    /// Reads `a[1].f.`. After an event's name and `.`, a value is expected.
     void member_step(std::size_t end) {
         std::vector<std::string> steps;
         while (end > 0 && last(end).is(".")) {
@@ -156,7 +156,7 @@ private:
         binders(end);
     }
 
-    /// The last word before the end that begins a clause of the body; the body's beginning if there is none.
+    /// The last token before the end that begins a clause of the body; the beginning of the body if there is none.
     [[nodiscard]] std::size_t clause(std::size_t end) const {
         std::size_t begin = 0;
         for (const Enclosing& each : context_.enclosing)
@@ -174,7 +174,7 @@ private:
         return at < end && among(words_[at], clauses);
     }
 
-    /// Only words of types since a `:`?
+    /// True if there are only tokens of types since a `:`.
     [[nodiscard]] bool in_type(std::size_t end) const {
         for (std::size_t i = end; i > 0; --i) {
             const Token& token = words_[i - 1];
@@ -219,7 +219,7 @@ private:
     /// `import p::*`
     [[nodiscard]] bool ends_import(std::size_t end) const { return last(end).is("*") && last(end, 2).is("::"); }
 
-    /// Words that settle it alone.
+    /// The expected construct, if the last token alone decides it.
     [[nodiscard]] std::optional<Wanted> by_word(std::size_t end, const Token& token) {
         const bool in_transition = body().block == Block::transition;
         if (token.is("from") && in_transition) return Wanted::source;
@@ -258,7 +258,7 @@ private:
     [[nodiscard]] Wanted after_bracket(std::size_t end) const {
         if (last(end, 2).is("since")) return Wanted::clock;
         if (last(end, 2).is("sinceEntry")) return Wanted::state;
-        // The parameters of what is being declared have new names; anything else in brackets is a value.
+        // Parameters of a declaration have new names; any other bracket contains values.
         if (is_name(last(end, 2)) && among(last(end, 3), {"operation", "function"})) return Wanted::nothing;
         const bool declares = body().block == Block::interface || body().block == Block::platform;
         if (body().block == Block::type) return Wanted::type;
@@ -283,7 +283,7 @@ private:
         return end;
     }
 
-    /// In the transition `t { from A` only clauses follow; elsewhere an operator or the next member may.
+    /// In the transition `t { from A`, only clauses may follow. Elsewhere, an operator or the next member may follow.
     [[nodiscard]] Wanted after_operand(std::size_t end) {
         if (body().block == Block::transition) {
             const std::size_t at = clause(end);
@@ -325,7 +325,7 @@ private:
         return false;
     }
 
-    /// `forall x : T | …`, `let y == e @ …`: names before `:` or `==` in the clause.
+    /// Reads `forall x : T | …`, `let y == e @ …`: the names before `:` or `==` in the clause.
     void binders(std::size_t end) {
         for (std::size_t i = clause(end); i + 1 < end; ++i) {
             const bool binds =

@@ -1,5 +1,5 @@
-// What is allowed at a place of a text that is being written. Words before the place decide, not the tree: the text is
-// broken most of the time.
+// Determines what is allowed at a place of a text that is being written. It uses the tokens before the place and not
+// the tree, because the text usually has syntax errors while it is written.
 #pragma once
 
 #include <deque>
@@ -12,7 +12,7 @@
 
 namespace robochart::lsp {
 
-/// A body that encloses the place.
+/// The kind of body that contains the place.
 enum class Block {
     file,
     interface,
@@ -30,24 +30,24 @@ enum class Block {
 
 struct Enclosing {
     Block block = Block::file;
-    Span name;              ///< of what the body belongs to; unknown for brackets and the file
-    std::size_t begin = 0;  ///< the first word inside
+    Span name;              ///< the owner of the body; unknown for brackets and the file
+    std::size_t begin = 0;  ///< index of the first token inside
 };
 
-/// What the grammar wants at the place.
+/// The construct that the grammar expects at the place.
 enum class Wanted {
-    nothing,       ///< a new name, or the inside of a comment or string
+    nothing,       ///< a new name, or inside a comment or string
     member,        ///< the beginning of a member of the body
-    continuation,  ///< something after a complete operand: an infix word, or the next member
+    continuation,  ///< after a complete operand: an infix operator or the next member
     source,        ///< a node that a transition may leave
     target,        ///< a node that it may enter
     event,
     interface,
     type,
-    reference,  ///< what `sref n =` and the like refer to: `word` is the keyword
+    reference,  ///< the target of `sref n =` and similar; `word` is the keyword
     clock,
     state,     ///< of sinceEntry
-    variable,  ///< something to store into
+    variable,  ///< a variable that receives a value
     expression,
     statement,
     branch,  ///< after `then` or `else`: a statement or an expression
@@ -59,13 +59,13 @@ enum class Wanted {
     rule,       ///< after `conforms to` in an assertion
 };
 
-/// One step from a value to a part of it: a field's name, or "" for an index.
+/// The context of a completion. A step from a value to a part of it is a field's name, or "" for an index.
 struct CompletionContext {
     Wanted wanted = Wanted::nothing;
-    std::vector<Enclosing> enclosing;    ///< outermost first; the file is always there
+    std::vector<Enclosing> enclosing;    ///< outermost first; the file is always included
     Span prefix;                         ///< the letters already written
     std::vector<std::string> qualifier;  ///< `A`, `B` of `A::B::`
-    std::vector<std::string> value;      ///< `a`, "", `f` of `a[1].f.`: a field is wanted
+    std::vector<std::string> value;      ///< `a`, "", `f` of `a[1].f.`: a field is expected
     std::vector<std::string> path;       ///< connection_event: the node's name
     std::string word;                    ///< reference: the keyword; transition members: the last clause written
     std::vector<std::string> bound;      ///< variables of binders before the place

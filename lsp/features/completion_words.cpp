@@ -19,7 +19,7 @@ const Words part_words = {"operation", "opref", "stm", "sref", "connection"};
 const Words module_words = {"robotic platform", "rref", "controller", "cref", "connection"};
 const Words action_words = {"entry", "during", "exit"};
 const Words contract_words = {"precondition", "postcondition"};
-/// In the order that the grammar asks for; `#C` and `<{ e }` stand between `trigger` and `condition`.
+/// In the order of the grammar; `#C` and `<{ e }` are between `trigger` and `condition`.
 const Words clause_words = {"from", "to", "trigger", "probability", "condition", "action"};
 
 Words joined(std::initializer_list<Words> lists) {
@@ -33,7 +33,7 @@ Words clauses_after(std::string_view last) {
     if (found == clause_words.end()) return {"from"};
     if (last == "from") return {"to"};
     auto next = found + 1;
-    if (last == "trigger") ++next;  // a transition has one of trigger and probability
+    if (last == "trigger") ++next;  // a transition has either a trigger or a probability
     return {next, clause_words.end()};
 }
 

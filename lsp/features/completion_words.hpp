@@ -1,4 +1,4 @@
-// The words of the language by place, for completion (RoboChart.xtext, Assertions.xtext).
+// The keywords that are allowed at a place, for completion (RoboChart.xtext, Assertions.xtext).
 #pragma once
 
 #include <string_view>
@@ -8,16 +8,16 @@
 
 namespace robochart::lsp {
 
-/// A member to fill in, with the marks of LSP snippets.
+/// A template of a member, with placeholders of LSP snippets.
 struct Snippet {
     std::string_view label;
     std::string_view text;
 };
 
-/// Words that begin a member of a body. In a transition only those after its last clause.
+/// The keywords that begin a member of a body. In a transition, only those after its last clause.
 [[nodiscard]] std::vector<std::string_view> member_words(Block block, std::string_view last_clause);
 [[nodiscard]] const std::vector<std::string_view>& assertion_member_words();
-/// Words that may follow a complete operand.
+/// The keywords that may follow a complete operand.
 [[nodiscard]] std::vector<std::string_view> infix_words(Block block, bool is_assertions);
 [[nodiscard]] const std::vector<std::string_view>& type_words();
 [[nodiscard]] const std::vector<std::string_view>& expression_words();

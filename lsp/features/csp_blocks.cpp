@@ -33,7 +33,7 @@ bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
 }
 
-/// From where the qualified name begins that ends at an offset: words joined by `::`.
+/// The beginning of the qualified name that ends at an offset: identifiers joined by `::`.
 std::uint32_t begin_of_name(std::string_view text, std::uint32_t end) {
     std::uint32_t at = end;
     while (at > 0 && (is_word(text[at - 1]) || text[at - 1] == ':')) --at;
@@ -55,8 +55,8 @@ int item_kind(const ScriptName& name) {
     }
 }
 
-/// Of the machinery: definitions of control states and the numbers of transitions. `D__`, `VS_O__` and the like, in
-/// capitals, are for blocks.
+/// True for internal names: definitions of control states and numbers of transitions. `D__`, `VS_O__` and similar names
+/// in capitals are meant for blocks.
 bool is_inner(const std::string& name) {
     const bool small = std::ranges::any_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
     return name.starts_with("TID") || (small && name.ends_with("__"));

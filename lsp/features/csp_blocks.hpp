@@ -1,4 +1,4 @@
-// Inside CSP blocks of assertion files: the names of the script that they are part of.
+// Features inside CSP blocks of assertion files: the names of the script that contains the block.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace robochart::lsp {
 
-/// What may be written at a place inside a block; nothing where the place is in none.
+/// The completions at a place inside a block; no value if the place is not in a block.
 [[nodiscard]] std::optional<Json> completion_in_block(const Session&, const Target&);
-/// The name of the script at a place inside a block, with what it means in the model; null if there is none, nothing
-/// where the place is in no block.
+/// The name of the script at a place inside a block, and its meaning in the model; null if there is no name. No value
+/// if the place is not in a block.
 [[nodiscard]] std::optional<Json> hover_in_block(const Session&, const Target&);
 
 }  // namespace robochart::lsp

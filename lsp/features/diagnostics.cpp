@@ -1,4 +1,4 @@
-// Findings of the rules as an editor shows them.
+// Sends the findings of rules to the editor.
 #include <map>
 
 #include "lsp/features/diagram.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using diagnostics::Diagnostic;
 
-/// The findings of a project, by the text that they are about.
+/// The findings of a project, by text.
 std::map<SourceId, Json> by_source(const Session& session, Project& project) {
     std::map<SourceId, Json> result;
     const Locate locate = [&](Span span) { return location(session, project, span); };
@@ -38,7 +38,7 @@ Json document_diagnostic(Session& session, View params) {
     return Json::object({{"kind", "full"}, {"items", std::move(items)}});
 }
 
-/// Of open documents nothing is pushed to an editor that asks for their diagnostics: it would show them twice.
+/// An editor that requests diagnostics of open documents is not sent any for them; it would show them twice.
 void publish(Session& session) {
     bool refresh = false;
     for (const auto& project : session.workspace.projects()) {

@@ -1,5 +1,5 @@
-// The diagram of the component at a place, with the places of its elements in the text. While the text is broken the
-// last picture stands in.
+// The diagram of the component at a place, with the places of its elements in the text. While the text has syntax
+// errors, the last picture is used.
 #include "lsp/features/diagram.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using diagrams::Subject;
 
-/// What a request asks for.
+/// The parameters of a request.
 struct DiagramParameters {
     bool at_position = false;
     std::string component;  ///< "" for none
@@ -54,7 +54,7 @@ bool holds(Span span, const Target& target) {
     return span.source == target.document.source && span.begin <= target.offset && target.offset <= span.end;
 }
 
-/// Is the place in a type, function or interface, which the diagram of a package shows?
+/// True if the place is in a type, function or interface, which the diagram of a package shows.
 bool is_in_package(const Subject& subject, const Target& target) {
     const auto has_place = [&](const frontend::File* file) {
         return std::ranges::any_of(file->declarations,
@@ -63,7 +63,7 @@ bool is_in_package(const Subject& subject, const Target& target) {
     return std::ranges::any_of(subject.files, has_place);
 }
 
-/// The innermost component around a place; null if there is none.
+/// The innermost component that contains a place; null if there is none.
 const Subject* subject_at(const std::vector<Subject>& subjects, const Target& target) {
     const Subject* best = nullptr;
     std::uint32_t least = 0;
@@ -85,7 +85,8 @@ bool is_of(const Subject& subject, SourceId source) {
     return std::ranges::any_of(subject.files, [&](const frontend::File* file) { return file->source == source; });
 }
 
-/// One of that name, whole or its last parts; the document's own come first, and whole names before others.
+/// The component with this name or with a name that ends with it. Components of the document are preferred, and full
+/// names before others.
 const Subject* subject_called(const std::vector<Subject>& subjects, const std::string& name, SourceId source) {
     const Subject* best = nullptr;
     int rank = 0;
@@ -104,10 +105,10 @@ const Subject* first_of(const std::vector<Subject>& subjects, SourceId source) {
     return found != subjects.end() ? &*found : nullptr;
 }
 
-/// Which component is drawn.
+/// The selected component.
 struct Choice {
     const Subject* subject = nullptr;
-    bool certain = false;  ///< the one at the place or of the name, not only the file's first
+    bool certain = false;  ///< the one at the place or with the name, not only the file's first
 };
 
 Choice choose(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& wanted) {
@@ -120,7 +121,7 @@ Choice choose(const std::vector<Subject>& subjects, const Target& target, const 
     return {only_named ? nullptr : first_of(subjects, source), false};
 }
 
-/// The documents that a component or package is in.
+/// The documents that contain a component or package.
 std::vector<const Document*> documents_of(const Subject& subject, Project& project) {
     std::vector<const Document*> result;
     if (subject.component != nullptr) result.push_back(project.find(subject.component->span.source));
@@ -135,7 +136,7 @@ std::string kind_of(const Subject& subject) {
 
 // ---------------------------------------------------------------- the answer
 
-/// The elements that a picture shows, by their places among all.
+/// The elements that a picture shows, by their index.
 std::set<std::size_t> shown_in(const diagrams::Picture& picture) {
     std::set<std::size_t> result;
     const auto add = [&](std::size_t element, const std::vector<diagrams::Text>& texts) {
@@ -179,7 +180,7 @@ Json answer_of(const DrawnDiagram& drawn, const std::string& component, diagrams
                          {"stale", stale}});
 }
 
-/// Draws a component as its text is now.
+/// Draws a component from its current text.
 DrawnDiagram draw_now(Session& session, const Target& target, const Subject& subject, diagrams::Memory& memory) {
     DrawnDiagram result{diagrams::Elements(target.project.model()), {}, nullptr, target.document.version};
     const diagrams::StoredDiagrams stored(target.project.model(), target.project.sources(), session.diagrams->files,
@@ -194,8 +195,8 @@ DrawnDiagram draw_now(Session& session, const Target& target, const Subject& sub
     return result;
 }
 
-/// The diagram that stands in for one of a broken text: of the component asked for, else the document's latest. Null if
-/// there is none.
+/// The kept diagram that is shown while the text has errors: of the requested component, otherwise the latest of the
+/// document. Null if there is none.
 const KeptDiagram* stand_in(const KeptDiagrams& kept, const std::string& uri, const Choice& choice,
                             const std::string& component) {
     const KeptDiagram* found = choice.certain ? kept.last(uri, choice.subject->name) : nullptr;
@@ -244,7 +245,7 @@ Json diagram(Session& session, View params) {
     KeptDiagram& entry = kept.use(uri, kind_of(*choice.subject), choice.subject->name);
     DrawnDiagram now = draw_now(session, target, *choice.subject, entry.memory);
     Json answer = answer_of(now, entry.name, wanted.theme, false);
-    // One of a broken text may lack parts.
+    // A diagram of a text with errors may lack parts, so it is not kept.
     if (!broken) entry.drawn = std::move(now);
     return answer;
 }

@@ -1,5 +1,5 @@
-// Diagrams beside the text: requests and notifications of our own, `robochart/diagram` and `robochart/diagramChanged`
-// (docs/lsp.md, "Diagrams").
+// Diagrams beside the text: the project's own requests and notifications `robochart/diagram` and
+// `robochart/diagramChanged` (docs/lsp.md, "Diagrams").
 #pragma once
 
 #include <list>
@@ -19,40 +19,41 @@ namespace robochart::lsp {
 inline constexpr const char* diagram_request = "robochart/diagram";
 inline constexpr const char* diagram_notification = "robochart/diagramChanged";
 
-/// A diagram with what it shows.
+/// A diagram with the places of its elements.
 struct DrawnDiagram {
     diagrams::Elements elements;
     diagrams::Picture picture;
-    Json places;  ///< of the elements, as they are answered
+    Json places;  ///< of the elements, as sent in the answer
     std::optional<std::int64_t> version;
 };
 
-/// A component that was drawn: how it was laid out, and its last diagram of a text without mistakes of syntax.
+/// A drawn component: its layout, and its last diagram of a text without syntax errors.
 struct KeptDiagram {
     std::string uri;   ///< of the document that it is in
-    std::string kind;  ///< of declaration; "package"
+    std::string kind;  ///< of the declaration; "package" for a package
     std::string name;
     diagrams::Memory memory;
     std::optional<DrawnDiagram> drawn;
 };
 
-/// The components that were drawn last, and the documents whose diagrams the editor has asked for.
+/// The components that were drawn most recently, and the documents whose diagrams the editor has requested.
 class KeptDiagrams {
 public:
-    /// The entry of a component, made if there is none, as the latest; the oldest may be dropped for it.
+    /// Returns the entry of a component as the most recent one; creates it if necessary. The oldest entry may be
+    /// dropped.
     KeptDiagram& use(const std::string& uri, const std::string& kind, const std::string& name);
-    /// The latest entry of a document with a picture and, unless it is "", this name; null if there is none.
+    /// The latest entry of a document that has a picture and, unless `name` is "", this name; null if there is none.
     [[nodiscard]] const KeptDiagram* last(std::string_view uri, std::string_view name) const;
 
     std::set<std::string> asked;  ///< URIs
-    diagrams::AirdFiles files;    ///< of RoboTool
+    diagrams::AirdFiles files;    ///< RoboTool's files with diagrams
 
 private:
     static constexpr std::size_t most = 16;
-    std::list<KeptDiagram> entries_;  ///< the latest first
+    std::list<KeptDiagram> entries_;  ///< most recent first
 };
 
-/// Tells the editor, if it has asked for diagrams of documents of the project, that they may have changed.
+/// Notifies the editor that diagrams of documents of the project may have changed, if it has requested any.
 void announce_diagrams(Session&, const Project&);
 
 }  // namespace robochart::lsp

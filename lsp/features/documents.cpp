@@ -5,7 +5,7 @@
 
 namespace robochart::lsp {
 
-/// Files that are not open may change too: asks the editor to tell.
+/// Registers for changes of files that are not open.
 void did_initialize(Session& session, View) {
     if (!session.client.watches_files) return;
     const Json watchers = Json::array({Json::object({{"globPattern", "**/*.{rct,assertions,csp,cspm,fdr3,sleec}"}})});
@@ -45,7 +45,7 @@ void did_close(Session& session, View params) {
     session.workspace.close(params["textDocument"]["uri"].text());
 }
 
-/// The open text is what counts; saving changes nothing.
+/// The open text is already known, so saving changes nothing.
 void did_save(Session&, View) {}
 
 void did_change_watched_files(Session& session, View params) {

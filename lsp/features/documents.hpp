@@ -7,7 +7,7 @@ namespace robochart::lsp {
 
 void did_initialize(Session&, View params);
 void did_open(Session&, View params);
-/// Changes with a range are applied one after the other, each to the result of the one before.
+/// Changes with a range are applied in order, each to the result of the one before.
 void did_change(Session&, View params);
 void did_close(Session&, View params);
 void did_save(Session&, View params);

@@ -1,5 +1,5 @@
-// What the server does for an editor, one file each. Every request takes the session and the request's parameters and
-// gives the result (LSP 3.17, language features).
+// The features of the server, one file each. Every request handler gets the session and the parameters and returns the
+// result (LSP 3.17, language features).
 #pragma once
 
 #include "lsp/workspace/session.hpp"
@@ -7,9 +7,9 @@
 namespace robochart::lsp {
 
 // diagnostics.cpp
-/// Sends diagnostics of every document where they changed.
+/// Sends the diagnostics of every document for which they changed.
 void publish(Session&);
-/// The findings of one document, for editors that ask.
+/// The findings of one document, for editors that request them.
 [[nodiscard]] Json document_diagnostic(Session&, View params);
 
 // code_actions.cpp

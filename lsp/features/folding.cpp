@@ -1,4 +1,4 @@
-// What an editor can fold: braces over several lines, comments, runs of imports.
+// Foldable ranges: braces over several lines, comments, runs of imports.
 #include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"
 
@@ -12,7 +12,7 @@ class Folds {
 public:
     Folds(const SourceManager& sources, SourceId source) : sources_(sources), source_(source) {}
 
-    /// The last line stays visible where it holds the closing brace.
+    /// The last line stays visible if it contains the closing brace.
     void add(std::uint32_t begin, std::uint32_t end, const char* kind, bool keep_last) {
         const std::uint32_t first = line(begin);
         const std::uint32_t last = line(end) - (keep_last ? 1 : 0);
@@ -32,7 +32,7 @@ public:
             if (token.kind == frontend::TokenKind::csp_code) add(token.span.begin, token.span.end, "", true);
         }
     }
-    /// Comments that follow each other line by line fold as one.
+    /// Comments on consecutive lines are folded together.
     void comments(const std::vector<Span>& list) {
         for (std::size_t i = 0; i < list.size();) {
             std::size_t last = i;

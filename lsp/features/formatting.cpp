@@ -5,7 +5,7 @@
 
 namespace robochart::lsp {
 
-/// A text with syntax errors is left as it is; its diagnostics say why.
+/// A text with syntax errors is not changed; its diagnostics give the reason.
 Json formatting(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();

@@ -1,4 +1,5 @@
-// The name under the pointer: the declaration with its comment, and why a rule objects. Of a reserved word its meaning.
+// Information about the name at the pointer: its declaration with the comment, and the rules that report it. For a
+// keyword, its meaning.
 #include <fmt/format.h>
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace {
 using frontend::NameKind;
 using frontend::Occurrence;
 
-/// The file that contains a declaration, toolkits included.
+/// The file that contains a declaration; it may be a toolkit.
 const frontend::File* file_of(Project& project, SourceId source) {
     for (const auto& file : project.model().files)
         if (file->source == source) return file.get();
@@ -62,13 +63,13 @@ std::string about(Project& project, const Occurrence& name, bool markdown) {
     return {};
 }
 
-/// A word with its meaning.
+/// A keyword with its meaning.
 struct Word {
     Span span;
     std::string_view text;
 };
 
-/// The words of assertions may have hyphens, of which the lexer knows nothing.
+/// Keywords of assertions may contain hyphens, which the lexer treats as separate tokens.
 Span whole_word(std::string_view text, Span span) {
     const auto belongs = [&](std::uint32_t at) { return (text[at] >= 'a' && text[at] <= 'z') || text[at] == '-'; };
     while (span.begin > 0 && belongs(span.begin - 1)) --span.begin;

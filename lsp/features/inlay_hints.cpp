@@ -1,5 +1,5 @@
-// What a text leaves out and the front end knows for certain: types of variables that are written without one, and
-// the values of constants whose initial expressions are whole-number arithmetic.
+// Hints about facts that a text omits: the types of variables that are declared without one, and the values of
+// constants whose initial expressions use only whole-number arithmetic.
 #include <charconv>
 #include <map>
 #include <optional>
@@ -15,7 +15,7 @@ namespace {
 using namespace frontend;
 using Whole = std::optional<std::int64_t>;
 
-/// Values of constants as the model writes them; an assertion may give others.
+/// The values of constants as given in the model; an assertion may give others.
 class ConstantValues {
 public:
     Whole of(const Expr& expr) {
@@ -44,7 +44,7 @@ private:
         return error == std::errc() && end == text.data() + text.size() ? Whole(value) : std::nullopt;
     }
 
-    /// Division and remainder are left out: those of the finite instantiation are clipped and rounded.
+    /// Division and remainder are left out, because the finite instantiation clips and rounds them.
     static Whole combine(BinaryOp op, Whole left, Whole right) {
         std::int64_t value = 0;
         if (!left || !right) return std::nullopt;
@@ -69,7 +69,7 @@ private:
         return values_[constant] = value;
     }
 
-    std::map<const Variable*, Whole> values_;  ///< looked up only, so that the order of pointers has no effect
+    std::map<const Variable*, Whole> values_;  ///< for lookup only; the order of pointers is never used
     int depth_ = 0;
 };
 
@@ -82,7 +82,7 @@ public:
         type_of(variable);
         value_of(variable);
     }
-    /// Nothing else leaves anything out.
+    /// Other nodes have no hints.
     template <class Node>
     void visit(const Node&) {}
 

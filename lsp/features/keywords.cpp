@@ -1,4 +1,4 @@
-// The meanings of reserved words (language reference, chapters 2 and 3; docs/semantics.md for what takes time).
+// The meanings of reserved words (language reference, chapters 2 and 3; docs/semantics.md for timing).
 #include "lsp/features/keywords.hpp"
 
 #include <algorithm>

@@ -1,13 +1,14 @@
-// What the reserved words of the language mean, for hovers.
+// Explanations of the reserved words of the language, for hovers.
 #pragma once
 
 #include <string_view>
 
 namespace robochart::lsp {
 
-/// The meaning of a reserved word of RoboChart in one or two sentences, with time where it matters; "" if it is none.
+/// The meaning of a reserved word of RoboChart in one or two sentences, with its timing if relevant; "" for other
+/// words.
 [[nodiscard]] std::string_view meaning_of_word(std::string_view word);
-/// The meaning of a word of assertions (`deadlock-free`, `refines`); "" if it is none.
+/// The meaning of a word of assertions (`deadlock-free`, `refines`); "" for other words.
 [[nodiscard]] std::string_view meaning_of_assertion_word(std::string_view word);
 
 }  // namespace robochart::lsp

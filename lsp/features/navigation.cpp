@@ -1,4 +1,4 @@
-// From names to declarations and back.
+// Navigation from names to declarations and back.
 #include <algorithm>
 
 #include "lsp/features/features.hpp"
@@ -23,8 +23,8 @@ Json locations(const Session& session, Project& project, const std::vector<const
 
 }  // namespace
 
-/// What a library of the language declares lies in its installed file. Of a call, the operation's definitions count
-/// beside the signature that was called.
+/// A declaration of a library is in its installed file. For a call, the definitions of the operation are results as
+/// well as the called signature.
 Json definition(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);

@@ -1,6 +1,6 @@
-// Renaming over a whole project. Names that belong together only by being equal (an operation and the signatures it
-// answers, a required variable and the one that provides it: language reference 2, C3, C4, STM8 to STM10) are renamed
-// together.
+// Renaming in a whole project. Names that are matched only by equality are renamed together: an operation and the
+// signatures that it implements, a required variable and the one that provides it (language reference 2, C3, C4, STM8
+// to STM10).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ bool is_declared_here(Project& project, const Occurrence& name) {
     return std::any_of(all.begin(), all.end(), [](const Occurrence* each) { return each->declares; });
 }
 
-/// The name to rename; refuses what cannot be.
+/// The name to rename; throws a refusal if it cannot be renamed.
 const Occurrence& renamable(const Target& target) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) refuse("there is no name here");
@@ -59,7 +59,7 @@ const Occurrence& renamable(const Target& target) {
     return *name;
 }
 
-/// The name as it must be written in a file: with `^` where a word of the grammar would be read.
+/// The name as it must be written in a file: with `^` if it would be read as a keyword.
 std::string written(const std::string& name, bool is_assertions) {
     const auto& words = frontend::assertion_words();
     const bool word = is_assertions && std::find(words.begin(), words.end(), name) != words.end();
@@ -67,7 +67,7 @@ std::string written(const std::string& name, bool is_assertions) {
     return word || collection || frontend::is_reserved(name) ? "^" + name : name;
 }
 
-/// The name without its escape; refuses what is none.
+/// The name without `^`; throws a refusal if it is not a name.
 std::string checked(const std::string& wish) {
     const bool escaped = wish.starts_with("^");
     const std::string name = escaped ? wish.substr(1) : wish;
@@ -81,7 +81,7 @@ std::string checked(const std::string& wish) {
     return name;
 }
 
-/// Kinds whose declarations are matched by name between components.
+/// True for kinds whose declarations are matched by name between components.
 bool same_family(DeclKind a, DeclKind b) {
     const auto group = [](DeclKind kind) {
         switch (kind) {
@@ -102,7 +102,7 @@ bool same_family(DeclKind a, DeclKind b) {
     return group(a) != 0 && group(a) == group(b);
 }
 
-/// What has the same name and may be the same thing to other components.
+/// The names that are equal and that other components may match with it.
 std::vector<const Occurrence*> family(Project& project, const Occurrence& name) {
     std::set<const Declaration*> members;
     for (const Occurrence& each : project.occurrences())
@@ -124,7 +124,7 @@ std::vector<Edit> edits_of(Project& project, const std::vector<const Occurrence*
     return edits;
 }
 
-/// The fewest names that can be renamed together without harm.
+/// The smallest set of names that can be renamed together without changing a meaning.
 std::vector<Edit> harmless_edits(Project& project, const Occurrence& name, const std::string& wish) {
     const bool by_name = name.kind == NameKind::declaration && same_family(name.target->kind, name.target->kind);
     const bool always_together =
@@ -160,7 +160,7 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
     return Json::object({{"changes", std::move(changes)}});
 }
 
-/// CSP text may refer to the name; the user has to change it.
+/// CSP text may refer to the name; the user must change it by hand.
 void warn_of_csp_text(const Session& session, Project& project, std::string_view name) {
     for (const auto& file : project.model().files)
         for (const frontend::CspBlock& block : file->csp_blocks) {

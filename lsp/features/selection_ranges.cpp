@@ -1,5 +1,5 @@
-// What "expand selection" selects: the word, then what encloses it, from the inside out. Expressions and statements
-// come from the tree; where the text is broken, brackets and declarations are still there.
+// The ranges of "expand selection": the token, then the constructs that contain it, from inside out. Expressions and
+// statements come from the tree; in text with errors, brackets and declarations are still available.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -16,7 +16,7 @@ using namespace frontend;
 
 constexpr std::size_t max_depth = 60;
 
-/// The spans around one offset.
+/// The spans that contain one offset.
 class Around {
 public:
     explicit Around(SourceId source, std::uint32_t offset) : source_(source), offset_(offset) {}
@@ -26,14 +26,14 @@ public:
         if (holds && span.begin < span.end) spans_.insert({span.end - span.begin, span.begin});
     }
 
-    /// From the smallest outwards, each inside the next: of two that overlap the smaller one counts.
+    /// From the smallest outwards, each inside the next; of two that overlap, the smaller one is kept.
     [[nodiscard]] std::vector<Span> nested() const {
         std::vector<Span> result;
         for (const auto& [length, begin] : spans_) {
             const Span span{source_, begin, begin + length};
             if (result.empty() || (span.begin <= result.back().begin && result.back().end <= span.end))
                 result.push_back(span);
-            // The answer is nested as deeply; nobody expands a selection this often.
+            // The answer is nested as deeply as the list, so the depth is limited.
             if (result.size() == max_depth) break;
         }
         return result;
@@ -81,7 +81,7 @@ private:
 
     SourceId source_;
     std::uint32_t offset_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> spans_;  ///< length and begin
+    std::set<std::pair<std::uint32_t, std::uint32_t>> spans_;  ///< length and beginning
 };
 
 Json chain(const std::vector<Span>& spans, const SourceManager& sources, Encoding encoding) {

@@ -1,4 +1,4 @@
-// Colours that need the meaning of names. Words and literals are the grammar's business; only names are given here.
+// Semantic highlighting of names. Keywords and literals are left to the editor's grammar.
 #include "lsp/features/features.hpp"
 
 namespace robochart::lsp {
@@ -9,7 +9,7 @@ using frontend::DeclKind;
 using frontend::NameKind;
 using frontend::Occurrence;
 
-// The order gives the numbers of the protocol.
+// The index of a type is its number in the protocol.
 constexpr const char* types[] = {"namespace", "type",     "enum",     "enumMember", "struct",
                                  "interface", "class",    "function", "method",     "parameter",
                                  "variable",  "property", "event",    "label",      "typeParameter"};
@@ -119,7 +119,7 @@ Json semantic_legend() {
     return Json::object({{"tokenTypes", std::move(names)}, {"tokenModifiers", std::move(extras)}});
 }
 
-/// Five numbers a name: lines and columns since the one before, length, type, modifiers.
+/// Five numbers per name: line and column relative to the name before, length, type, modifiers.
 Json semantic_tokens(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();

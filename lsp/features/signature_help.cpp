@@ -1,4 +1,4 @@
-// The parameters of the call that is being written.
+// The parameters of the call at the cursor.
 #include <algorithm>
 
 #include "frontend/syntax/lexer.hpp"
@@ -45,7 +45,7 @@ const std::vector<VariablePtr>* parameters_of(const Declaration& declaration) {
     return nullptr;
 }
 
-/// Operations of the component around the place come before functions.
+/// Operations of the component that contains the place are preferred to functions.
 const Declaration* callee(Project& project, const Document& document, std::uint32_t offset, const std::string& name) {
     const File& file = project.tree(document);
     const CompletionContext context = context_at(project.sources(), document.source, document.is_assertions, offset);

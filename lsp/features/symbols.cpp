@@ -17,7 +17,7 @@ void add_all(std::vector<const Declaration*>& list, const Items& items) {
     for (const auto& item : items) list.push_back(&*item);
 }
 
-/// The declarations inside one, in textual order; what interfaces bring is not inside.
+/// The declarations inside a declaration, in textual order; members of interfaces are not included.
 std::vector<const Declaration*> inner(const Declaration& declaration) {
     std::vector<const Declaration*> list;
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) {
@@ -41,14 +41,15 @@ std::vector<const Declaration*> inner(const Declaration& declaration) {
     return list;
 }
 
-/// The declaration with all that is inside it: in broken text a part may reach behind the end of the whole.
+/// The span of the declaration with everything inside it: in text with errors, a part may extend beyond the end of the
+/// whole.
 Span extent(const Declaration& declaration) {
     Span result = join(declaration.span, declaration.name_span);
     for (const Declaration* each : inner(declaration)) result = join(result, extent(*each));
     return result;
 }
 
-/// Depth is bounded by the parser.
+/// The recursion is bounded, because the parser limits nesting.
 Json symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
     Json result = Json::object({{"name", declaration.name},
                                 {"detail", detail(declaration)},
@@ -70,7 +71,7 @@ Json claim(const SourceManager& sources, const std::string& name, std::string_vi
                          {"selectionRange", range(sources, name_span, encoding)}});
 }
 
-/// Case-insensitively, the letters of `query` in this order.
+/// True if the name contains the letters of `query` in this order, ignoring case.
 bool matches(std::string_view name, std::string_view query) {
     std::size_t at = 0;
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
@@ -79,7 +80,7 @@ bool matches(std::string_view name, std::string_view query) {
     return at == query.size();
 }
 
-/// Calls `use` for a declaration and all inside it.
+/// Calls `use` for a declaration and for everything inside it.
 template <class Use>
 void all(const Declaration& declaration, const Use& use) {
     use(declaration);

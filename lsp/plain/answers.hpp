@@ -1,4 +1,4 @@
-// What the server does with scenarios, mappings and swarms (LSP 3.17): notifications about their texts, findings, and
+// The server's functions for scenarios, mappings and swarms (LSP 3.17): notifications about texts, findings, and
 // completion of keywords.
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace robochart::lsp {
 
-/// Applies a notification about one of these texts. False if it is about something else.
+/// Applies a notification about one of these texts. Returns false if it is about something else.
 bool notify_plain(const Session&, PlainTexts&, std::string_view method, View params);
 
-/// Is a request about one of them?
+/// True if a request is about one of them.
 [[nodiscard]] bool asks_for_plain(PlainTexts&, View params);
-/// The answer to it; null for what is known of models alone.
+/// The answer to the request; null for requests that only models support.
 [[nodiscard]] Json answer_for_plain(const Session&, PlainTexts&, std::string_view method, View params);
 
-/// Sends the findings about the open texts where they changed.
+/// Sends the findings about the open texts, if they changed.
 void publish_plain(Session&, PlainTexts&);
 
 }  // namespace robochart::lsp

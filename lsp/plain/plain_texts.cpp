@@ -21,7 +21,7 @@ void read(std::string_view language, const SourceManager& sources, SourceId sour
     if (language == "swarm") (void)csp_emit::read_swarm(sources, source, out);
 }
 
-/// The language of a document; "" if it is none of these.
+/// The language of a document; "" if it is not one of these languages.
 std::string_view language_of(std::string_view uri, std::string_view language) {
     for (const std::string_view each : languages)
         if (language == each || (uri.ends_with(each) && uri.substr(0, uri.size() - each.size()).ends_with('.')))
@@ -29,7 +29,7 @@ std::string_view language_of(std::string_view uri, std::string_view language) {
     return {};
 }
 
-/// The words in quotation marks, as messages have them: 'a', 'b' or 'c'.
+/// The quoted words of a message: 'a', 'b' or 'c'.
 std::vector<std::string> quoted_words(std::string_view text) {
     std::vector<std::string> result;
     for (std::size_t at = text.find('\''); at != std::string_view::npos; at = text.find('\'', at)) {

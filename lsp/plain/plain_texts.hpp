@@ -1,5 +1,5 @@
-// Scenarios, mappings to ROS 2 and swarms that an editor has open. Each file is read alone: whether the model has what
-// it names, `simulate`, `emit cpp` and `check` say.
+// Scenarios, mappings to ROS 2 and swarms that an editor has open. Each file is checked separately. `simulate`, `emit
+// cpp` and `check` report names that the model does not declare.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace robochart::lsp {
 
-/// Does a document contain one of these? Its name says so, or the editor, which may call it anything.
+/// True if a document contains one of these. Its name decides, or the language identifier from the editor.
 [[nodiscard]] bool is_plain(std::string_view uri, std::string_view language = {});
 
 struct PlainText : OpenText {
@@ -24,7 +24,7 @@ struct PlainText : OpenText {
 
 class PlainTexts {
 public:
-    /// Reading polls the budget, if there is one; ended by it, it begins anew when it is asked again.
+    /// Reading polls the budget, if given. If the budget ends it, the next request repeats it.
     explicit PlainTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] PlainText* find(std::string_view uri);
@@ -32,13 +32,13 @@ public:
     void change(PlainText& document, std::string text);
     void close(const std::string& uri);
     [[nodiscard]] const diagnostics::Diagnostics& findings_in(PlainText& document);
-    /// The words that the reader would take at an offset: it is asked about the text in front of it.
+    /// The words that the parser would accept at an offset, found by parsing the text before the offset.
     [[nodiscard]] std::vector<std::string> words_at(const PlainText& document, std::uint32_t offset) const;
     [[nodiscard]] const std::map<std::string, std::unique_ptr<PlainText>, std::less<>>& all() const {
         return documents_;
     }
 
-    /// Did anything change since this was last settled?
+    /// True if something changed since it was last settled.
     [[nodiscard]] bool has_news() const { return news_; }
     void settle_news() { news_ = false; }
 

@@ -19,7 +19,7 @@ int severity_number(Severity severity) {
     return severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3;
 }
 
-/// LSP wants a place with every related message; notes without one become part of the message.
+/// LSP requires a place for every related message, so notes without one become part of the message.
 std::string message_of(const Diagnostic& finding) {
     std::string text = finding.message();
     for (const diagnostics::Note& note : finding.notes)
@@ -32,7 +32,8 @@ std::string message_of(const Diagnostic& finding) {
 
 constexpr int unnecessary_tag = 1;  // DiagnosticTag.Unnecessary
 
-/// Warnings about what could as well be left out: never reached, taken, used or read, a copy (rules RC-W…).
+/// True for warnings about code that could be removed: never reached, taken, used or read, or a duplicate (rules
+/// RC-W…).
 bool is_unneeded(std::string_view code) {
     constexpr std::array<std::string_view, 5> codes = {"RC-W03", "RC-W04", "RC-W07", "RC-W08", "RC-W14"};
     return std::find(codes.begin(), codes.end(), code) != codes.end();

@@ -1,4 +1,4 @@
-// State shared by the reading thread and the server: pending messages, cancelled requests, the end of input.
+// State shared by the reader thread and the server: pending messages, cancelled requests, the end of input.
 #include "lsp/protocol/interruption.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace robochart::lsp {
 
 namespace {
 
-/// Notifications after which earlier findings are about other texts.
+/// True for notifications that change texts, so that earlier findings are outdated.
 bool changes_texts(const std::string& method) {
     constexpr std::array<std::string_view, 5> methods = {"textDocument/didOpen", "textDocument/didChange",
                                                          "textDocument/didClose", "workspace/didChangeWatchedFiles",
@@ -44,11 +44,11 @@ void Interruption::handled(View message) {
         if (found != cancelled_.end()) cancelled_.erase(found);
     }
     if (changes_texts(method)) ++handled_;
-    changes_ = std::max(changes_, handled_);  // where nobody reads ahead
+    changes_ = std::max(changes_, handled_);  // if no thread reads ahead
 }
 
-/// What was asked is answered from the texts of then, even if a change was already waiting; findings that nobody has
-/// asked for are of no use then.
+/// A request is answered from the texts at the time of the request, even if a change is already waiting. Findings that
+/// the editor did not request are useless in this case.
 Interruption::Work::Work(Interruption& interruption, const Json& id) : interruption_(interruption) {
     const std::lock_guard lock(interruption_.mutex_);
     interruption_.working_ = true;

@@ -1,6 +1,6 @@
-// What ends work before it is done: the reading thread sees messages while the server is still busy with an earlier
+// Interrupts work that is no longer needed. The reader thread sees messages while the server still handles an earlier
 // one. A cancelled request ends (LSP 3.17, $/cancelRequest), an analysis ends when its texts change, and everything
-// ends soon after the editor wants to leave.
+// ends soon after the editor requests to exit.
 #pragma once
 
 #include <chrono>
@@ -18,14 +18,14 @@ class Interruption {
 public:
     enum class Reason { none, cancelled, modified, leaving };
 
-    // By the thread that reads:
-    /// A message has come. It may not be handled yet when work is asked whether it should end.
+    // For the reader thread:
+    /// A message has arrived. It may end work before it is handled itself.
     void arrived(View message);
-    /// Nothing more will come.
+    /// The input has ended.
     void input_ended();
 
-    // By the thread that works:
-    /// While it lives, the server works: on the request of this id, or for its own sake (null).
+    // For the thread that works:
+    /// While the object exists, the server works on the request with this id, or without a request (null).
     class Work {
     public:
         Work(Interruption& interruption, const Json& id);
@@ -36,15 +36,15 @@ public:
     private:
         Interruption& interruption_;
     };
-    /// A message is about to be handled.
+    /// Must be called before a message is handled.
     void handled(View message);
-    /// Why the work that is going on should end.
+    /// The reason why the current work should end.
     [[nodiscard]] Reason reason() const;
-    /// Is a request of this id not to be begun?
+    /// True if a request with this id must not be started.
     [[nodiscard]] bool is_cancelled(const Json& id) const;
 
 private:
-    /// How long work may go on once the editor wants to leave: what was asked before is answered if that is quick.
+    /// How long work may continue after the editor requests to exit, so that quick requests can still be answered.
     static constexpr std::chrono::milliseconds grace{500};
 
     [[nodiscard]] bool holds_cancelled(const Json& id) const;
@@ -52,10 +52,10 @@ private:
 
     mutable std::mutex mutex_;
     bool working_ = false;
-    Json id_;                      ///< of the request worked on
-    std::uint64_t known_ = 0;      ///< changes that had come when the work began or are handled: older than its texts
-    std::uint64_t changes_ = 0;    ///< that have come
-    std::uint64_t handled_ = 0;    ///< and were handled
+    Json id_;                    ///< id of the current request
+    std::uint64_t known_ = 0;    ///< changes that had arrived when the work began or are handled: older than its texts
+    std::uint64_t changes_ = 0;  ///< changes that have arrived
+    std::uint64_t handled_ = 0;  ///< changes that were handled
     std::vector<Json> cancelled_;  ///< ids, until the cancellation itself is handled
     std::optional<std::chrono::steady_clock::time_point> leaving_;
 };

@@ -1,5 +1,5 @@
-// Reading through nlohmann's event interface: its own reader has no bound of depth, and looks for a member of the same
-// key before it adds one, which takes quadratic time.
+// Parses through nlohmann's event interface. Its own parser does not limit nesting, and it searches for an equal key
+// before it adds a member, which takes quadratic time.
 #include "lsp/protocol/json.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ constexpr std::size_t max_depth = 200;
 const Json null_value;
 const std::string no_text;
 
-/// Receives the events of the reader and builds the value.
+/// Receives the events of the parser and builds the value.
 class Builder {
 public:
     explicit Builder(std::string& error) : error_(error) {}

@@ -1,5 +1,5 @@
-// JSON of the protocol: messages are built as diagnostics::Json; what was received is read within bounds, and asked
-// without care for its shape, as an editor may send anything.
+// JSON of the protocol. Messages are built as diagnostics::Json. Received messages are parsed within bounds and
+// accessed without assumptions about their structure, because an editor may send anything.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace robochart::lsp {
 using diagnostics::Json;
 using diagnostics::json_text;
 
-/// A value that was received; the value outlives the view. Each question is answered with what the value is, or with
-/// the neutral one of its kind (null, "", 0, false, nothing) if it is something else.
+/// A view of a received value, which must outlive it. Each accessor returns the value if it has the requested type,
+/// otherwise the neutral value of that type (null, "", 0, false, or no value).
 class View {
 public:
     View(const Json& json) : json_(&json) {}
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] bool is_null() const { return json_->is_null(); }
     [[nodiscard]] bool is_text() const { return json_->is_string(); }
-    /// An integer of 64 bits with sign; no other number is one.
+    /// True for a signed 64-bit integer; false for any other number.
     [[nodiscard]] bool is_number() const { return json_->is_number_integer(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
     [[nodiscard]] bool is_object() const { return json_->is_object(); }
@@ -41,9 +41,9 @@ private:
     const Json* json_;
 };
 
-/// Reads a text (RFC 8259). On failure returns null and sets `error` to the cause; depth is bounded, time and memory
-/// are linear in the text. Integers beyond 64 bits with sign are read as floating-point numbers; of members with one
-/// key all are kept, and the first is found.
+/// Parses a text (RFC 8259). On failure returns null and sets `error` to the cause. Nesting is limited; time and memory
+/// are linear in the text. Integers beyond 64 bits are read as floating-point numbers. Members with equal keys are all
+/// kept, and lookup finds the first.
 [[nodiscard]] Json read_json(std::string_view text, std::string& error);
 
 }  // namespace robochart::lsp

@@ -1,4 +1,5 @@
-// See positions.hpp. Bytes that are not UTF-8 count as one unit each, as the replacement character that editors show.
+// See positions.hpp. A byte that is not UTF-8 counts as one unit, because editors show one replacement character for
+// it.
 #include "lsp/protocol/positions.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace robochart::lsp {
 
 namespace {
 
-/// Code units of the well-formed sequence, or stray byte, of this length.
+/// The number of code units of a well-formed sequence, or of an invalid byte, of this length.
 std::size_t units(std::size_t bytes, Encoding encoding) {
     if (encoding == Encoding::utf8) return bytes;
     return encoding == Encoding::utf16 && bytes == 4 ? 2 : 1;
@@ -19,7 +20,7 @@ std::size_t step(std::string_view text) {
     return std::max<std::size_t>(1, diagnostics::utf8_length(text));
 }
 
-/// Code units of the characters that end by `end`: a place inside a character is its beginning.
+/// The number of code units of the characters that end at or before `end`.
 std::size_t count(std::string_view line, std::size_t end, Encoding encoding) {
     std::size_t total = 0;
     for (std::size_t at = 0; at < line.size();) {
@@ -31,7 +32,7 @@ std::size_t count(std::string_view line, std::size_t end, Encoding encoding) {
     return total;
 }
 
-/// Bytes before a column; a column inside a character is the character's beginning.
+/// The number of bytes before a column; a column inside a character is its beginning.
 std::size_t bytes_before(std::string_view line, std::int64_t column, Encoding encoding) {
     std::size_t at = 0;
     std::int64_t counted = 0;

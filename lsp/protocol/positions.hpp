@@ -1,4 +1,4 @@
-// Places as editors count them (LSP 3.17, Position): lines and columns from 0, columns in the code units agreed upon.
+// Positions as in LSP 3.17 (Position): lines and columns from 0; columns count code units of the negotiated encoding.
 #pragma once
 
 #include "diagnostics/source.hpp"
@@ -10,16 +10,16 @@ using diagnostics::SourceId;
 using diagnostics::SourceManager;
 using diagnostics::Span;
 
-/// What a column counts.
+/// The unit of a column.
 enum class Encoding { utf8, utf16, utf32 };
 
 /// `{line, character}` of a byte offset.
 [[nodiscard]] Json position(const SourceManager&, SourceId, std::uint32_t offset, Encoding);
 /// `{start, end}` of a span.
 [[nodiscard]] Json range(const SourceManager&, Span, Encoding);
-/// The byte offset of `{line, character}`. A place behind a line's or the text's end is that end.
+/// The byte offset of `{line, character}`. A position beyond the end of a line or of the text is that end.
 [[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, View position, Encoding);
-/// The span of `{start, end}`; its ends may come in either order.
+/// The span of `{start, end}`; the ends may be in either order.
 [[nodiscard]] Span span_of(const SourceManager&, SourceId, View range, Encoding);
 
 }  // namespace robochart::lsp

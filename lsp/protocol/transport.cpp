@@ -1,4 +1,4 @@
-// Reads and writes frames; a faulty header is skipped up to the next one.
+// Reads and writes frames. A faulty header is skipped up to the next header.
 #include "lsp/protocol/transport.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace robochart::lsp {
 
 namespace {
 
-/// Longest header line kept; the rest of a longer one is dropped.
+/// The longest stored header line; the rest of a longer line is dropped.
 constexpr std::size_t max_line = 4096;
 
 std::string lower(std::string_view text) {
@@ -69,7 +69,7 @@ void FrameReader::header(const std::string& line, std::string& fault) {
 
 Frame FrameReader::body() {
     std::string text;
-    // In pieces, so that a length alone claims no memory.
+    // Reads in pieces, so that a large length alone does not allocate memory.
     constexpr std::size_t piece = 1U << 16U;
     while (text.size() < length_) {
         const std::size_t wanted = std::min(piece, length_ - text.size());

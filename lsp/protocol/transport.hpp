@@ -7,17 +7,17 @@
 
 namespace robochart::lsp {
 
-/// Largest message accepted, in bytes.
+/// The largest accepted message, in bytes.
 inline constexpr std::size_t max_message = 64U << 20U;
 
-/// What the stream held next.
+/// The next item of the stream.
 struct Frame {
     enum class Kind { message, fault, end };
     Kind kind = Kind::end;
-    std::string text;  ///< the message; of a fault, what was wrong
+    std::string text;  ///< the message, or the description of a fault
 };
 
-/// Takes a stream apart. After a fault reading goes on at the next header; bytes between are dropped.
+/// Splits a stream into frames. After a fault, reading continues at the next header; the bytes between are dropped.
 class FrameReader {
 public:
     explicit FrameReader(std::istream& in) : in_(in) {}
@@ -26,15 +26,15 @@ public:
 private:
     enum class Line { text, empty, end };
     Line read_line(std::string& line);
-    /// Looks at one header line; sets `fault` if it is wrong.
+    /// Parses one header line; sets `fault` if it is wrong.
     void header(const std::string& line, std::string& fault);
     [[nodiscard]] Frame body();
 
     std::istream& in_;
     std::size_t length_ = 0;
     bool has_length_ = false;
-    std::string rejected_;  ///< why a whole message is not to be read
-    bool lost_ = false;     ///< after a fault: looking for the next header
+    std::string rejected_;  ///< why a complete message is rejected
+    bool lost_ = false;     ///< after a fault: searching for the next header
 };
 
 /// Writes one message and flushes.

@@ -33,7 +33,7 @@ std::string decoded(std::string_view text) {
 std::string path_of_uri(std::string_view uri) {
     if (uri.substr(0, scheme.size()) != scheme) return std::string(uri);
     uri.remove_prefix(scheme.size());
-    const std::size_t slash = uri.find('/');  // an authority, if any, is this machine
+    const std::size_t slash = uri.find('/');  // an authority, if any, is assumed to be this machine
     const std::string path = decoded(slash == std::string_view::npos ? uri : uri.substr(slash));
     return std::filesystem::path(path).lexically_normal().string();
 }

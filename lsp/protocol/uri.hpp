@@ -6,7 +6,7 @@
 
 namespace robochart::lsp {
 
-/// `file:///a%20b` as a path; other schemes as they are.
+/// `file:///a%20b` as a path; URIs with other schemes are returned unchanged.
 [[nodiscard]] std::string path_of_uri(std::string_view uri);
 [[nodiscard]] std::string uri_of_path(std::string_view path);
 

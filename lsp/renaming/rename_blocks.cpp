@@ -13,7 +13,7 @@ namespace robochart::lsp {
 
 namespace {
 
-/// What the script calls an element in front and behind.
+/// Prefixes and suffixes that the script adds to the name of an element.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> forms = {
     {{"", ""}, {"", "Call"}, {"set_", ""}, {"set_EXT_", ""}, {"get_", ""}}};
 
@@ -45,7 +45,7 @@ std::vector<Edit> candidates(Project& project, const std::string& old_name, cons
     return result;
 }
 
-/// Errors of the project's texts, blocks included, after these edits.
+/// The number of errors in the project's texts, including blocks, after these edits.
 std::size_t errors_after(Project& project, std::vector<Edit> edits, diagnostics::Budget* budget) {
     std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
     SourceManager sources;

@@ -1,4 +1,4 @@
-// Names of the model in CSP blocks, when the model's are renamed.
+// Renames names of the model in CSP blocks when the model's names are renamed.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace robochart::lsp {
 
-/// The edits of blocks that go with these edits of the model: parts of qualified names, and what the script makes of a
-/// name (`moveCall`, `set_x`). Nothing where the blocks would not be in order with them; empty if no block has the
+/// The edits of blocks that belong to these edits of the model: parts of qualified names, and names that the script
+/// derives (`moveCall`, `set_x`). No value if the blocks would have errors after them; empty if no block contains the
 /// name.
 [[nodiscard]] std::optional<std::vector<Edit>> edits_of_blocks(Project&, const std::string& old_name,
                                                                const std::string& new_name,

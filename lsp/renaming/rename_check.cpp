@@ -1,4 +1,4 @@
-// See rename_check.hpp. Edits replace names by names, so the n-th name before is the n-th name after.
+// See rename_check.hpp. Edits replace names by names, so the n-th name before the edits is the n-th name after them.
 #include "lsp/renaming/rename_check.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using frontend::Model;
 using frontend::Occurrence;
 
-/// A project read anew from edited texts.
+/// A copy of the project, parsed from edited texts.
 struct Copy {
     SourceManager sources;
     Model model;
@@ -47,7 +47,8 @@ void read(Copy& copy, Project& project, const std::vector<Edit>& edits) {
     frontend::resolve(copy.model, copy.findings);
 }
 
-/// What a name stands for, in terms that the copy shares: the number of the name that declares it, or its text.
+/// The meaning of a name in a form that does not depend on the copy: the number of the name that declares it, or its
+/// text.
 struct Meaning {
     frontend::NameKind kind;
     std::size_t declared_at;
@@ -56,7 +57,7 @@ struct Meaning {
     friend bool operator==(const Meaning&, const Meaning&) = default;
 };
 
-/// Files come in the same order in both, so their names do when listed file by file.
+/// All names of a project. The files have the same order in both projects, and so have their names.
 struct Names {
     std::vector<const Occurrence*> list;
     std::vector<Meaning> meanings;
@@ -87,7 +88,7 @@ std::map<std::string_view, std::size_t> counts(const std::vector<const diagnosti
     return result;
 }
 
-/// A finding that was not there before; "" if there is none.
+/// A finding that did not exist before; "" if there is none.
 std::string new_finding(Project& project, const Copy& copy) {
     std::vector<const diagnostics::Diagnostics*> lists{&project.findings()};
     for (const auto& [path, document] : project.documents()) lists.push_back(&document->findings);

@@ -1,4 +1,5 @@
-// Does a renaming keep the meaning of every name? Tried out on a copy before an editor hears of it.
+// Checks on a copy of the project, before the editor gets an answer, whether a renaming keeps the meaning of every
+// name.
 #pragma once
 
 #include <string>
@@ -8,14 +9,14 @@
 
 namespace robochart::lsp {
 
-/// A piece of text to put in place of another.
+/// A replacement of a piece of text.
 struct Edit {
     Span span;
     std::string text;
 };
 
-/// What would be wrong with the project after these edits of names: "" if every name stands for the same as before and
-/// the rules find what they found before.
+/// The problem that these edits of names would cause. "" if every name has the same meaning as before and the rules
+/// report the same findings.
 [[nodiscard]] std::string harm_of(Project&, const std::vector<Edit>& edits);
 
 }  // namespace robochart::lsp

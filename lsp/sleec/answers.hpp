@@ -1,5 +1,4 @@
-// What the server does with rules in SLEEC (LSP 3.17): notifications about their texts, findings, and the requests that
-// are answered for them.
+// The server's functions for SLEEC rules (LSP 3.17): notifications about texts, findings, and requests.
 #pragma once
 
 #include <string_view>
@@ -8,15 +7,15 @@
 
 namespace robochart::lsp {
 
-/// Applies a notification about a file of rules. False if it is about something else.
+/// Applies a notification about a rule file. Returns false if it is about something else.
 bool notify_rules(const Session&, RuleTexts&, std::string_view method, View params);
 
-/// Is a request about a file of rules?
+/// True if a request is about a rule file.
 [[nodiscard]] bool asks_for_rules(RuleTexts&, View params);
-/// The answer to a request about a file of rules; null for what is known of models alone.
+/// The answer to a request about a rule file; null for requests that only models support.
 [[nodiscard]] Json answer_for_rules(const Session&, RuleTexts&, std::string_view method, View params);
 
-/// Sends the findings about open files of rules where they changed.
+/// Sends the findings about open rule files, if they changed.
 void publish_rules(Session&, RuleTexts&);
 
 }  // namespace robochart::lsp

@@ -23,7 +23,7 @@ constexpr int constant = 21;
 constexpr int event = 23;
 }  // namespace kinds
 
-/// Looks at the words in front of the place: the text is broken most of the time.
+/// Uses the tokens before the place, because the text usually has errors while it is written.
 class RuleCompleter {
 public:
     RuleCompleter(const RuleText& document, const RuleFile& file, std::uint32_t offset, Encoding encoding)
@@ -36,7 +36,7 @@ public:
                 if (token.kind != Tok::comment) before_.push_back(token);
                 continue;
             }
-            // The place is at the end of a word, or inside of it.
+            // The place is at the end of a token or inside it.
             inside_ = token.kind == Tok::comment || token.kind == Tok::number;
             prefix.begin = token.span.begin;
         }
@@ -87,7 +87,7 @@ private:
         return nullptr;
     }
 
-    /// What is compared with a measure: the values of its scale, or numbers.
+    /// Adds what can be compared with a measure: the values of its scale, or numbers.
     void compared() {
         const sleec::Measure* left = measure(word(word(2) == "}" ? 3 : 2));
         if (left != nullptr && left->type == MeasureType::scale) {
@@ -122,7 +122,7 @@ private:
         beginning();
     }
 
-    /// What a definition begins with, or a block.
+    /// Adds the words that begin a definition or a block.
     void beginning() {
         const auto last = std::find_if(before_.rbegin(), before_.rend(), [](const Token& token) {
             return token.text.ends_with("_start") || token.text.ends_with("_end");
@@ -137,8 +137,8 @@ private:
     }
 
     const RuleFile& file_;
-    std::vector<Token> before_;  ///< the words and signs in front of the place
-    bool inside_ = false;        ///< a comment or a number
+    std::vector<Token> before_;  ///< the tokens before the place
+    bool inside_ = false;        ///< inside a comment or a number
     Json range_;
     Json items_ = Json::array();
     std::set<std::string> seen_;

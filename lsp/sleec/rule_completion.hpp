@@ -1,11 +1,11 @@
-// Completion in files of rules.
+// Completion in SLEEC rule files.
 #pragma once
 
 #include "lsp/sleec/rule_texts.hpp"
 
 namespace robochart::lsp {
 
-/// The names and words that fit behind those in front of the offset.
+/// The names and words that may follow the tokens before the offset.
 [[nodiscard]] Json rule_completion(const RuleText&, const sleec::RuleFile&, std::uint32_t offset, Encoding);
 
 }  // namespace robochart::lsp

@@ -26,11 +26,11 @@ constexpr int constant = 14;
 constexpr int event = 24;
 }  // namespace symbols
 
-/// One thing that a file declares.
+/// A declaration of the file.
 struct Declared {
     const sleec::Name* name;
     int kind;
-    std::string text;  ///< as it is declared
+    std::string text;  ///< the text of the declaration
     Span whole;
 };
 
@@ -61,7 +61,7 @@ std::vector<Declared> declared_in(const RuleFile& file) {
     return result;
 }
 
-/// Whether a rule, a concern or a purpose names something.
+/// Finds out whether a rule, a concern or a purpose mentions a name.
 class Mentions {
 public:
     explicit Mentions(std::string_view name) : name_(name) {}

@@ -1,4 +1,4 @@
-// Names and words of a file of rules by place, and its outline.
+// Names and words of a rule file by place, and its outline.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,16 @@ namespace robochart::lsp {
 struct RuleName {
     std::string text;
     Span span;
-    Span declared;  ///< where the file declares it; unknown: it does not
+    Span declared;  ///< the place of its declaration in the file; unknown if there is none
 };
 /// The word at or directly before an offset.
 [[nodiscard]] std::optional<RuleName> rule_name_at(const RuleText&, const sleec::RuleFile&, std::uint32_t offset);
-/// What it is: its declaration, the rules that speak of it; of a word of the language, what it means. "" if nothing is
-/// known.
+/// A description of the name: its declaration and the rules that mention it. For a keyword, its meaning. "" if nothing
+/// is known.
 [[nodiscard]] std::string about_rule_name(const sleec::RuleFile&, const RuleName&, bool markdown);
 
-/// Definitions, rules, concerns and purposes: DocumentSymbols, or SymbolInformation for editors that know only that.
+/// The outline of definitions, rules, concerns and purposes: DocumentSymbols, or SymbolInformation for editors that
+/// support only that.
 [[nodiscard]] Json rule_outline(const RuleText&, const sleec::RuleFile&, const Client&);
 
 }  // namespace robochart::lsp

@@ -1,4 +1,4 @@
-// The rules in SLEEC that an editor has open. Each file stands for itself.
+// The SLEEC rule files that an editor has open. Each file is checked separately.
 #pragma once
 
 #include <map>
@@ -14,23 +14,23 @@
 
 namespace robochart::lsp {
 
-/// Does a document contain rules? Its name says so, or the editor, which may call it anything.
+/// True if a document contains rules. Its name decides, or the language identifier from the editor.
 [[nodiscard]] bool is_rules(std::string_view uri, std::string_view language = {});
 
-/// A text, read and checked.
+/// A text after parsing and checking.
 struct RuleReading {
-    sleec::RuleFile file;  ///< what could be read
+    sleec::RuleFile file;  ///< the parts that could be parsed
     diagnostics::Diagnostics findings;
 };
 
-/// An open file of rules.
+/// An open rule file.
 struct RuleText : OpenText {
     std::unique_ptr<RuleReading> reading;  ///< null after a change
 };
 
 class RuleTexts {
 public:
-    /// Reading polls the budget, if there is one; ended by it, it begins anew when it is asked again.
+    /// Reading polls the budget, if given. If the budget ends it, the next request repeats it.
     explicit RuleTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] RuleText* find(std::string_view uri);
@@ -42,10 +42,10 @@ public:
         return documents_;
     }
 
-    /// The rules of all files in a folder, each with the name of its file: as the editor has it open, else as on disk.
+    /// The rules of all files in a folder, each with the name of its file. Open texts override those on disk.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> names_in(const std::string& folder);
 
-    /// Did anything change since this was last settled?
+    /// True if something changed since it was last settled.
     [[nodiscard]] bool has_news() const { return news_; }
     void settle_news() { news_ = false; }
 

@@ -70,7 +70,7 @@ std::string reference(const Reference& reference) {
     return fmt::format("{} {} = {}", word, reference.name, reference.target_name.text());
 }
 
-/// The word that begins the declaration.
+/// The keyword that begins the declaration.
 std::string_view keyword(DeclKind kind) {
     if (kind == DeclKind::state_machine) return "stm";
     if (kind == DeclKind::platform) return "robotic platform";
@@ -133,7 +133,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// The words of a comment: marks and the stars of a boxed one left out.
+/// The text of a comment, without comment marks and the stars of a boxed comment.
 std::string words_of(std::string_view comment) {
     if (comment.starts_with("//")) return std::string(trimmed(comment.substr(2)));
     comment.remove_prefix(std::min<std::size_t>(2, comment.size()));

@@ -1,4 +1,4 @@
-// Declarations in words, for hovers, completions and outlines.
+// Descriptions of declarations, for hovers, completions and outlines.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@ namespace robochart::lsp {
 
 /// The declaration as it is written, without its body: `var x : nat = 1`, `function f(a : real) : real`.
 [[nodiscard]] std::string signature(const frontend::Declaration&);
-/// The text after the name in a list: a type, a target, what is enclosed. May be empty.
+/// The text after the name in a list: a type, a target, or the contents. May be empty.
 [[nodiscard]] std::string detail(const frontend::Declaration&);
-/// Where it is declared: "in stm `S`"; "" at package level.
+/// The place of its declaration: "in stm `S`"; "" at package level.
 [[nodiscard]] std::string whereabouts(const frontend::Declaration&);
-/// The comment directly above a place, or behind it on its line, without comment marks; "" if there is none.
+/// The comment directly above a place, or after it on the same line, without comment marks; "" if there is none.
 [[nodiscard]] std::string comment_about(const SourceManager&, const frontend::File&, Span name);
 
 /// SymbolKind and CompletionItemKind (LSP 3.17).

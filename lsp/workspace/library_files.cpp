@@ -1,4 +1,4 @@
-// Searches the folders above the program for the libraries: installed ones, or those of the source tree.
+// Searches the folders above the program for the libraries: installed files, or those of the source tree.
 #include "lsp/workspace/library_files.hpp"
 
 #include <array>

@@ -6,9 +6,8 @@
 
 namespace robochart::lsp {
 
-/// The installed file of a library, whose text came with the program under the name `<library>/PACKAGE.rct`: below the
-/// folder that the program is installed in, or in the sources that it was built from. "" if there is none, or one with
-/// another text.
+/// The file of a library whose text is built into the program under the name `<library>/PACKAGE.rct`. It is searched
+/// for below the installation folder and in the source tree. "" if there is no file with exactly this text.
 [[nodiscard]] std::string library_file(std::string_view name, std::string_view text);
 
 }  // namespace robochart::lsp

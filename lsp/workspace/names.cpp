@@ -1,4 +1,4 @@
-// Compares the targets of two occurrences.
+// Compares the targets of occurrences.
 #include "lsp/workspace/names.hpp"
 
 namespace robochart::lsp {

@@ -1,4 +1,4 @@
-// Which occurrences speak of the same thing.
+// Finds the occurrences that refer to the same thing.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace robochart::lsp {
 
-/// All occurrences of the project that stand for what this one stands for, itself among them, by place.
+/// All occurrences of the project that refer to the same thing as this one, including itself, sorted by place.
 [[nodiscard]] std::vector<const frontend::Occurrence*> same_name(Project&, const frontend::Occurrence&);
 
 }  // namespace robochart::lsp

@@ -1,5 +1,5 @@
-// Texts that an editor has open beside models: scripts in CSPM, rules in SLEEC. Their changes and findings are the
-// same for all languages.
+// Open texts in languages other than RoboChart: CSPM scripts, SLEEC rules. Changes and findings are handled alike for
+// all of them.
 #pragma once
 
 #include <functional>
@@ -18,22 +18,22 @@ struct OpenText {
     SourceManager texts;
     SourceId source = SourceId::none;
     std::optional<std::int64_t> version;
-    std::string pulled;  ///< the diagnostics last asked for
+    std::string pulled;  ///< the diagnostics that the editor last requested
 };
 
-/// The document of a notification that it was opened: what `open` makes of URI and text, with its version.
+/// Handles a notification that a document was opened: calls `open` with URI and text, and stores the version.
 void take_opened(View params, const std::function<OpenText&(const std::string& uri, std::string text)>& open);
-/// Calls `change` with the text after each change of a notification, in their order.
+/// Calls `change` with the text after each change of a notification, in order.
 void take_changes(OpenText& document, View params, Encoding encoding,
                   const std::function<void(std::string text)>& change);
-/// The answer to a request for the findings of a document; they are noted as asked for.
+/// The answer to a request for the findings of a document. The findings are recorded as requested.
 [[nodiscard]] Json pulled_findings(OpenText& document, const std::map<std::string, Json>& found);
 
-/// What the editor knows of findings.
+/// The findings that the editor has received.
 class Published {
 public:
-    /// Sends those that have changed. Of open documents nothing is pushed to an editor that asks for their findings: it
-    /// would show them twice. `opened`: null for what is not open.
+    /// Sends the findings that changed. An editor that requests the findings of open documents is not sent any for
+    /// them; it would show them twice. `opened`: null for a document that is not open.
     void send(Session& session, std::map<std::string, Json> found,
               const std::function<const OpenText*(const std::string& uri)>& opened);
 

@@ -1,4 +1,4 @@
-// One project: keeps texts, trees and the resolved model in step.
+// One project: keeps texts, trees and the resolved model up to date.
 #include <algorithm>
 #include <filesystem>
 
@@ -104,7 +104,7 @@ void Project::drop(Document& document) {
     documents_.erase(std::string(document.path));
 }
 
-/// The new tree takes the old one's place; files are in the order of their paths, as when a project is loaded.
+/// The new tree replaces the old one. Files stay sorted by path, as when a project is loaded.
 void Project::parse(Document& document) {
     document.findings = {};
     document.findings.within(budget_);

@@ -1,4 +1,4 @@
-// What one editor has agreed upon with the server, and the shape of request handlers.
+// The settings negotiated with one editor, and the interface of request handlers.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ enum class ErrorCode {
     request_failed = -32803,
 };
 
-/// A request that cannot be answered; becomes an error response.
+/// A request that is rejected; sent as an error response.
 class Refusal : public std::runtime_error {
 public:
     Refusal(ErrorCode code, const std::string& why) : std::runtime_error(why), code_(code) {}
@@ -37,7 +37,7 @@ private:
     ErrorCode code_;
 };
 
-/// What the editor said it understands.
+/// The capabilities of the editor.
 struct Client {
     Encoding encoding = Encoding::utf16;
     bool hierarchical_symbols = false;
@@ -45,9 +45,9 @@ struct Client {
     bool markdown = false;
     bool watches_files = false;
     bool versioned_edits = false;
-    bool pulls_diagnostics = false;      ///< asks for those of open documents, so they are not pushed
-    bool refreshes_diagnostics = false;  ///< asks again when it is notified
-    std::set<std::string> commands;      ///< those of lenses that it has (lsp/features/capabilities.hpp)
+    bool pulls_diagnostics = false;      ///< requests those of open documents, so they are not pushed
+    bool refreshes_diagnostics = false;  ///< repeats requests after a notification
+    std::set<std::string> commands;      ///< code lens commands that it supports (lsp/features/capabilities.hpp)
 };
 
 class KeptDiagrams;
@@ -57,27 +57,26 @@ struct Session {
 
     Workspace workspace;
     Client client;
-    diagnostics::Budget* budget;             ///< ends what should end; null for none
-    std::shared_ptr<KeptDiagrams> diagrams;  ///< made when one is asked for first (lsp/features/diagram.hpp)
-    std::int64_t refreshes = 0;              ///< requests to ask for diagnostics again, so far
-    std::function<void(const Json&)> send;   ///< messages to the editor
-    /// The rules in SLEEC of a folder, each with the name of its file; empty: nobody knows.
+    diagnostics::Budget* budget;             ///< interrupts work; null: no limit
+    std::shared_ptr<KeptDiagrams> diagrams;  ///< created by the first request for a diagram (lsp/features/diagram.hpp)
+    std::int64_t refreshes = 0;              ///< number of requests to refresh diagnostics so far
+    std::function<void(const Json&)> send;   ///< sends a message to the editor
+    /// The SLEEC rules of a folder, each with the name of its file; an empty function: not available.
     std::function<std::vector<std::pair<std::string, std::string>>(const std::string& folder)> rule_names;
 };
 
-/// A place in a document that a request is about.
+/// The place in a document that a request is about.
 struct Target {
     Project& project;
     Document& document;
     std::uint32_t offset = 0;
 };
 
-/// The document of `params.textDocument`, and the offset of `params.position` where there is one. Refuses documents
-/// that are not known.
+/// The document of `params.textDocument`, and the offset of `params.position`, if given. Rejects unknown documents.
 [[nodiscard]] Target target_of(Session&, View params);
-/// Findings about the target's document, by place; those of reading first.
+/// The findings about the target's document, sorted by place; parse errors come first.
 [[nodiscard]] std::vector<diagnostics::Diagnostic> findings_about(const Target&);
-/// `{uri, range}` of a span of the project; null if it lies in no file.
+/// `{uri, range}` of a span of the project; null if it is in no file.
 [[nodiscard]] Json location(const Session&, Project&, Span);
 
 }  // namespace robochart::lsp

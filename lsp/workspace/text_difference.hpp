@@ -1,4 +1,4 @@
-// A new text as a change of an old one.
+// Expresses a new text as a change of an old one.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace robochart::lsp {
 
-/// TextEdits that turn a text into another: one of what lies between their common beginning and end, on bounds of
-/// characters, so that the editor keeps its place; none where they are the same.
+/// TextEdits that turn a text into another. One edit replaces the part between the common beginning and the common end,
+/// at character boundaries, so that the editor keeps its cursor position. Empty if the texts are equal.
 [[nodiscard]] Json text_edits(const SourceManager&, SourceId, std::string_view after, Encoding);
 
 }  // namespace robochart::lsp

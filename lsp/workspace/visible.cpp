@@ -1,4 +1,4 @@
-// Enumerates the visible names: from the position outwards, then the package, imports, and qualified names.
+// Enumerates the visible names: from the place outwards, then the package, imports, and qualified names.
 #include "lsp/workspace/visible.hpp"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ bool imports_one(const File& file, const std::string& full_name) {
                        [&](const Import& import) { return !import.wildcard && import.name.text() == full_name; });
 }
 
-/// What `A::B` stands for after a package of `first` parts; null if nothing.
+/// The declaration `A::B` after a package name of `first` parts; null if there is none.
 const Declaration* along(const std::vector<const Declaration*>& start, const std::vector<std::string>& path,
                          std::size_t first) {
     const auto found =
@@ -104,7 +104,7 @@ std::vector<std::string> packages_behind(const Model& model, const std::vector<s
     std::set<std::string> names;
     for (const auto& file : model.files) {
         const auto& parts = file->package.parts;
-        if (qualifier.empty() && file->package.text() == "core") continue;  // it needs no naming
+        if (qualifier.empty() && file->package.text() == "core") continue;  // always visible
         if (parts.size() > qualifier.size() && std::equal(qualifier.begin(), qualifier.end(), parts.begin()))
             names.insert(parts[qualifier.size()]);
     }

@@ -9,15 +9,15 @@
 
 namespace robochart::lsp {
 
-/// The declaration whose name has this span; null if the tree has none.
+/// The declaration whose name has this span; null if there is none.
 [[nodiscard]] const frontend::Declaration* declared_at(const frontend::File&, Span name);
-/// Declarations of files that a file sees without qualifying them: of its package, of what it imports, of unnamed
-/// packages. Literals of visible enumerations are among them.
+/// The declarations of files that a file sees without qualification: of its package, of its imports, and of unnamed
+/// packages. Literals of visible enumerations are included.
 [[nodiscard]] std::vector<const frontend::Declaration*> visible_from(const frontend::Model&, const frontend::File&);
-/// Declarations that may follow `A::B::`.
+/// The declarations that may follow `A::B::`.
 [[nodiscard]] std::vector<const frontend::Declaration*> behind(const frontend::Model&, const frontend::File&,
                                                                const std::vector<std::string>& qualifier);
-/// Names of packages that may follow `A::`, or stand first; one part each.
+/// The names of packages that may follow `A::` or come first; one part each.
 [[nodiscard]] std::vector<std::string> packages_behind(const frontend::Model&,
                                                        const std::vector<std::string>& qualifier);
 

@@ -1,5 +1,5 @@
-// Which project a file belongs to. The folders of the workspace are projects, and so are folders in them that hold a
-// `.project` file (as Eclipse and RoboTool mark theirs); a file outside belongs to the files in its folder.
+// Assigns files to projects. Each folder of the workspace is a project, and so is each subfolder with a `.project` file
+// (as written by Eclipse and RoboTool). A file outside the workspace forms a project with the files in its folder.
 #include "lsp/workspace/workspace.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void Workspace::remove_folder(const std::string& path) {
     if (std::erase(folders_, plain_folder(path)) > 0) rebuild();
 }
 
-/// Sorts all files anew; what the editor has open stays as the editor has it.
+/// Assigns all files again; open texts are kept.
 void Workspace::rebuild() {
     const std::vector<std::unique_ptr<Project>> before = std::exchange(projects_, {});
     for (const std::string& folder : folders_)
@@ -106,7 +106,7 @@ void Workspace::close(const std::string& uri) {
     const bool shown = !place.document->published.empty();
     place.project->close(*place.document);
     if (shown && !find(uri)) orphans_.push_back(uri);
-    // A project outside the workspace's folders only stood for its open files.
+    // A project outside the workspace exists only for its open files.
     const bool listed = !folder_around(place.project->folder() + "/.").empty();
     if (listed || place.project->has_open()) return;
     disown(*place.project);

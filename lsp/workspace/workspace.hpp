@@ -1,4 +1,4 @@
-// The projects an editor has open: folders, their files on disk and the texts that override them.
+// The projects that an editor has open: folders, their files on disk, and the open texts that override them.
 #pragma once
 
 #include <map>
@@ -23,22 +23,21 @@ struct Document {
     std::string uri;  ///< as the editor writes it
     SourceId source = SourceId::none;
     bool is_assertions = false;
-    bool open = false;  ///< the editor owns the text
+    bool open = false;  ///< the text is the editor's
     std::optional<std::int64_t> version;
     bool stale = true;                  ///< the text changed since it was parsed
-    frontend::File* tree = nullptr;     ///< in the project's model, once parsed
-    diagnostics::Diagnostics findings;  ///< of reading alone
+    frontend::File* tree = nullptr;     ///< in the project's model, after parsing
+    diagnostics::Diagnostics findings;  ///< of parsing only
     std::string published;              ///< the diagnostics last sent
-    std::string pulled;                 ///< the diagnostics last asked for, while it is open
+    std::string pulled;                 ///< the diagnostics that the editor last requested, while it is open
 };
 
-/// Files that see each other (language reference 1.3: folder = project), with what is known about them. Asking for the
-/// model brings it up to date: only changed files are read and parsed again, and what they
-/// touch is resolved anew.
+/// Files that see each other (language reference 1.3: folder = project), with the analysis results. Accessing the model
+/// brings it up to date: only changed files are read and parsed again, and only affected parts are resolved again.
 class Project {
 public:
-    /// An empty folder name stands for texts without a place on disk. What brings the model up to date polls the
-    /// budget, if there is one; ended by it, it begins anew when it is asked again.
+    /// An empty folder name means texts without a place on disk. Updates of the model poll the budget, if given. If the
+    /// budget ends an update, the next access repeats it.
     explicit Project(std::string folder, diagnostics::Budget* budget = nullptr)
         : folder_(std::move(folder)), budget_(budget) {}
 
@@ -49,28 +48,28 @@ public:
     [[nodiscard]] bool has_open() const;
     [[nodiscard]] bool empty() const { return documents_.empty(); }
 
-    /// The editor's text for a file; adds the file if it is new.
+    /// Sets the editor's text of a file; adds the file if it is new.
     Document& open(const std::string& path, std::string uri, std::string text);
     void change(Document& document, std::string text);
-    /// The file on disk counts again; one that is not there leaves the project.
+    /// Returns to the text on disk; a file that is not on disk is removed from the project.
     void close(Document& document);
-    /// Looks at the disk again for a file that is not open.
+    /// Reads a file that is not open from disk again.
     void refresh(const std::string& path);
 
     [[nodiscard]] const SourceManager& sources() const { return sources_; }
     [[nodiscard]] const frontend::Model& model();
-    /// Of names, types and rules; those of reading are with the documents.
+    /// Findings about names, types and rules; the documents have the parse errors.
     [[nodiscard]] const diagnostics::Diagnostics& findings();
-    /// Of CSP blocks.
+    /// Findings about CSP blocks.
     [[nodiscard]] const diagnostics::Diagnostics& block_findings();
-    /// All names by place.
+    /// All names, sorted by place.
     [[nodiscard]] const std::vector<frontend::Occurrence>& occurrences();
     /// The name at or directly before an offset; null if there is none.
     [[nodiscard]] const frontend::Occurrence* occurrence_at(SourceId source, std::uint32_t offset);
-    /// A document's tree, up to date.
+    /// The current tree of a document.
     [[nodiscard]] const frontend::File& tree(const Document& document);
 
-    /// Did anything change since this was last asked?
+    /// True if something changed since the last call.
     [[nodiscard]] bool take_news();
 
 private:
@@ -89,7 +88,7 @@ private:
     diagnostics::Diagnostics findings_;
     std::optional<std::vector<frontend::Occurrence>> occurrences_;
     std::optional<diagnostics::Diagnostics> block_findings_;
-    bool current_ = false;  ///< model_ and findings_ are about the texts as they are
+    bool current_ = false;  ///< model_ and findings_ belong to the current texts
     bool news_ = false;
 };
 
@@ -111,11 +110,11 @@ public:
     void close(const std::string& uri);
     void refresh(const std::string& uri);
     [[nodiscard]] const std::vector<std::unique_ptr<Project>>& projects() const { return projects_; }
-    /// Documents that left a project and still show diagnostics in the editor, by URI.
+    /// Documents that left a project and still have diagnostics in the editor, by URI.
     [[nodiscard]] std::vector<std::string> take_orphans() { return std::exchange(orphans_, {}); }
 
 private:
-    /// The workspace folder around a path, the innermost if several; "" if there is none.
+    /// The workspace folder that contains a path, the innermost if there are several; "" if there is none.
     [[nodiscard]] std::string folder_around(const std::string& path) const;
     [[nodiscard]] std::string root_of(const std::string& path) const;
     Project& project_at(const std::string& root);
