@@ -1,6 +1,6 @@
-// Copies of one component that run together, distinguished: which of them the sequential components of a run are in,
-// and which an event of the whole is of. Machines of different copies have one name in the model; behind it stands the
-// copy.
+// Distinguishes copies of one component that run together: to which copy the sequential components of a run belong, and
+// to which copy an event of the whole process belongs. Machines of different copies have the same name in the model;
+// the copy is appended.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ namespace robochart::runs {
 
 class Copies {
 public:
-    /// Outlives it. None: nothing is distinguished.
+    /// `meaning` must outlive the object. Without a value, no copies are distinguished.
     explicit Copies(const std::optional<csp_emit::CopiesMeaning>& meaning) : meaning_(meaning) {}
 
-    /// The copy that acts in an event of the whole, by its name there.
+    /// The copy that performs an event of the whole process, by the event's name there.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
-    /// What it does where the component's own events do not say it: nothing where they do.
+    /// What the copy does, if the component's own events do not say it; no value otherwise.
     [[nodiscard]] std::optional<std::string> words(const std::string& name) const;
-    /// `of_model`: of each leaf, whether it is in definitions of the model. Every copy has as many of them, and they
-    /// stand in the order of the copies.
+    /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
+    /// in the order of the copies.
     void number(const std::vector<bool>& of_model);
-    /// The leaves cannot be distinguished.
+    /// Called if the leaves cannot be distinguished.
     void forget() { leaves_.clear(); }
     [[nodiscard]] std::optional<std::uint32_t> of_leaf(Leaf leaf) const;
-    /// "P::M::c::s of robot 1", "robot 1" where it is nobody's event but the copy's; as it is without a copy.
+    /// "P::M::c::s of robot 1"; "robot 1" if the event belongs to no component of the copy; unchanged without a copy.
     [[nodiscard]] std::string named(const std::string& component, std::optional<std::uint32_t> copy) const;
 
 private:

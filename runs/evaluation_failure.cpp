@@ -13,8 +13,8 @@
 namespace robochart::runs {
 namespace {
 
-/// "; the constant speed has no value in the model and is 0 (--const speed=1 gives it one)" where a divisor is made of
-/// it; "" elsewhere.
+/// "; the constant speed has no value in the model and is 0 (--const speed=1 gives it one)" if a divisor contains it;
+/// otherwise "".
 std::string open_constants(const cspm::EvaluationError& error, const ir::System& system) {
     if (std::string_view(error.what()).find("by zero") == std::string_view::npos) return "";
     const std::vector<std::string> names = ir::open_divisors(system, error.span);

@@ -1,5 +1,5 @@
-// Why a question about a model has no answer: an error of evaluation in terms of the model. Every verb reports such
-// errors by this.
+// Describes an error of evaluation in terms of the model, as the reason why an assertion has no answer. Every verb
+// reports such errors with these functions.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace robochart::runs {
 
-/// What cannot be evaluated, with the element of the model that it is in: "division by zero, in P::S::t1".
+/// The error and the element of the model that contains it: "division by zero, in P::S::t1".
 [[nodiscard]] std::string failure(const cspm::EvaluationError&, const ir::System&);
-/// The same behind its place: "m.rct:8:62: division by zero, in P::S::t1".
+/// The same after its place: "m.rct:8:62: division by zero, in P::S::t1".
 [[nodiscard]] std::string placed_failure(const cspm::EvaluationError&, const ir::System&,
                                          const diagnostics::SourceManager&);
 

@@ -28,7 +28,7 @@ private:
     Exercised result_;
     std::set<TermId> seen_;
     std::deque<TermId> waiting_;
-    /// A component does the same steps in many states of the whole.
+    /// The component steps seen so far, because a component performs the same step in many states of the whole process.
     std::set<std::tuple<TermId, process::Event, TermId>> noted_;
 };
 

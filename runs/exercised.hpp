@@ -1,5 +1,5 @@
-// Which elements of the model the reachable states of a process exercise: the transitions that fire, the statements
-// that are done. A breadth-first search over the states of the operational semantics, whose steps tell what each
+// Finds the elements of the model that the reachable states of a process exercise: transitions that fire and statements
+// that are executed. It searches the states of the operational semantics breadth-first; the steps show what each
 // component does.
 #pragma once
 
@@ -13,19 +13,19 @@
 
 namespace robochart::runs {
 
-/// What a search has met.
+/// The results of a search.
 struct Exercised {
-    /// Elements, as element_in has them, that may be behind a step: where it does not tell which of several, all of
-    /// them. An element that is missing is behind no step.
+    /// Elements (see element_in) that may cause a step. If a step has several candidates, all of them are included. An
+    /// element that is missing here causes no step.
     std::set<std::string> possible;
-    /// Those of them that alone can be behind some step.
+    /// Those of them that are the only candidate of some step.
     std::set<std::string> certain;
-    std::uint64_t states = 0;  ///< that have been looked into
-    bool all = true;           ///< no state is left
+    std::uint64_t states = 0;  ///< number of explored states
+    bool all = true;           ///< every reachable state was explored
 };
 
-/// Looks into `most` states at most; `poll` is called for each and may throw. Throws what cspm::Session::transitions
-/// throws.
+/// Explores at most `most` states. `poll` is called for each state and may throw. Throws like
+/// cspm::Session::transitions.
 [[nodiscard]] Exercised exercised(StepReader&, process::TermId process, std::uint64_t most,
                                   const std::function<void()>& poll);
 

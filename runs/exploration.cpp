@@ -12,7 +12,7 @@
 namespace robochart::runs {
 namespace {
 
-/// A list without repetitions.
+/// A list without duplicates.
 template <class Item>
 class Table {
 public:
@@ -84,7 +84,7 @@ private:
         return result;
     }
 
-    /// As deep as a structure is: behaviour() ends it.
+    /// The recursion ends, because behaviour() limits the depth of a structure.
     std::size_t part(const process::Behaviour& whole) {
         Exploration::Part result{part_text(whole), {}, {}};
         for (const process::Behaviour& each : whole.parts) result.parts.push_back(part(each));
@@ -108,7 +108,7 @@ private:
     Table<Machine> machines_{result_.machines};
     Table<Absence> absences_{result_.absences};
     Table<Exploration::Part> parts_{result_.parts};
-    std::vector<process::TermId> found_;  ///< in the order in which they are explored
+    std::vector<process::TermId> found_;  ///< in the order of exploration
     std::map<process::TermId, std::size_t> numbers_;
     std::size_t transitions_ = 0;
 };

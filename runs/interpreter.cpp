@@ -1,5 +1,5 @@
-// A step's meaning comes from its movers. Where the states of the run are no terms (the reference semantics had no time
-// to replay it), from the names of the whole.
+// The meaning of a step comes from the components that move. If the states of the run are not terms, because the
+// reference semantics had no time to replay it, the meaning comes from the names of the whole process.
 #include "runs/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ namespace {
 using process::TermId;
 using refine::ViolationKind;
 
-constexpr std::size_t most_offers = 40;       // listed for one step
-constexpr std::size_t most_looked_at = 5000;  // alternatives, in all steps together
+constexpr std::size_t most_offers = 40;       // listed per step
+constexpr std::size_t most_looked_at = 5000;  // examined alternatives, over all steps
 
 class Interpreter {
 public:
@@ -87,8 +87,8 @@ private:
     const refine::Counterexample& counterexample_;
     StepReader reader_;
     Copies copies_;
-    std::size_t described_ = 0;     ///< definitions in the text of a state, at most
-    std::size_t before_first_ = 0;  ///< raw events in front of the first step, which belong to it
+    std::size_t described_ = 0;     ///< the largest number of definitions in the text of a state
+    std::size_t before_first_ = 0;  ///< raw events before the first step, which belong to it
     Run run_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;
@@ -96,7 +96,7 @@ private:
 
 // ---------------------------------------------------------------- steps
 
-/// The machines of each copy have their own variables beside them.
+/// The machines of each copy are read separately, because each copy has its own memories.
 std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<TermId>>& leaves) {
     std::map<std::optional<std::uint32_t>, std::vector<std::vector<Call>>> calls;
     for (Leaf leaf = 0; leaf < leaves.size(); ++leaf)
@@ -110,7 +110,8 @@ std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<Te
     return result;
 }
 
-/// Numbers the leaves, if every event of one copy is made by leaves of that copy.
+/// Assigns the leaves to copies. The assignment is dropped if an event of one copy is performed only by leaves of other
+/// copies.
 void Interpreter::tell_copies_apart(const Timeline& line) {
     std::vector<bool> of_model(line.initial.size());
     const auto look = [&](const std::vector<std::optional<TermId>>& leaves) {
@@ -134,7 +135,7 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
     }
 }
 
-/// What happens, by each copy that takes part: first by the one that the event is of.
+/// What happens in a moment, separately for each copy that takes part; the copy that the event belongs to comes first.
 Happening Interpreter::happening(const Moment& moment, const std::vector<ComponentStep>& moves) {
     const refine::Step& raw = raw_step(moment.raw);
     const std::string& whole = moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau);
@@ -162,7 +163,7 @@ Happening Interpreter::happening(const Moment& moment, const std::vector<Compone
     return result;
 }
 
-/// An event that no machine of the model takes part in.
+/// An event in which no machine of the model takes part.
 Happening Interpreter::said_of_copy(Happening happening, const std::string& whole) const {
     const auto words = copies_.words(whole);
     if (!words) return happening;
@@ -172,7 +173,8 @@ Happening Interpreter::said_of_copy(Happening happening, const std::string& whol
     return happening;
 }
 
-/// Behind so many steps of the run. Between an event and what a memory is given of it, a machine is in no definition.
+/// The machine after this number of steps, or the last known one before that. Between an event and the update of a
+/// memory by it, a machine is in no known definition.
 const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
@@ -183,7 +185,8 @@ const Machine* Interpreter::last_known(const std::string& component, std::size_t
     return nullptr;
 }
 
-/// Since so many steps of the run. Clocks and countdowns change with time, and what is temporary is nobody's variable.
+/// Changes since this number of steps. Clocks and countdowns change with time, and temporary values belong to no
+/// variable of the model, so both are ignored.
 std::vector<Change> Interpreter::changes(std::size_t steps, const std::vector<Machine>& after) const {
     std::vector<Change> result;
     for (const Machine& now : after) {
@@ -231,8 +234,8 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     run_.steps.push_back(std::move(step));
 }
 
-/// What a machine reads from memories and stores there says nothing that the step in front of it does not say; nor does
-/// what a watch notes, which is nobody's.
+/// True if the event adds nothing to the step before it. A machine reads and writes memories only as a consequence of
+/// that step, and events of a watch belong to no component.
 bool Interpreter::belongs_to_last(std::size_t raw, const std::string& name, const Event& event) const {
     if (!reader_.meanings().is_memory(name)) return false;
     const bool loop_begins = raw >= counterexample_.steps.size() && !run_.loop_start;
@@ -252,7 +255,7 @@ void Interpreter::complete_last(bool shown, std::vector<Machine> machines) {
     last.machines = std::move(machines);
 }
 
-/// From the movers; false where the states of the run are not terms.
+/// Reads the run from the components that move. Returns false if the states of the run are not terms.
 bool Interpreter::read_apart() {
     const auto behaviour = context_.session.behaviour(counterexample_, false);
     if (!behaviour) return false;
@@ -274,8 +277,8 @@ bool Interpreter::read_apart() {
     return true;
 }
 
-/// The machines of a state by its text. Where it has as many definitions as any state of the run, they stand in the
-/// order of the copies; where a copy is in none, nothing says whose the others are.
+/// The machines of a state, from its text. If the state has as many definitions as any state of the run, they are in
+/// the order of the copies. Otherwise a copy has no definition, and the others cannot be assigned to copies.
 std::vector<Machine> Interpreter::machines_described(const std::string& state) {
     const std::vector<Call> calls = reader_.meanings().calls(state);
     const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;
@@ -320,7 +323,7 @@ void Interpreter::add_times() {
     if (!run_.loop_start) run_.time = time;
 }
 
-/// Tocks in a row are one step; the loop's stay apart from those in front of it.
+/// Merges consecutive tocks into one step; those of the loop are kept apart from those before it.
 void Interpreter::fold_tocks() {
     std::vector<Step> folded;
     std::optional<std::size_t> loop_start;
@@ -353,7 +356,7 @@ void Interpreter::fold_tocks() {
 
 // ---------------------------------------------------------------- offers
 
-/// Nothing where its definitions cannot be evaluated: what else was possible is not part of the verdict.
+/// Empty if definitions cannot be evaluated: alternatives are not part of the verdict.
 std::vector<process::Transition> Interpreter::transitions_at(TermId term) const {
     try {
         return context_.session.transitions(term);
@@ -362,7 +365,7 @@ std::vector<process::Transition> Interpreter::transitions_at(TermId term) const 
     return {};
 }
 
-/// What a step that was not taken would have been.
+/// The event of a step that was not taken.
 Event Interpreter::offer(TermId term, const process::Transition& step) {
     const std::string& whole = reader_.name_of(step.event, step.revealed);
     Happening result = reader_.happens(term, step);
@@ -373,7 +376,7 @@ Event Interpreter::offer(TermId term, const process::Transition& step) {
     return result.event;
 }
 
-/// What else the run could have done in front of this step; looked up once for each state.
+/// Adds the other steps that were possible before this step. They are computed once per state.
 void Interpreter::add_offers(std::size_t raw, Step& step) {
     const TermId term = term_before(raw);
     const auto [found, added] = offers_.try_emplace(term);
@@ -407,7 +410,7 @@ std::vector<Event> Interpreter::named(const process::EventSet& set) const {
 }
 
 std::vector<Event> Interpreter::offered_at_the_end() {
-    // The state behind a forbidden event has not been looked into.
+    // The state after a forbidden event was not explored.
     if (counterexample_.terms.empty() || counterexample_.kind == ViolationKind::trace || run_.loop_start)
         return named(counterexample_.offered);
     std::vector<Event> result;
@@ -426,7 +429,7 @@ const std::vector<Machine>& Interpreter::last_machines() const {
     return end == 0 ? run_.initial : run_.steps[end - 1].machines;
 }
 
-/// A loop that lets time pass comes from the check for deadlocks in time.
+/// Only the check for timed deadlocks produces a loop in which time passes.
 bool Interpreter::time_passes_in_loop() const {
     return run_.loop_start &&
            std::any_of(run_.steps.begin() + static_cast<std::ptrdiff_t>(*run_.loop_start), run_.steps.end(),
@@ -471,7 +474,7 @@ EndKind Interpreter::end_kind() const {
     return EndKind::no_trace;
 }
 
-/// Where a composition shows writes, not in a machine on its own (semantics 3.10).
+/// True if a composition makes writes visible; for a machine on its own it is false (semantics 3.10).
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
     return std::any_of(counterexample_.offered.begin(), counterexample_.offered.end(), [&](process::Event offered) {
@@ -510,7 +513,7 @@ std::string list(const std::vector<Event>& events) {
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The other run, up to the event that this one refuses; "" where it is not known as one of the model.
+/// The other run, up to the event that this run refuses; "" if it is not known in terms of the model.
 std::string Interpreter::accepting_run() const {
     if (counterexample_.accepting_terms.empty()) return "";
     refine::Counterexample other;
@@ -588,7 +591,7 @@ std::string Interpreter::why() const {
     return "";
 }
 
-/// What is required in some alternative and not offered.
+/// Events that are required in some alternative but not offered.
 std::vector<Event> Interpreter::refused() const {
     std::vector<Event> result;
     for (const process::EventSet& set : counterexample_.required)
@@ -606,7 +609,7 @@ void Interpreter::read_end() {
     End& end = run_.end;
     end.kind = end_kind();
     end.offered = offered_at_the_end();
-    // Steps inside compressed processes behind it are not the offending one.
+    // Steps inside compressed processes after the last event are not the offending step.
     const auto last =
         std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& each) { return each.count > 0; });
     if (counterexample_.kind == ViolationKind::trace && last != run_.steps.rend()) end.event = last->event;
@@ -643,7 +646,7 @@ Run Interpreter::run() {
     return std::move(run_);
 }
 
-/// A claim that watches a machine is decided on a copy of it: the run is that of the machine.
+/// A claim that watches a machine is decided on a copy of the machine; the run is reported as that of the machine.
 void Interpreter::name_watched() {
     const bool watches =
         obligation_.kind == ir::PropertyKind::event_missed || obligation_.kind == ir::PropertyKind::clock_initialised;

@@ -1,4 +1,4 @@
-// What is empty is left out, but for lists that a reader always goes through.
+// Empty values are omitted, except for lists that readers always iterate over.
 #include "runs/json.hpp"
 
 #include <nlohmann/json.hpp>

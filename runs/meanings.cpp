@@ -1,4 +1,4 @@
-// What the names mean is written down where the script is made (csp_emit::Provenance).
+// csp_emit::Provenance, which is made together with the script, records the meaning of the names.
 #include "runs/meanings.hpp"
 
 #include <fmt/format.h>
@@ -79,12 +79,12 @@ std::string with_values(const EventMeaning& event, const std::vector<Value>& val
     }
 }
 
-/// Whether nothing reads the parameter any more: the evaluator keeps no value for it.
+/// True if the parameter is no longer read, so that the evaluator stores no value for it.
 bool unread(const std::string& value) {
     return value == "_" || value == "'_'";
 }
 
-/// Text, states and values that are the same in all of them.
+/// The text, states and values that all alternatives have in common.
 Call common(const std::vector<Call>& alternatives) {
     Call result = alternatives.front();
     if (alternatives.size() == 1) return result;
@@ -118,7 +118,7 @@ Call common(const std::vector<Call>& alternatives) {
     return result;
 }
 
-/// Whether a part of `text`, behind an operation's name, is `words` and what is done there.
+/// True if a part of `text`, possibly after an operation's name, is `words` followed by its details.
 bool has_part(const std::string& text, const std::string& words) {
     for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
         const std::string_view before(text.data(), at);
@@ -129,12 +129,12 @@ bool has_part(const std::string& text, const std::string& words) {
     return false;
 }
 
-/// Whether a definition of this text is inside the transition.
+/// True if a definition with this text is inside the transition.
 bool is_in_transition(const std::string& text, const std::string& name) {
     return has_part(text, "transition " + name) || has_part(text, "action of " + name);
 }
 
-/// Whether the process may have got there by this transition or statement.
+/// True if the process may have arrived there by this transition or statement.
 bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
     if (offer.target.empty()) return true;
     return std::any_of(after.begin(), after.end(), [&](const Call& call) {
@@ -232,7 +232,7 @@ std::optional<Call> Meanings::call(std::string_view text) const {
     const auto bracket = text.find('(');
     const auto found = provenance_.definitions.find(std::string(text.substr(0, bracket)));
     if (found == provenance_.definitions.end()) return std::nullopt;
-    // The provenance outlives what is read from it.
+    // A pointer without ownership: the provenance outlives the result.
     Call known{{std::shared_ptr<void>(), &found->second}, {}};
     if (bracket != std::string_view::npos && text.back() == ')')
         for (const std::string& argument : split(text.substr(bracket + 1, text.size() - bracket - 2), ","))

@@ -1,4 +1,4 @@
-// Names of the script in the words of the model: events, and the definitions that a process is in.
+// Translates names of the script to terms of the model: events, and the definitions that a process is in.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace robochart::runs {
 
-/// A definition with its arguments, as the checker describes a process: "P::S::A__(0,1)". In front of an internal
-/// choice between several it is what they have in common.
+/// A definition with its arguments, from the checker's description of a process: "P::S::A__(0,1)". Before an internal
+/// choice between several definitions, it contains what they have in common.
 struct Call {
     std::shared_ptr<const csp_emit::DefinitionMeaning> definition;
     std::vector<std::string> arguments;
@@ -27,21 +27,22 @@ public:
              const diagnostics::SourceManager& sources)
         : provenance_(provenance), system_(system), instantiation_(instantiation), sources_(sources) {}
 
-    /// Whether the provenance knows the event.
+    /// True if the provenance contains the event.
     [[nodiscard]] bool knows(const std::string& name) const;
-    /// Whether it is between a machine and the process that holds one of its variables.
+    /// True if the event is between a machine and the process that stores one of its variables.
     [[nodiscard]] bool is_memory(const std::string& name) const;
-    /// The event by its whole name; one that is not known keeps it, as Kind::event.
+    /// The event with this full name. An unknown event keeps its name and has Kind::event.
     [[nodiscard]] Event event(const std::string& name) const;
-    /// The same, done where the process is in this definition: which transition or statement does it, if one alone can.
+    /// The same for an event performed in this definition; the transition or statement is added if only one is
+    /// possible.
     [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
-    /// The elements, transitions and statements, one of which makes the event happen there; more than one where the
-    /// definitions do not tell.
+    /// The candidates (transitions and statements) for the cause of the event; more than one if the definitions do not
+    /// determine it.
     [[nodiscard]] std::vector<std::string> elements(const std::string& name, const Call& before,
                                                     const std::vector<Call>& after) const;
-    /// The known definitions in a process's description.
+    /// The known definitions in the description of a process.
     [[nodiscard]] std::vector<Call> calls(const std::string& description) const;
-    /// The machine that is in this definition.
+    /// The machine of this definition.
     [[nodiscard]] Machine machine(const Call&) const;
     [[nodiscard]] std::vector<Variable> variables(const Call&) const;
     [[nodiscard]] std::optional<Place> place(diagnostics::Span) const;
@@ -50,7 +51,7 @@ private:
     [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
     [[nodiscard]] std::optional<Call> call(std::string_view text) const;
     using Offers = std::vector<const csp_emit::OfferMeaning*>;
-    /// The transitions and statements there that may be behind the event.
+    /// The transitions and statements that may cause the event.
     [[nodiscard]] static Offers possible(const std::string& name, const Call& before, const std::vector<Call>& after);
 
     const csp_emit::Provenance& provenance_;

@@ -1,5 +1,6 @@
-// A run of a component in the words of the model, as data: what a counterexample shows. Whoever renders it (text, JSON,
-// a diagram, an editor) reads this and needs to know nothing of CSP. Types only; interpreter.hpp makes runs.
+// A run of a component in terms of the model, as data: the contents of a counterexample. Renderers (text, JSON, a
+// diagram, an editor) use only this and need no knowledge of CSP. This file contains only types; interpreter.hpp makes
+// runs.
 #pragma once
 
 #include <compare>
@@ -11,7 +12,7 @@
 
 namespace robochart::runs {
 
-/// Part of a text as people count it, from 1; columns count Unicode code points, the end is exclusive.
+/// A range in a text: lines and columns from 1, columns in Unicode code points, the end exclusive.
 struct Place {
     std::string file;
     std::uint32_t line = 0, column = 0;
@@ -20,74 +21,74 @@ struct Place {
     friend auto operator<=>(const Place&, const Place&) = default;
 };
 
-/// What happens in a step, in terms of the model.
+/// The kind of a step, in terms of the model.
 enum class Kind {
     transition,      ///< a transition without trigger fires
     input,           ///< an event is received
     output,          ///< an event is sent
-    call,            ///< an operation that no definition in the context answers is called
+    call,            ///< an operation without a definition in the context is called
     assignment,      ///< a variable is written
-    external_write,  ///< somebody else writes a shared variable
+    external_write,  ///< another component writes a shared variable
     entered,         ///< a state has been entered
     exited,          ///< a state has been left
     tock,            ///< time passes
     terminate,
-    refusal,   ///< something is refused, where the model of refinement makes that an event (tick-tock)
-    internal,  ///< a step that the model does not name
+    refusal,   ///< a refusal, in models of refinement in which it is an event (tick-tock)
+    internal,  ///< a step without a name in the model
     event,     ///< an event of a process in a CSP block
 };
 
 /// A value that is communicated.
 struct Value {
     std::string text;
-    std::string type;  ///< as the model writes it; "" where it is not known
+    std::string type;  ///< as the model writes it; "" if unknown
 
     friend auto operator<=>(const Value&, const Value&) = default;
 };
 
-/// Something that happens or could happen.
+/// An event that happens or could happen.
 struct Event {
     Kind kind = Kind::internal;
     std::string text;       ///< "input a with 3", "t0: i -> S1"
-    std::string component;  ///< the instance that does it, "P::M::ctrl_ref0::stm_ref0"; "" if no component does
-    /// In the resolved model: of the transition or statement where that is known, otherwise of what is declared.
+    std::string component;  ///< the instance that performs it, "P::M::ctrl_ref0::stm_ref0"; "" if there is none
+    /// In the resolved model: the transition or statement, if known; otherwise the declaration.
     std::string element;
-    std::string via;  ///< the transition or action that makes it happen, in words: "t1: S1 -> S2"; "" if not known
+    std::string via;  ///< the transition or action that causes it: "t1: S1 -> S2"; "" if unknown
     std::vector<Value> values;
     std::optional<Place> place;
 
     friend auto operator<=>(const Event&, const Event&) = default;
 };
 
-/// What a value shown beside a state is.
+/// The kind of a value shown with a state.
 enum class VariableKind {
     variable,
     clock,      ///< time since its last reset
     constant,   ///< a constant that the component takes as a parameter
-    countdown,  ///< time left of a wait or a deadline
-    temporary,  ///< a value that has been read or received and is not used up yet
+    countdown,  ///< remaining time of a wait or a deadline
+    temporary,  ///< a value that was read or received but not yet used
 };
 
-/// A value that belongs to a machine at one moment.
+/// A value of a machine at one moment.
 struct Variable {
     std::string name;
     VariableKind kind = VariableKind::variable;
-    std::string type;                  ///< "" where there is none
-    std::optional<std::string> value;  ///< none: nothing reads the value any more
-    std::string deadline;              ///< countdown of a deadline: its element
+    std::string type;                  ///< "" if it has none
+    std::optional<std::string> value;  ///< no value: it is no longer read
+    std::string deadline;              ///< countdown of a deadline: the element with the deadline
     std::optional<Place> place;        ///< of that deadline
 
     friend auto operator<=>(const Variable&, const Variable&) = default;
 };
 
-/// A machine at one moment.
+/// The state of a machine at one moment.
 struct Machine {
     std::string component;            ///< the instance
     std::string machine;              ///< its definition, "P::S"
     std::string text;                 ///< "in S1", "entry action of S1, at x = 1"
     std::vector<std::string> active;  ///< the elements of its active states, outermost first
     std::vector<Variable> variables;
-    std::optional<Place> place;  ///< of the innermost state, or of the statement that is next
+    std::optional<Place> place;  ///< of the innermost state, or of the next statement
 
     friend auto operator<=>(const Machine&, const Machine&) = default;
 };
@@ -96,39 +97,40 @@ struct Machine {
 struct Change {
     std::string component;
     std::string name;
-    std::optional<std::string> before;  ///< none: it had no value that anything would have read
+    std::optional<std::string> before;  ///< no value: it had no value that could be read
     std::string after;
 };
 
-/// One step of a run: what happens, and the state behind it.
+/// One step of a run: what happens, and the state after it.
 struct Step {
-    std::size_t raw = 0;    ///< the first event of Run::raw that it stands for
-    std::size_t count = 1;  ///< how many; 0: a step inside a compressed process, which the raw events do not show
-    std::optional<std::int64_t> time;  ///< time units passed before it; only in timed runs
-    std::int64_t units = 0;            ///< tock: how many pass
-    bool hidden = false;               ///< the environment does not see it
+    std::size_t raw = 0;    ///< the first event of Run::raw that it represents
+    std::size_t count = 1;  ///< the number of these events; 0: a step inside a compressed process, which has no raw
+                            ///< event
+    std::optional<std::int64_t> time;  ///< time units before it; only in timed runs
+    std::int64_t units = 0;            ///< tock: the number of time units
+    bool hidden = false;               ///< invisible to the environment
     Event event;
     std::vector<Event> with;  ///< what other components do in the same step
     std::vector<Change> changes;
-    std::vector<Machine> machines;  ///< all of them, behind the step
-    std::vector<Event> offered;     ///< what else was possible in front of it
-    std::size_t more_offered = 0;   ///< how many more than are listed
+    std::vector<Machine> machines;  ///< all machines, after the step
+    std::vector<Event> offered;     ///< the alternatives before it
+    std::size_t more_offered = 0;   ///< the number of alternatives that are not listed
 };
 
-/// What is wrong where a run ends; or what it shows, if the claim is that there is no such run.
+/// The violation at the end of a run, or what the run shows if the claim is that such a run does not exist.
 enum class EndKind {
-    forbidden,              ///< the last step is none that the specification allows
-    refusal,                ///< less is offered than the specification requires
-    divergence,             ///< it goes on internally for ever
-    deadlock,               ///< nothing is possible any more, in time: but that time passes
-    nondeterminism,         ///< something may be accepted and may be refused
+    forbidden,              ///< the specification does not allow the last step
+    refusal,                ///< fewer events are offered than the specification requires
+    divergence,             ///< infinitely many internal steps
+    deadlock,               ///< nothing is possible; in the timed semantics, nothing but the passing of time
+    nondeterminism,         ///< an event may be accepted and may be refused
     reached,                ///< the state has been reached
     terminated,             ///< it has terminated
     timelock,               ///< time cannot pass
     clock_not_initialised,  ///< a clock is read before its first reset
-    clock_initialised,      ///< it is reset, where the claim is that it is not
+    clock_initialised,      ///< the clock is reset, although the claim is that it is not
     missed,                 ///< an event is refused while time passes
-    no_return,              ///< what is asked for can never happen again
+    no_return,              ///< the required event can never happen again
     no_trace,               ///< the process has no such trace
 };
 
@@ -139,28 +141,28 @@ struct Cause {
     std::optional<Place> place;
 };
 
-/// What is wrong where the run ends.
+/// The violation at the end of the run.
 struct End {
     EndKind kind = EndKind::forbidden;
-    std::string why;             ///< in a sentence
-    std::optional<Event> event;  ///< forbidden: the offending one; nondeterminism: the one that may be refused
-    std::vector<Event> offered;  ///< what is possible there
-    std::vector<std::vector<Event>> required;  ///< refusal: the alternatives of what must be offered
-    std::vector<Event> allowed;                ///< forbidden: what the specification allows instead
-    std::vector<Event> refused;                ///< refusal: what would have to be offered and is not
+    std::string why;             ///< one sentence
+    std::optional<Event> event;  ///< forbidden: the offending event; nondeterminism: the event that may be refused
+    std::vector<Event> offered;  ///< the events that are possible there
+    std::vector<std::vector<Event>> required;  ///< refusal: the alternatives of required offers
+    std::vector<Event> allowed;                ///< forbidden: the events that the specification allows instead
+    std::vector<Event> refused;                ///< refusal: the events that should be offered but are not
     std::vector<Cause> causes;                 ///< timelock
 };
 
-/// A counterexample as a run of the model; text and JSON are made from this alone.
+/// A counterexample as a run of the model; text and JSON are made only from this.
 struct Run {
     bool timed = false;
-    std::int64_t time = 0;         ///< when it ends; where it goes on for ever: where the loop begins
-    std::vector<Machine> initial;  ///< in front of the first step
+    std::int64_t time = 0;         ///< time at the end of the run; if it is infinite, at the beginning of the loop
+    std::vector<Machine> initial;  ///< before the first step
     std::vector<Step> steps;
-    std::optional<std::size_t> loop_start;  ///< the first of the steps that are repeated for ever
+    std::optional<std::size_t> loop_start;  ///< the first step of the infinite loop
     End end;
-    std::vector<std::string> raw;  ///< the events of the script, those of the loop behind the others
-    std::size_t raw_loop = 0;      ///< how many of these are the loop's
+    std::vector<std::string> raw;  ///< the events of the script, followed by those of the loop
+    std::size_t raw_loop = 0;      ///< number of events in the loop
 };
 
 }  // namespace robochart::runs

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t most_unfoldings = 20;
 
-/// What the machine itself has of the variable is no older than what the memory holds. What the memory holds counts
-/// only where something still reads it.
+/// A value that the machine itself has is at least as recent as that of the memory. The memory's value is used only if
+/// something still reads it.
 void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
     const auto& read = owner.remembered;
     const auto known = std::find_if(machine.variables.begin(), machine.variables.end(),

@@ -1,6 +1,6 @@
-// What processes do, step by step, in the words of the model: what a step means is read off what each sequential
-// component does in it, under the name that the event has there. Runs, the search for transitions that never fire and
-// whoever steps through a process by hand share it.
+// Describes the steps of processes in terms of the model. The meaning of a step is what each sequential component does
+// in it, by the component's own name of the event. Counterexamples, the search for transitions that never fire, and
+// stepping by hand use it.
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@
 
 namespace robochart::runs {
 
-/// What steps are read with; all of it outlives the reader.
+/// The data that a reader needs; all of it must outlive the reader.
 struct Context {
     const csp_emit::Provenance& provenance;
     const ir::System& system;
@@ -29,14 +29,14 @@ struct Context {
     cspm::Session& session;
 };
 
-/// What one sequential component does in a step.
+/// The step of one sequential component.
 struct ComponentStep {
-    std::string name;          ///< of the event, as the component has it; of what it hides itself, the hidden event
-    std::vector<Call> before;  ///< where the component was
+    std::string name;  ///< of the event in the component; for an event that the component hides, the hidden event
+    std::vector<Call> before;  ///< the definitions before the step
     std::vector<Call> after;
 };
 
-/// An element of the resolved model in an instance of its machine: "P::M::c::s P::S::t1".
+/// The text for an element of the resolved model in an instance of its machine: "P::M::c::s P::S::t1".
 [[nodiscard]] std::string element_in(const std::string& component, const std::string& element);
 
 /// What happens in a step: for the machine that it is reported for, and for the others that take part.
@@ -47,7 +47,7 @@ struct Happening {
     friend auto operator<=>(const Happening&, const Happening&) = default;
 };
 
-/// Whether two are the same for a reader of the model.
+/// True if both events are the same in terms of the model.
 [[nodiscard]] bool same(const Event& one, const Event& other);
 [[nodiscard]] bool among(const std::vector<Event>& events, const Event& event);
 
@@ -61,30 +61,29 @@ public:
     [[nodiscard]] const std::string& name(process::Event event) const {
         return context_.session.event_table().name(event);
     }
-    /// For tau the event that hiding made invisible.
+    /// For tau, the name of the hidden event.
     [[nodiscard]] const std::string& name_of(process::Event event, process::Event revealed) const {
         return name(event == process::tau ? revealed : event);
     }
 
-    /// The known definitions that a term is in. What stands for a machine's first definition in front of it is looked
-    /// through.
+    /// The known definitions that a term is in. A term that stands for a definition is unfolded.
     const std::vector<Call>& calls_of(process::TermId term);
-    /// The machines that are in these definitions, a list for each component. Components of one name are one machine: a
-    /// variable may be kept beside it.
+    /// The machines in these definitions, one list per component. Components with the same name are one machine,
+    /// because a variable may be stored in a separate process.
     [[nodiscard]] std::vector<Machine> machines_of(const std::vector<std::vector<Call>>& components) const;
     /// The machines of a whole process.
     [[nodiscard]] std::vector<Machine> machines_at(process::TermId whole) { return machines_of({calls_of(whole)}); }
 
-    /// What one component does.
+    /// The step of one component.
     [[nodiscard]] ComponentStep component_step(const process::Move& move);
-    /// The elements, as element_in has them, one of which is behind the step; more than one where it does not tell.
+    /// The candidates (see element_in) for the cause of the step; more than one if the step does not determine it.
     [[nodiscard]] std::set<std::string> elements(const ComponentStep& step) const;
-    /// What each component does in a step of a process.
+    /// The step of each component in a step of a process.
     [[nodiscard]] std::vector<ComponentStep> taken_apart(process::TermId whole, const process::Transition& step);
-    /// Which of several components that move together a step is reported for: a machine before what connects machines,
-    /// who acts before who is acted on. `whole`: the name of the event for all of them.
+    /// Selects the component, of several that move together, for which a step is reported: a machine before
+    /// connections, and the acting component before the others. `whole`: the name of the event for the whole process.
     [[nodiscard]] Happening happens(const std::vector<ComponentStep>& steps, const std::string& whole) const;
-    /// The same of a step of a process.
+    /// The same for a step of a process.
     [[nodiscard]] Happening happens(process::TermId whole, const process::Transition& step);
 
 private:

@@ -84,7 +84,7 @@ std::vector<Standing> Stepper::components() {
         if (!machines.empty()) one.machine = std::move(machines.front());
         result.push_back(std::move(one));
     }
-    // Of all together, what is kept beside a machine has been added to it.
+    // Values stored in separate processes are known only from all components together.
     for (const Machine& machine : machines_of(result))
         for (Standing& each : result)
             if (each.machine.component == machine.component) each.machine = machine;
@@ -98,7 +98,7 @@ std::set<std::string> Stepper::offered_elements() {
     return result;
 }
 
-/// What the component would do on its own.
+/// The elements that the component could perform on its own.
 std::set<std::string> Stepper::ready_elements(const Standing& standing) {
     std::set<std::string> result;
     process::TermStore& terms = reader_.context().session.terms();
@@ -123,7 +123,7 @@ std::string Stepper::reason(const ir::Transition& transition, const Standing& st
                        values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
 }
 
-/// Of a process that is no component of a model: the events that its parts offer and it does not.
+/// For a process that is not a component of a model: the events that its components offer and the process does not.
 std::vector<Absence> Stepper::blocked() {
     std::vector<Absence> result;
     const std::optional<process::Behaviour>& whole = structure();

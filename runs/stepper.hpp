@@ -1,5 +1,6 @@
-// A process animated by hand: where it is, what it offers there, and the way that led there. Its steps are those of the
-// operational semantics, which every counterexample is replayed by. After the probe of FDR and the simulator of UPPAAL.
+// A process that is stepped by hand: its current state, the offers there, and the steps so far. The steps are those of
+// the operational semantics, which is also used to replay counterexamples. Similar to the probe of FDR and the
+// simulator of UPPAAL.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +18,16 @@
 
 namespace robochart::runs {
 
-/// Something that can happen next.
+/// A possible next step.
 struct Offer {
     process::Transition step;
     Happening happening;
-    std::string name;     ///< of the event; where it is hidden, the name behind it
-    bool hidden = false;  ///< the environment does not see it
+    std::string name;     ///< of the event; for a hidden step, the name of the hidden event
+    bool hidden = false;  ///< invisible to the environment
 };
 
-/// A transition that leaves an active state and is not on offer; of a process, an event that one of its components
-/// offers and the whole does not.
+/// A transition that leaves an active state and is not on offer. For a process without a model: an event that one of
+/// its components offers and the whole process does not.
 struct Absence {
     std::string component;
     std::string text;    ///< "met: Driving -> Turning", "a.1"
@@ -36,17 +37,17 @@ struct Absence {
     friend auto operator<=>(const Absence&, const Absence&) = default;
 };
 
-/// A step of the way.
+/// A step that was taken.
 struct Taken {
     process::TermId before{};
     Offer offer;
 };
 
-/// One sequential component of the process where it stands.
+/// One sequential component of the process in its current state.
 struct Standing {
     process::TermId term{};
     std::vector<Call> calls;  ///< the known definitions that it is in
-    Machine machine;          ///< empty where it is none
+    Machine machine;          ///< empty if it is not a machine
 };
 
 class Stepper {
@@ -56,33 +57,33 @@ public:
     [[nodiscard]] StepReader& reader() { return reader_; }
     [[nodiscard]] process::TermId here() const { return here_; }
     [[nodiscard]] const std::vector<Taken>& way() const { return way_; }
-    /// Time units that have passed on the way.
+    /// The time units that have passed so far.
     [[nodiscard]] std::int64_t time() const;
 
-    /// What can happen at a state of the way.
+    /// The possible steps in a state that was visited.
     [[nodiscard]] std::vector<Offer> offers_at(process::TermId state) const;
-    /// What can happen, the passing of time last, otherwise in the order of the semantics. Throws what
-    /// cspm::Session::transitions throws. Good until the next step.
+    /// The possible steps, in the order of the semantics, with the passing of time last. Throws like
+    /// cspm::Session::transitions. Valid until the next step.
     const std::vector<Offer>& offers();
-    /// Takes the offer of this number, from 0.
+    /// Takes the offer with this number, from 0.
     void take(std::size_t offer);
-    /// Goes back to where the way had so many steps.
+    /// Returns to the state after this number of steps.
     void back_to(std::size_t steps);
-    /// Takes hidden steps while nothing else can happen, `most` at most, and ends where a state is met again; returns
-    /// how many.
+    /// Takes hidden steps while nothing else is possible, at most `most`, and stops if a state repeats. Returns the
+    /// number of steps.
     std::size_t settle(std::size_t most);
 
-    /// The machines where the process stands.
+    /// The machines in the current state.
     [[nodiscard]] std::vector<Machine> machines();
-    /// The components of the process where it stands.
+    /// The components of the process in the current state.
     [[nodiscard]] std::vector<Standing> components();
-    /// The transitions that leave active states and are not on offer, each with the reason; of a process that is no
-    /// component of a model, the events that its parts offer and it does not, 200 at most.
+    /// The transitions that leave active states and are not on offer, each with the reason. For a process that is not a
+    /// component of a model: at most 200 events that its components offer and the process does not.
     [[nodiscard]] std::vector<Absence> absences();
-    /// The structure of the process where it stands, its operators down to the components; none where it cannot be
-    /// evaluated. Good until the next step.
+    /// The structure of the process in the current state, its operators down to the components; no value if it cannot
+    /// be evaluated. Valid until the next step.
     const std::optional<process::Behaviour>& structure();
-    /// The way as a run; its end says nothing.
+    /// The steps so far as a run, without a violation at its end.
     [[nodiscard]] Run run(csp_emit::Time time) const;
 
 private:

@@ -11,12 +11,12 @@
 namespace robochart::runs {
 namespace {
 
-/// More components than this are only counted.
+/// If there are more components, the rest is only counted.
 constexpr std::size_t most_names = 3;
 
 using Parts = std::vector<const process::Behaviour*>;
 
-/// The parts that are there where the whole stands.
+/// The parts that exist in the current state.
 Parts present(const process::Behaviour& whole) {
     Parts result;
     for (const process::Behaviour& each : whole.parts)
@@ -28,7 +28,7 @@ bool offers(const process::Behaviour& part, process::Event event) {
     return std::find(part.offered.begin(), part.offered.end(), event) != part.offered.end();
 }
 
-/// The components of a part that offer the event, or all where none is asked for.
+/// The components of a part that offer the event, or all components if `event` is null.
 void components(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
     const Parts parts = present(part);
     if (parts.empty() && (event == nullptr || offers(part, *event))) names.push_back(part.state);
@@ -48,7 +48,7 @@ bool synchronises(std::string_view op) {
            (op.starts_with("[|") && op.ends_with("|]"));
 }
 
-/// Why the operator above `part` does not let its event pass; "" where it does, by another name or hidden.
+/// Why the operator above `part` blocks its event. "" if it does not, possibly renaming or hiding it.
 std::string reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
     if (whole.op == "prioritise") return "something of a higher priority is on offer";
     if (whole.op == "[…||…]") return "the parts that share it do not all offer it";
@@ -76,7 +76,7 @@ void collect(const process::Behaviour& whole, std::size_t most, std::vector<Bloc
     }
 }
 
-/// More events than this are only counted.
+/// If there are more events, the rest is only counted.
 constexpr std::size_t most_events = 12;
 
 }  // namespace

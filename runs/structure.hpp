@@ -1,5 +1,5 @@
-// The structure of a process where it stands: its operators as a tree, and what each component offers, as the probe of
-// FDR shows it.
+// The structure of a process in its current state: its operators as a tree, and what each component offers, as in the
+// probe of FDR.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace robochart::runs {
 
-/// What stands for a part of the tree: of an operator its sign, of a component where it is.
+/// The text of a node of the tree: the sign of an operator, or the state of a component.
 [[nodiscard]] std::string part_text(const process::Behaviour&);
-/// Of a component: "offers {a, b} and hidden steps"; more than 12 events are counted.
+/// For a component: "offers {a, b} and hidden steps"; events beyond the twelfth are only counted.
 [[nodiscard]] std::string offers_text(const process::Behaviour&, const process::EventTable&);
 
 /// An event that a component offers and the whole process does not.
@@ -21,9 +21,9 @@ struct Blocked {
     process::Event event{};
     std::string reason;  ///< "`Q` has to take part, and does not offer it ([|{a}|])"
 };
-/// Where the whole stands, by the rules of its operators (UCS 5.1, 5.6 for hiding, FDR manual for priorities): an event
-/// ends at the first operator above its component that does not let it pass. What is hidden there happens as a hidden
-/// step, and what is renamed there by another name: neither is blocked. `most` at most.
+/// Finds blocked events by the rules of the operators (UCS 5.1, 5.6 for hiding, FDR manual for priorities). An event is
+/// blocked by the first operator above its component that does not let it pass. An event that is hidden there happens
+/// as a hidden step, and one that is renamed happens under another name; neither is blocked. At most `most` events.
 [[nodiscard]] std::vector<Blocked> blocked_events(const process::Behaviour& whole, std::size_t most);
 
 }  // namespace robochart::runs

@@ -1,4 +1,4 @@
-// Who does a step is said where the run has several machines.
+// If the run has several machines, each step is printed with the machine that performs it.
 #include "runs/text.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ private:
 
     const Run& run_;
     std::string_view indent_;
-    std::map<std::string, std::string> short_names_;  ///< of machines, where there are several
+    std::map<std::string, std::string> short_names_;  ///< of machines, if there are several
     std::string out_;
 };
 
@@ -63,7 +63,7 @@ std::string Writer::who(const std::string& component) const {
     return found == short_names_.end() ? last_of(component) : found->second;
 }
 
-/// What is assigned at once when time has passed is no step of its own.
+/// The assignments that follow immediately after time has passed; they are not separate steps.
 std::vector<std::pair<std::string, std::string>> assigned(const Step& step) {
     std::vector<std::pair<std::string, std::string>> result;
     for (const Change& change : step.changes) {
@@ -86,7 +86,7 @@ Line Writer::line(const Step& step) const {
     result.who = who(step.event.component);
     result.what = text(step.event);
     for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
-    // What the words say already is no news.
+    // Changes that the text of the event contains are not repeated.
     std::vector<std::string> changes;
     for (const Change& change : step.changes) {
         const std::string text = fmt::format("{} = {}", change.name, change.after);
@@ -102,7 +102,7 @@ std::vector<Line> Writer::lines(std::size_t begin, std::size_t end) const {
     std::vector<Line> result;
     for (std::size_t i = begin; i < end; ++i) {
         const Step& step = run_.steps[i];
-        // What the checks for termination add behind a termination says no more.
+        // Further termination events, which the checks for termination add, are not printed.
         const bool again = i > begin && step.event.kind == Kind::terminate && step.event.component.empty() &&
                            run_.steps[i - 1].event.kind == Kind::terminate;
         if (is_news(step) && !again) result.push_back(line(step));

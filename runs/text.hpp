@@ -1,4 +1,4 @@
-// Runs as text.
+// Prints runs.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace robochart::runs {
 
-/// What happens: "input a with 3 (t1: S1 -> S2)".
-/// Whether a run says the step: one inside where it changes something or shows what a machine decides to do.
+/// True if a run prints the step. An internal step is printed only if it changes something or shows a decision of a
+/// machine.
 [[nodiscard]] bool is_news(const Step&);
 [[nodiscard]] std::string text(const Event&);
-/// The same with what others do in the same step.
+/// The text of an event, with the events of other components in the same step.
 [[nodiscard]] std::string text(const Event&, const std::vector<Event>& with);
 /// The values of a machine that may change: "x = 1, y = 2"; "" if it has none.
 [[nodiscard]] std::string values_text(const Machine&);
-/// Where a machine is, and its values: "in S1, x = 1".
+/// The state of a machine and its values: "in S1, x = 1".
 [[nodiscard]] std::string text(const Machine&);
 
-/// One line a step, internal steps without news left out; then where the run ends, and why that is wrong.
+/// One line per step, without internal steps that are not news; then the end of the run, and the violation.
 [[nodiscard]] std::string text(const Run&, std::string_view indent);
 
 }  // namespace robochart::runs

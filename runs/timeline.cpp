@@ -1,5 +1,5 @@
-// The leaves of the behaviour's tree are gathered with the moments in which they move and between which they are there;
-// the moments are numbered once all are known.
+// Collects the leaves of the behaviour's tree, with the moments in which they move and between which they exist.
+// Moments are numbered when all are known.
 #include "runs/timeline.hpp"
 
 #include <iterator>
@@ -29,7 +29,7 @@ public:
     Timeline build(const Behaviour& whole);
 
 private:
-    /// The first moment in which a part is there (none: from the start), and the first in which it is not any more.
+    /// The first moment in which a part exists (no value: from the start), and the first in which it no longer exists.
     struct Span {
         std::optional<Point> begin = std::nullopt, end = std::nullopt;
     };
@@ -37,7 +37,7 @@ private:
         TermId initial;
         Span span;
     };
-    /// `moments`: of each step of the run that this part's steps are counted in.
+    /// `moments`: one for each step of the run in which this part's steps are counted.
     void add(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_leaf(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_compressed(const Behaviour& part, const std::vector<Point>& moments, Span span);
@@ -75,7 +75,7 @@ void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& mo
             --visible_left;
             continue;
         }
-        // Behind the last event that is seen there is nothing to be in front of.
+        // After the last visible event, there is no later event that the step could precede.
         const Point before = !any ? entries_.end() : visible_left > 0 ? moments[at] : std::next(moments[at]);
         own.push_back(entries_.insert(before, {any ? moments[at]->raw : 0, false, 0, {}, {}}));
     }
@@ -110,7 +110,8 @@ Timeline Builder::build(const Behaviour& whole) {
     result.initial = now;
     for (Entry& entry : entries_) {
         for (const auto& [leaf, term] : entry.reached) now[leaf] = term;
-        // What is there from the next moment on is there behind this one; what is not any more is gone behind it.
+        // A leaf that exists from the next moment on exists after this one. A leaf that no longer exists in the next
+        // moment is removed after this one.
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
             if (is_next(leaves_[i].span.begin, entry)) now[i] = leaves_[i].initial;
             if (is_next(leaves_[i].span.end, entry)) now[i] = std::nullopt;

@@ -1,5 +1,5 @@
-// A run taken apart, moment by moment: which sequential components move, by which of their own events, and where each
-// of them is. Steps inside a compressed process, which the run of the whole does not show, are moments of their own.
+// A run, moment by moment: which sequential components move, by which of their own events, and the state of each of
+// them. Steps inside a compressed process, which the run of the whole process does not show, are separate moments.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,20 @@
 
 namespace robochart::runs {
 
-/// A sequential component of the process by its place in Timeline::initial.
+/// A sequential component of the process, as an index into Timeline::initial.
 using Leaf = std::size_t;
 
 struct Mover {
     Leaf leaf = 0;
-    process::Event event = process::tau;  ///< its own; for what it hides itself, the hidden event
+    process::Event event = process::tau;  ///< its own; for an event that it hides, the hidden event
 };
 
 struct Moment {
-    std::size_t raw = 0;  ///< the step of the run that it is, or in front of which (at the end: behind which) it is
+    std::size_t raw = 0;  ///< the step of the run that it is or, for a hidden step, the next one
     bool shown = true;    ///< false: a step inside a compressed process
     std::vector<Mover> movers;
-    std::vector<std::optional<process::TermId>> leaves;  ///< where each is behind it; none: it is not there
+    std::vector<std::optional<process::TermId>> leaves;  ///< the state of each leaf after it; no value: the leaf does
+                                                         ///< not exist
 };
 
 struct Timeline {
@@ -29,7 +30,7 @@ struct Timeline {
     std::vector<Moment> moments;
 };
 
-/// `steps`: of the run that the behaviour is of.
+/// `steps`: the number of steps of the run to which the behaviour belongs.
 [[nodiscard]] Timeline timeline(const process::Behaviour& behaviour, std::size_t steps);
 
 }  // namespace robochart::runs

@@ -1,4 +1,5 @@
-// How values are printed: checker/cspm/eval/value_text.cpp; what they stand for: csp_emit/base/types.cpp.
+// checker/cspm/eval/value_text.cpp prints values; csp_emit/base/types.cpp defines how they represent values of the
+// model.
 #include "runs/values.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@ public:
         : system_(system), instantiation_(instantiation) {}
 
     [[nodiscard]] std::string value(TypeId id, std::string_view text) const;
-    /// The literal that a value of an enumeration begins with; none if it is no such value.
+    /// The literal that a value of an enumeration begins with; no value if it is not such a value.
     [[nodiscard]] std::optional<std::size_t> literal(const ir::Type& type, std::string_view text) const;
 
 private:
@@ -74,13 +75,13 @@ std::string Reader::enumerated(const ir::Type& type, std::string_view text) cons
     return fmt::format("{}({})", type.labels[*found], fmt::join(arguments, ", "));
 }
 
-/// A pair of a function or relation, or the one type that all elements have.
+/// An element of a collection: a pair of a function or relation, or a value of the common type.
 std::string Reader::element(const std::vector<TypeId>& types, std::string_view text) const {
     if (types.size() == 1) return value(types[0], text);
     return collection(types, text);
 }
 
-/// `<a, b>`, `{a, b}` and `(a, b)`: elements of one type, or one type for each.
+/// `<a, b>`, `{a, b}` and `(a, b)`: elements of one type, or one type per element.
 std::string Reader::collection(const std::vector<TypeId>& elements, std::string_view text) const {
     if (text.size() < 3 || elements.empty()) return std::string(text);
     std::vector<std::string> shown;
@@ -149,7 +150,7 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
         if (c == '"') quoted = !quoted;
         if (quoted) continue;
         if (c == '(' || c == '{' || c == '<') ++depth;
-        // `=>` of a map is no bracket.
+        // `=>` of a map is not a bracket.
         if (c == ')' || c == '}' || (c == '>' && (i == 0 || text[i - 1] != '='))) --depth;
         if (depth == 0 && text.substr(i, separator.size()) == separator) {
             parts.emplace_back(text.substr(start, i - start));

@@ -1,4 +1,4 @@
-// Values as the checker prints them, in the notation of the model.
+// Converts values as printed by the checker to the notation of the model.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace robochart::runs {
 
-/// Splits at `separator` outside brackets and texts in quotes.
+/// Splits at `separator`, except inside brackets and quoted texts.
 [[nodiscard]] std::vector<std::string> split(std::string_view text, std::string_view separator);
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// A value of the type: reals in decimals instead of units of 1/scale, literals without the name of their type, parts
-/// likewise. What is not in that form stays as it is.
+/// A value of the type: reals as decimals instead of units of 1/scale, literals without the name of their type, and the
+/// same for the parts. Text in another form is returned unchanged.
 [[nodiscard]] std::string value_text(const ir::System&, const ir::Instantiation&, ir::TypeId, std::string_view text);
-/// The values behind the dots of an event: `types` says how many dots belong to one of them.
+/// The values after the dots of an event. `types` determines how many dots belong to each value.
 [[nodiscard]] std::vector<Value> values_of_event(const ir::System&, const ir::Instantiation&,
                                                  const std::vector<ir::TypeId>& types, std::string_view text);
 
