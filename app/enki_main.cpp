@@ -1,4 +1,5 @@
-// robochart-simulate-enki SCENARIO: the verb `simulate` in Enki. This program is linked with Enki and therefore GPL-2+.
+// robochart-simulate-enki SCENARIO: the verb `simulate` in Enki. This program is linked with Enki and is therefore
+// GPL-2+.
 #include "app/verbs/simulate.hpp"
 #include "simulation/adapters/enki/enki_stage.hpp"
 

@@ -20,7 +20,7 @@ std::optional<std::size_t> number_in(std::string_view text) {
     return number;
 }
 
-/// "3..5", and "3" for 3..3.
+/// Parses "3..5", and "3" as 3..3.
 std::optional<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view word) {
     const std::size_t dots = word.find("..");
     const auto first = number_in(word.substr(0, dots));
@@ -33,10 +33,10 @@ bool is_pattern(std::string_view word) {
     return word.find_first_of("*?") != std::string_view::npos;
 }
 
-/// Whether the whole text fits the pattern.
+/// True if the whole text matches the pattern.
 bool fits(std::string_view text, std::string_view pattern) {
     std::size_t at = 0, t = 0;
-    std::size_t star = std::string_view::npos, after = 0;  // the last star, and how much of the text it has taken
+    std::size_t star = std::string_view::npos, after = 0;  // the last star, and how much text it covers
     while (t < text.size()) {
         if (at < pattern.size() && pattern[at] == '*') {
             star = at++;
@@ -54,7 +54,7 @@ bool fits(std::string_view text, std::string_view pattern) {
     return pattern.find_first_not_of('*', at) == std::string_view::npos;
 }
 
-/// Places of the names that a word means.
+/// The indices of the names that a word selects.
 std::vector<std::size_t> places_of(std::string_view word, const std::vector<std::string>& names) {
     std::vector<std::size_t> places;
     const auto add_all = [&](const auto& meant) {

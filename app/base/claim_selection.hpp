@@ -1,4 +1,5 @@
-// What --assertion asks for: names, numbers, ranges of numbers and patterns, the same for models and for scripts.
+// Selects claims by the words of --assertion: names, numbers, ranges of numbers and patterns; the same for models and
+// for scripts.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +9,19 @@
 
 namespace robochart::app {
 
-/// The claims that the words of --assertion mean.
+/// The claims that the words of --assertion select.
 struct ClaimSelection {
-    std::vector<std::size_t> chosen;  ///< places in the list of names, in order, each once
-    std::vector<std::string> lost;    ///< words that mean none of them
+    std::vector<std::size_t> chosen;  ///< indices in the list of names, ascending, without duplicates
+    std::vector<std::string> lost;    ///< words that select no claim
 };
 
-/// Each word is a name, a number (`2`, from 1), a range of numbers (`3..5`) or a pattern (`Safe*`: `*` any text, `?`
-/// one character). A word that is a name is no pattern. Without words all claims are chosen.
+/// Each word is a name, a number (`2`, from 1), a range of numbers (`3..5`) or a pattern (`Safe*`: `*` is any text, `?`
+/// one character). A word that equals a name is not a pattern. Without words, all claims are selected.
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 
-/// Why such a word means no claim of the subject: "the model has 3 assertions", "s.csp has no assertion of this name;
-/// did you mean 'Safe'?".
+/// Explains why a word selects no claim of the subject: "the model has 3 assertions", "s.csp has no assertion of this
+/// name; did you mean 'Safe'?".
 [[nodiscard]] std::string why_lost(std::string_view word, const std::vector<std::string>& names,
                                    std::string_view subject);
 

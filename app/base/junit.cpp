@@ -12,7 +12,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// Lines stay lines; what XML cannot hold is shown.
+/// Line ends are kept; characters that XML does not allow are shown as escapes.
 std::string xml_lines(const std::string& text) {
     std::istringstream lines(text);
     std::string out;
@@ -35,7 +35,7 @@ std::string case_element(const JunitCase& each) {
     return out + ">\n" + outcome(each) + "    </testcase>\n";
 }
 
-/// What is to be said of cases that passed: some schemas have it behind all cases alone.
+/// The texts of cases that passed. Some schemas allow this element only after all cases.
 std::string said(const std::vector<JunitCase>& cases) {
     std::string text;
     for (const JunitCase& each : cases)

@@ -14,13 +14,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds of the first turn: a part of what the run has, so that the last claim has one as well.
+/// The length of the first turn in seconds: a fraction of the run's time limit, so that the last claim gets a turn,
+/// too.
 double first_turn(const Options& options) {
     constexpr double usual = 10, parts = 10;
     return options.timeout_seconds > 0 ? std::min(usual, options.timeout_seconds / parts) : usual;
 }
 
-/// What is begun anew in a turn is lost in it: each is so much longer that this is little.
+/// A claim that starts again loses the work of its last turn. Each turn is so much longer that the loss is small.
 constexpr double longer = 8;
 
 bool is_kept(const Options& options) {
@@ -32,7 +33,7 @@ bool is_over(const Options& options) {
     return options.turn_ends && Clock::now() >= *options.turn_ends;
 }
 
-/// Options with which the turn of a claim ends after so many seconds; 0: with the run.
+/// Options with which the turn of a claim ends after `seconds`; 0: the turn ends with the run.
 Options with_turn(const Options& options, double seconds) {
     Options result = options;
     constexpr double for_ever = 1e9;

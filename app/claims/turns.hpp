@@ -1,5 +1,5 @@
-// The order in which claims are decided: each gets a turn before any gets a long one, so that one that is never decided
-// does not keep the others from their answers.
+// The order in which claims are decided. Every claim gets a short turn before any gets a long one, so that a claim that
+// is never decided does not delay the others.
 #pragma once
 
 #include <functional>
@@ -10,19 +10,19 @@
 
 namespace robochart::app {
 
-/// A claim that waits for its answer.
+/// A claim that is not decided yet.
 struct WaitingClaim {
     std::string title;
-    /// Decides it within limits that end with its turn (Options::turn_ends). Returns whether it has its answer.
+    /// Decides the claim within limits that end with its turn (Options::turn_ends). Returns true if it has an answer.
     std::function<bool(const Options& turn)> decide;
 };
 
-/// Decides all, those that are not answered in their turn again in longer ones, until --assertion-timeout. Searches
-/// that are kept in files or by several programs have one turn: they go on from what they know. Throws LimitReached
-/// where a limit of the run is reached, with the claim whose turn it was.
+/// Decides all claims. Those without an answer after their turn are repeated with longer turns, until
+/// --assertion-timeout. Searches that use files or several programs get only one turn, because they continue from their
+/// stored states. Throws LimitReached with the current claim if a limit of the run is reached.
 void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options);
 
-/// What is said of a claim that --assertion-timeout left undecided, in place of the reason that it gives.
+/// The text for a claim that --assertion-timeout left undecided; it replaces the claim's own reason.
 [[nodiscard]] std::string ended_turn(const std::string& reason, const Options& turn);
 
 }  // namespace robochart::app

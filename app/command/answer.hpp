@@ -1,5 +1,5 @@
-// The answer of a run for programs: on standard output as --format says, and in the files that --json, --junit and
-// --sarif name.
+// The answer of a run for programs: on standard output in the format of --format, and in the files of --json, --junit
+// and --sarif.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,13 @@
 
 namespace robochart::app {
 
-/// Gives the document in each format for programs that is asked for. Files get it when the run ends, what comes later
-/// behind what came before.
+/// Outputs the document in each requested format. Files are written when the run ends; later documents are appended.
 void answer(const Options&, const std::function<std::string(Format)>& document);
 
-/// Whether a program is given the answer in this format.
+/// True if a program receives the answer in this format.
 [[nodiscard]] bool is_asked_for(const Options&, Format);
 
-/// What a log in SARIF says of this run and of the rules.
+/// The data of a SARIF log about this run and the rules.
 [[nodiscard]] diagnostics::SarifRules about_log(const Options&, const std::string& limit = "");
 
 }  // namespace robochart::app

@@ -1,7 +1,7 @@
-// A claim is a sentence of its own: an error in another one says nothing about it, if the text around both was
-// understood. It depends on the CSP blocks whose processes it names, and blocks on those whose names they use; a block
-// may replace the instantiation, on which everything depends. What is left out is blanked in the text, so that the rest
-// is read as if it had never been there.
+// Claims are independent of each other: an error in one says nothing about the others, if the text around both could be
+// parsed. A claim depends on the CSP blocks whose processes it names, and a block depends on those whose names it uses.
+// A block may also replace the instantiation, on which everything depends. Excluded items are blanked in the text, so
+// that the rest is read as if they did not exist.
 #include "app/command/broken_claims.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using frontend::AssertionTime;
 using frontend::CspBlock;
 using frontend::File;
 
-/// A claim, a block, or a part for probabilistic claims, with the word for its time.
+/// A claim, a block, or a definition for probabilistic claims, including the keyword for its semantics.
 struct Item {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -50,8 +50,8 @@ std::vector<std::string> words_of(std::string_view text) {
     return result;
 }
 
-/// What a block may declare: the first word of a line that is no component in front of `::`, and all of a line that
-/// begins with a word for declarations.
+/// Adds the names that a block may declare: the first word of each line, unless it is a component before `::`, and all
+/// words of a line that begins with a declaring keyword.
 void add_declared(const CspBlock& block, std::set<std::string>& names) {
     static const std::set<std::string_view> declaring = {"channel", "datatype",    "subtype",  "nametype",
                                                          "module",  "transparent", "external", "instance"};
@@ -69,7 +69,7 @@ void add_declared(const CspBlock& block, std::set<std::string>& names) {
     }
 }
 
-/// An assertion file by its items.
+/// The items of an assertion file.
 class ItemList {
 public:
     ItemList(const File& file, std::string_view text) : text_(text) {
@@ -87,8 +87,8 @@ public:
 
     [[nodiscard]] const std::vector<Item>& all() const { return items_; }
 
-    /// Those that an error touches; one between two is left to `beside_strays`. Nothing where the error is in front of
-    /// all and not in a claim that was not understood; `head`: where such claims begin.
+    /// Finds the items that an error touches. An error between two items is left to `beside_strays`. Returns false if
+    /// the error is before all items and not in a claim that could not be parsed. `head`: where such claims begin.
     bool touched_by(diagnostics::Span error, std::vector<Item>& found, std::size_t& head) const {
         if (items_.empty()) return false;
         if (error.begin < items_.front().begin) {
@@ -104,8 +104,8 @@ public:
         }
         return true;
     }
-    /// Those in front of or behind a text that belongs to none. A claim that was not understood says nothing about the
-    /// one in front of it, and nothing about the one behind it that begins a line.
+    /// Finds the items next to a text that belongs to no item. If the text is a claim that could not be parsed, the
+    /// item before it is not affected, and the item after it is not affected if it begins a line.
     void beside_strays(std::size_t head, std::vector<Item>& found) const {
         if (head < items_.front().begin && !begins_line(items_.front().begin)) found.push_back(items_.front());
         for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -121,12 +121,12 @@ public:
     }
 
 private:
-    /// Where what follows the item begins.
+    /// The beginning of the next item.
     [[nodiscard]] std::size_t next(std::size_t item) const {
         return item + 1 < items_.size() ? items_[item + 1].begin : text_.size();
     }
 
-    /// Where `timed` or `untimed` in front of an item begins.
+    /// The beginning of the `timed` or `untimed` before an item.
     [[nodiscard]] std::size_t with_time(std::size_t begin, AssertionTime time) const {
         if (time == AssertionTime::both) return begin;
         const std::string_view word = time == AssertionTime::timed ? "timed" : "untimed";
@@ -136,7 +136,7 @@ private:
         return there ? end - word.size() : begin;
     }
 
-    /// `assertion`, `timed assertion` or `untimed assertion`, behind blanks.
+    /// True if `assertion`, `timed assertion` or `untimed assertion` is here, possibly after blanks.
     [[nodiscard]] bool begins_claim(std::size_t at) const {
         for (const std::string_view word : {"timed", "untimed", "assertion"}) {
             while (at < text_.size() && is_space(text_[at])) ++at;
@@ -163,8 +163,7 @@ private:
     std::vector<Item> items_;
 };
 
-/// By place in Model::files. Texts of blocks are sources of their own, under the path of their file and with its
-/// offsets.
+/// The index in Model::files. The texts of blocks are separate sources, with the path of their file and its offsets.
 std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId source) {
     const std::string& path = project.sources.path(source);
     const auto& files = project.model->files;
@@ -173,7 +172,7 @@ std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId
     return std::nullopt;
 }
 
-/// The places of the errors in each assertion file; nothing where there are errors elsewhere.
+/// The places of the errors in each assertion file; empty if there are errors elsewhere.
 std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Project& project) {
     std::map<std::size_t, std::vector<diagnostics::Span>> result;
     if (project.diagnostics.dropped() > 0) return {};
@@ -207,7 +206,8 @@ public:
 private:
     [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.text(file.source); }
 
-    /// Nothing is known of a block that was not recognised as one, and all depends on an instantiation.
+    /// False if the file contains a block that could not be parsed: an unknown block may replace the instantiation, on
+    /// which everything depends.
     [[nodiscard]] bool all_known(const File& file) const {
         std::size_t blocks = 0;
         const std::string_view text = text_of(file);
@@ -227,7 +227,7 @@ private:
             bool apart = true;
             for (const diagnostics::Span span : spans) apart = items.touched_by(span, found, head) && apart;
             if (!items.all().empty()) items.beside_strays(head, found);
-            // An error in front of all, or in what serves several claims, is one of the whole file.
+            // An error before all items, or in a definition that several claims use, affects the whole file.
             apart = apart && std::all_of(found.begin(), found.end(), [](const Item& item) {
                         return item.claim != nullptr || item.block != nullptr;
                     });
@@ -243,7 +243,8 @@ private:
         if (item.block != nullptr && blocks_.insert(item.block).second) add_declared(*item.block, declared_);
     }
 
-    /// Blocks that use a name which one that is left out may declare, as often as there are more; then claims.
+    /// Excludes the blocks that use a name that an excluded block may declare, until there are no more. Then excludes
+    /// the claims about excluded blocks.
     void leave_out_dependent() {
         for (bool more = true; more;) {
             more = false;
@@ -267,7 +268,7 @@ private:
                            [&](const std::string& word) { return declared_.contains(word); });
     }
 
-    /// The file to the side, or sides, that it has a part on.
+    /// Adds the file to the side or sides that contain a part of it.
     void divide(std::size_t index, const File& file, BrokenClaims& result) {
         if (!file.is_assertions) {
             result.sound.unit.files.push_back(index);
@@ -298,12 +299,12 @@ private:
 
     const Project& project_;
     std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by place in Model::files
-    std::map<std::size_t, std::size_t> heads_;                      ///< of files with errors: ItemList::touched_by
-    std::set<std::size_t> whole_;                                   ///< files of which nothing can be read apart
-    std::set<const Assertion*> claims_;                             ///< that are left out; order never matters
-    std::set<const CspBlock*> blocks_;                              ///< likewise
-    std::set<std::string> declared_;                                ///< what these blocks may declare
-    bool some_ = false;                                             ///< something is left to decide
+    std::map<std::size_t, std::size_t> heads_;                      ///< for files with errors: see ItemList::touched_by
+    std::set<std::size_t> whole_;                                   ///< files of which no part can be used
+    std::set<const Assertion*> claims_;                             ///< excluded claims; the order is never used
+    std::set<const CspBlock*> blocks_;                              ///< excluded blocks; the order is never used
+    std::set<std::string> declared_;                                ///< names that these blocks may declare
+    bool some_ = false;                                             ///< a claim remains that can be decided
 };
 
 }  // namespace

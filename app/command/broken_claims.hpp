@@ -1,4 +1,4 @@
-// Assertion files with errors: which claims of a project can be decided all the same.
+// Finds out which claims of a project can be decided although assertion files have errors.
 #pragma once
 
 #include <map>
@@ -10,21 +10,23 @@
 
 namespace robochart::app {
 
-/// The claims and blocks of a project in two: what can be decided, and what has errors or may depend on what has.
+/// Divides the claims and blocks of a project into those that can be decided and those that have errors or may depend
+/// on errors.
 struct BrokenClaims {
-    /// Files of a unit, and for those that are in it in part their texts without the rest, by place in Model::files.
+    /// The files of one side. For a file that is on both sides, `texts` contains its text without the other side's
+    /// items, by index in Model::files.
     struct Side {
         frontend::Unit unit;
         std::map<std::size_t, std::string> texts;
     };
     Side sound;
-    Side broken;        ///< with the models too (`again`)
-    bool some = false;  ///< a claim is left that can be decided
+    Side broken;        ///< includes the models (`again`)
+    bool some = false;  ///< a claim remains that can be decided
 };
-/// Nothing where an error is not in an assertion file, or where whatever is left could depend on a part that cannot be
-/// read: then nothing is decided.
+/// No value if an error is not in an assertion file, or if all remaining claims could depend on a part that cannot be
+/// read; nothing is decided then.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
-/// Whether there are errors, and all of them are in assertion files.
+/// True if there are errors, and all of them are in assertion files.
 [[nodiscard]] bool only_claims_broken(const Project&);
 
 }  // namespace robochart::app

@@ -25,7 +25,7 @@ Parsed said(std::string text) {
     return {std::nullopt, Exit::success, std::move(text)};
 }
 
-/// The words behind an option into the options.
+/// Stores the words after an option in the options.
 void take(const OptionRow& row, const std::vector<std::string>& words, Options& options) {
     const std::size_t behind = words_behind(row.argument);
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -78,7 +78,7 @@ bool names_a_verb(const std::string& word) {
     return std::find(known.begin(), known.end(), word) != known.end();
 }
 
-/// What a first word may have meant: the verbs, and what is in the current folder.
+/// The possible meanings of a first word: the verbs, and the files in the current folder.
 std::vector<std::string> verbs_and_files() {
     constexpr std::size_t most = 1000;
     std::vector<std::string> names = first_words();
@@ -86,12 +86,12 @@ std::vector<std::string> verbs_and_files() {
     std::filesystem::directory_iterator at(".", code);
     for (const std::filesystem::directory_iterator end; !code && at != end && names.size() < most; at.increment(code))
         names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());  // what is nearest does not depend on the order in the folder
+    std::sort(names.begin(), names.end());  // so that the nearest name does not depend on the order in the folder
     return names;
 }
 
-/// Where a first word is no verb, it is a model. A word that looks like a verb and names no file is wrong usage, as in
-/// git and cargo; one with a point, a separator or a capital letter is a path, which cannot be read.
+/// If the first word is not a verb, it is a model. A word that looks like a verb and names no file is a usage error, as
+/// in git and cargo. A word with a dot, a separator or a capital letter is a path, which cannot be read.
 std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     const std::string& first = words.front();
     std::error_code ignored;
@@ -110,7 +110,7 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
         fmt::format("there is no verb, file or folder '{}'{}", first, did_you_mean(first, verbs_and_files())));
 }
 
-/// The verb that the parser has come to, "" for none, "emit" on the way.
+/// The verb that the parser has reached: "" for none, "emit" if the verb after it is missing.
 std::string verb_reached(const CLI::App& app) {
     std::string name;
     for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
@@ -129,7 +129,7 @@ Parsed help_of(const std::string& name) {
     return wrong_usage(fmt::format("there is no verb '{}'{}", name, did_you_mean(name, known)));
 }
 
-/// The answer of the verb `help`.
+/// The result of the verb `help`.
 Parsed help_asked(const Options& options) {
     if (options.generate == "man") return said(manual_page());
     if (options.generate == "bash") return said(bash_completion());
@@ -142,13 +142,13 @@ std::string version_text() {
     return fmt::format("robochart-verify {}\n", program_version);
 }
 
-/// A verb that cannot be asked to do without a cache has none.
+/// A verb without the option --no-cache has no cache.
 bool has_cache(Verb verb) {
     const std::vector<const OptionRow*> rows = options_of(of(verb));
     return std::any_of(rows.begin(), rows.end(), [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
 }
 
-/// An option that the verb does not have: the nearest that it has, or the verbs that have it.
+/// The message about an option that the verb does not have: the nearest option of the verb, or the verbs that have it.
 std::string unknown_option(const std::string& given, const std::string& verb) {
     const std::string name = given.substr(0, given.find('='));
     std::vector<std::string> known, owners;
@@ -164,7 +164,7 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
     return text + did_you_mean(name, known);
 }
 
-/// What the verb's option takes: "FILE"; "" if there is no such option.
+/// The argument of the verb's option, such as "FILE"; "" if there is no such option.
 std::string argument_of(const std::string& option, const std::string& verb) {
     const VerbRow* row = find_verb(verb);
     for (const OptionRow* each : options_of(row == nullptr ? no_verb : of(row->verb)))
@@ -172,7 +172,7 @@ std::string argument_of(const std::string& option, const std::string& verb) {
     return "";
 }
 
-/// An option without what it takes, or given twice: the parser counts words, people do not.
+/// The message about an option without its argument, or given twice. The parser's own message counts words.
 std::string wrong_count(const CLI::ArgumentMismatch& error, const std::string& verb) {
     const std::string message = error.what();
     const std::string option = message.substr(0, message.find(':'));
@@ -185,7 +185,8 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     const std::string verb = verb_reached(app);
     if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return said(version_text());
     if (error.get_exit_code() == 0) return help_of(verb);
-    // Whatever else is wrong, such as a model that was taken for what an unknown option takes.
+    // An unknown option is reported first: other errors may follow from it, such as a model that was read as its
+    // argument.
     for (const std::string& word : app.remaining(true))
         if (word.starts_with("-") && word != "--" && word != "-") return wrong_usage(unknown_option(word, verb), verb);
     if (const auto* count = dynamic_cast<const CLI::ArgumentMismatch*>(&error))
@@ -215,7 +216,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     const bool of_the_program = words.empty() || words[0] == "-h" || words[0] == "--help" || words[0] == "--version";
     if (!of_the_program) {
         if (std::optional<Parsed> wrong = unknown_verb(words)) return *wrong;
-        // `robochart-verify MODEL` is `robochart-verify verify MODEL`: the first word decides.
+        // `robochart-verify MODEL` means `robochart-verify verify MODEL`; the first word decides.
         if (!names_a_verb(words.front())) words.insert(words.begin(), "verify");
     }
     std::reverse(words.begin(), words.end());

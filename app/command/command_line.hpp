@@ -1,4 +1,4 @@
-// From the arguments of the command to its options.
+// Converts the arguments of the command to options.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@
 
 namespace robochart::app {
 
-/// Result of reading the command line: options, or an exit code with a text to print.
+/// The result of parsing the command line: options, or an exit code with a text to print.
 struct Parsed {
     std::optional<Options> options;
     Exit exit = Exit::success;
-    std::string message;  ///< help, version (to stdout) or a usage error (to stderr)
+    std::string message;  ///< help or version (for stdout), or a usage error (for stderr)
 };
 
 [[nodiscard]] Parsed parse_command_line(int argc, const char* const* argv);
 
-/// Names and values of NAME=VALUE. Malformed ones, and a name that is given twice, give a message in `error`.
+/// Parses NAME=VALUE pairs. Malformed pairs and duplicate names are reported in `error`.
 [[nodiscard]] ir::GivenConstants given_constants(const std::vector<std::string>&, std::string& error);
 
-/// The instantiation part of the options. Malformed pairs give a message in `error`.
+/// The options for the instantiation. Malformed pairs are reported in `error`.
 [[nodiscard]] ir::InstantiationOptions instantiation_options(const Options&, std::string& error);
 
 }  // namespace robochart::app

@@ -1,4 +1,4 @@
-// Completions for bash, zsh and fish: verbs, the options of each, their choices, codes of rules, files and folders.
+// Completions for bash, zsh and fish: verbs, their options, choices, rule codes, files and folders.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,7 +20,7 @@ std::string made_for(std::string_view shell) {
     return fmt::format(fmt::runtime(made_by), shell);
 }
 
-/// The text with this in front of each of these characters.
+/// The text with `with` before each of these characters.
 std::string escaped(std::string_view text, std::string_view characters, std::string_view with) {
     std::string out;
     for (const char c : text) {
@@ -37,7 +37,7 @@ std::string quoted(std::string_view text) {
     return out + "'";
 }
 
-/// The codes that `explain` knows, or those that `--allow` takes.
+/// The codes that `explain` accepts, or those that `--allow` accepts.
 std::string codes(bool warnings) {
     std::set<std::string_view> found;
     for (const diagnostics::Rule* rule : all_rules())
@@ -68,7 +68,7 @@ std::string bash_options() {
     return out + fmt::format("    *) echo {} ;;\n  esac\n}}\n", quoted(fmt::format("{}", fmt::join(names, " "))));
 }
 
-/// What stands for the words of an argument: the choices, or of which kind they are.
+/// The completions of an argument: its choices, or the kind of its words.
 std::string bash_argument(const Argument& argument) {
     switch (argument.kind) {
         case Kind::choice:
@@ -276,7 +276,7 @@ std::string fish_quoted(std::string_view text) {
     return "'" + escaped(text, "'\\", "\\") + "'";
 }
 
-/// The names of the verbs of an option for `__robochart_verify_is`.
+/// The verbs that have an option, for `__robochart_verify_is`.
 std::string fish_condition(const OptionRow& row) {
     std::vector<std::string> names;
     for (const VerbRow& verb : verb_table())

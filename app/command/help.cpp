@@ -17,7 +17,7 @@ constexpr const char* about_models =
     "folder that it needs, or, for assertions in a folder without models, of the folder above); independent projects "
     "are processed separately.";
 
-/// The text in lines that begin at this column; the first has `lead` in front of it.
+/// Breaks the text into lines that begin at this column; `lead` is written before the first.
 std::string paragraph(const std::string& lead, std::string_view text, std::size_t column) {
     std::string out = lead;
     std::size_t used = lead.size();
@@ -46,7 +46,7 @@ std::string spelling(const OptionRow& row) {
                        name.empty() ? "" : " ", name);
 }
 
-/// The sentence, what may be chosen, the default.
+/// The help text, the choices, and the default.
 std::string explained(const OptionRow& row) {
     std::string text = row.help;
     if (row.argument.choices[0] != '\0') text += fmt::format(" {{{}}}", row.argument.choices);

@@ -1,4 +1,4 @@
-// What the command says about itself: help, the man page, completions for shells. All of it is made from the tables of
+// The texts about the command: help, the man page, completions for shells. All are generated from the tables of
 // option_table.hpp.
 #pragma once
 
@@ -12,12 +12,12 @@ namespace robochart::app {
 [[nodiscard]] std::string program_help();
 /// Help of a verb.
 [[nodiscard]] std::string verb_help(const VerbRow&);
-/// Help of `emit`: the verbs below it.
+/// Help of `emit`: the verbs that may follow it.
 [[nodiscard]] std::string emit_help();
 /// "usage: robochart-verify check [OPTIONS] MODEL...".
 [[nodiscard]] std::string usage_line(const VerbRow&);
 
-/// A page in the macros of man(7), for section 1.
+/// A manual page for section 1 in the macros of man(7).
 [[nodiscard]] std::string manual_page();
 [[nodiscard]] std::string bash_completion();
 [[nodiscard]] std::string zsh_completion();

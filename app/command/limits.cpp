@@ -1,4 +1,4 @@
-// The options as limits of one check, with progress reports for its subject.
+// Converts options to the limits of one check, with progress reports for its subject.
 #include "app/command/limits.hpp"
 
 #include "app/command/progress.hpp"

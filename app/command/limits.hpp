@@ -8,7 +8,7 @@
 
 namespace robochart::app {
 
-/// The limits of one check: those of the run, and its own; its progress is reported as the options ask, as that of
+/// The limits of one check: those of the run and its own. Progress is reported as the options require, under the name
 /// `subject`.
 [[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
 

@@ -1,4 +1,4 @@
-// The man page, in the macros of man(7).
+// Generates the man page in the macros of man(7).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +9,7 @@
 namespace robochart::app {
 namespace {
 
-/// Text for troff: a hyphen that is typed, no control line, no escape.
+/// Text for troff: hyphens are ASCII hyphens, and no line or character is interpreted as a command.
 std::string roff(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -35,7 +35,7 @@ std::string italic(std::string_view text) {
     return fmt::format("\\fI{}\\fR", roff(text));
 }
 
-/// A tagged paragraph; both are troff already.
+/// A tagged paragraph; both arguments are troff text.
 std::string tagged(const std::string& tag, const std::string& text) {
     return fmt::format(".TP\n{}\n{}\n", tag, text);
 }

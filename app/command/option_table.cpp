@@ -1,4 +1,4 @@
-// See option_table.hpp. docs/cli.md explains verbs and options at length.
+// See option_table.hpp. docs/cli.md explains verbs and options in detail.
 #include "app/command/option_table.hpp"
 
 #include <fmt/format.h>
@@ -118,7 +118,7 @@ constexpr Verbs all_verbs =
 
 using Kind = Argument::Kind;
 
-/// Which of the words it is.
+/// The index of the choice.
 std::size_t index_of(const std::string& word, const char* words) {
     const std::vector<std::string> all = choices_of({.choices = words});
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), word) - all.begin());
@@ -144,7 +144,7 @@ void take_threads(Options& o, const std::string& word) {
     o.threads = static_cast<unsigned>(number(word));
 }
 
-/// A file that gets the answer in a format besides what --format prints.
+/// A file that receives the answer in a format, in addition to the output of --format.
 template <Format format>
 void take_file(Options& o, const std::string& path) {
     for (const auto& [other, taken] : o.files)
@@ -560,7 +560,7 @@ bool parse_whole(std::string_view text, std::uint64_t& value) {
     return code == std::errc() && end == text.data() + text.size();
 }
 
-/// "300M", "4GiB", "1048576B": binary units, whatever their spelling. A number alone could be meant as any of them.
+/// "300M", "4GiB", "1048576B": binary units, whatever their spelling. A number without a unit is rejected as ambiguous.
 bool parse_size(std::string_view text, std::uint64_t& bytes) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string unit(text.substr(digits));
@@ -581,7 +581,7 @@ bool parse_size(std::string_view text, std::uint64_t& bytes) {
     return true;
 }
 
-/// No hexadecimals, nan, infinity.
+/// Rejects hexadecimal numbers, nan and infinity.
 bool parse_seconds(const std::string& text, double& seconds) {
     char* end = nullptr;
     seconds = std::strtod(text.c_str(), &end);
@@ -589,7 +589,7 @@ bool parse_seconds(const std::string& text, double& seconds) {
     return plain && !text.empty() && *end == '\0' && std::isfinite(seconds);
 }
 
-/// What a parser takes for a number (nan, -1, 1e300) is not yet one that means something.
+/// Some texts that a parser reads as numbers (nan, -1, 1e300) are not meaningful here.
 bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& value) {
     if (wanted.kind == Kind::seconds) {
         double seconds = 0;
@@ -620,14 +620,14 @@ std::string wrong_choice(const Argument& wanted, const std::string& word) {
     return fmt::format("'{}' is none of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
 }
 
-/// Above 0 and below 1.
+/// The number must be above 0 and below 1.
 std::string wrong_fraction(const std::string& word) {
     double value = 0;
     const bool good = parse_seconds(word, value) && value > 0 && value < 1;
     return good ? "" : fmt::format("{}: a number between 0 and 1 is wanted", word);
 }
 
-/// The code of a rule that warns.
+/// The word must be the code of a rule that warns.
 std::string wrong_warning(std::string& code) {
     const auto warns = [](const std::string& each) {
         const auto rules = find_rules(each);

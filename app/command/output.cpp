@@ -59,7 +59,7 @@ void print_error_styled(std::string_view text) {
 }
 
 void redraw_error_line(std::string_view text) {
-    constexpr std::string_view erase = "\r\x1b[K";  // ECMA-48, 8.3.41: to the end of the line
+    constexpr std::string_view erase = "\r\x1b[K";  // ECMA-48, 8.3.41: erases to the end of the line
     print_error_styled(fmt::format("{}{}", erase, text));
     (void)std::fflush(stderr);
 }
@@ -70,7 +70,7 @@ void finish_output() {
 }
 
 void prepare_output() {
-    // The wrong way round, so that reading and writing them fail as they would on what is closed.
+    // Opened in the wrong mode, so that reading or writing fails as with a closed descriptor.
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
             (void)!open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -94,7 +94,7 @@ std::size_t line_width(int descriptor) {
 
 namespace {
 
-/// A line without its end, and how its columns lie.
+/// A line without its line end, measured in columns.
 class WideLine {
 public:
     WideLine(std::string_view text, std::size_t width) : text_(text), width_(width) {
@@ -115,8 +115,8 @@ public:
     }
 
 private:
-    /// Where the piece from `begin` on ends: before the last space that keeps it in its columns, or after a word that
-    /// is wider than they are.
+    /// The end of the piece that starts at `begin`: before the last space within the columns, or after a word that is
+    /// wider than the columns.
     [[nodiscard]] std::size_t break_after(std::size_t begin, std::size_t columns_left) const {
         std::size_t columns = 0, space = std::string_view::npos;
         bool words = false;
@@ -159,7 +159,7 @@ std::string wrapped(std::string_view text, std::size_t width) {
 diagnostics::TextStyle findings_style(const Options& options) {
     diagnostics::TextStyle style;
     style.color = color_wanted(options.color, STDERR_FILENO);
-    constexpr std::size_t margin = 14;  // the number of the line, and the marks of what is cut
+    constexpr std::size_t margin = 14;  // the line number, and the marks at the ends of a cut line
     if (const std::size_t width = line_width(STDERR_FILENO); width > 0)
         style.max_width = std::max(margin, width - std::min(width, margin));
     return style;

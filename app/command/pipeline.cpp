@@ -43,7 +43,7 @@ namespace robochart::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// The name of the file or folder, of `.` and `..` too.
+/// The name of the file or folder, also for `.` and `..`.
 std::string project_name(const std::string& input) {
     std::error_code lost;
     const fs::path whole = fs::absolute(input, lost);
@@ -53,7 +53,7 @@ std::string project_name(const std::string& input) {
     return stem.empty() || stem == "." || stem == ".." ? "model" : stem;
 }
 
-/// What the phases of a project share: its budget, and the warnings that are not wanted.
+/// Sets what all phases of a project use: its budget and the suppressed warnings.
 void prepare(Project& project, const Options& options) {
     for (const std::string& code : options.allowed) project.diagnostics.allow(code);
     project.diagnostics.within(&options.run->budget());
@@ -66,7 +66,7 @@ bool lower(Project& project, const Options& options) {
     return project.diagnostics.ok();
 }
 
-/// `wanted` without the constants that only other parts have.
+/// `wanted`: the options without constants that exist only in other parts.
 bool make_finite(Project& project, const Options& options, const ir::InstantiationOptions& wanted) {
     const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
     project.asked = wanted;
@@ -111,7 +111,7 @@ double seconds_since(Time start) {
 
 void check_component(const std::vector<Part>& parts, const Options& options);
 
-/// Names that components of one kind in several packages of the project have.
+/// Finds the names that components of one kind in several packages of the project share.
 void find_shared_names(Project& project) {
     std::map<std::pair<ir::ComponentKind, std::string>, std::string> packages;
     for (const ir::ComponentRef& ref : all_components(project.system))
@@ -119,8 +119,8 @@ void find_shared_names(Project& project) {
             project.shared_names.insert(ref.path);
 }
 
-/// Lowers the parts and makes them finite. A constant that is given belongs to the parts that have it; what none has is
-/// left to the first, which says so.
+/// Lowers the parts and makes them finite. A constant from the options applies to the parts that have it. The first
+/// part reports constants that no part has.
 void complete(const std::vector<Part>& parts, const Options& options) {
     std::string error;
     const ir::InstantiationOptions given = instantiation_options(options, error);
@@ -152,7 +152,7 @@ void complete(const std::vector<Part>& parts, const Options& options) {
     if (all) check_component(parts, options);
 }
 
-/// The file that names a unit: its first model, or the assertions that make it another one.
+/// The file that a unit is named after: its first model, or the assertion file that distinguishes it.
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
     const auto model = std::find_if(unit.files.begin(), unit.files.end(),
@@ -160,8 +160,8 @@ fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
 }
 
-/// A name for each unit that no other has: of its file, with the folder in front where several are called so, with a
-/// number where that is not enough.
+/// A unique name for each unit: the name of its file, with the folder before it if several are equal, and with a number
+/// if that is not enough.
 std::vector<std::string> names_of(const Project& whole, const std::vector<frontend::Unit>& units) {
     std::map<std::string, std::size_t> called;
     for (const frontend::Unit& unit : units) ++called[project_name(naming_file(whole, unit).string())];
@@ -179,7 +179,7 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
     return names;
 }
 
-/// The part that these files are, some of them with other texts.
+/// The part that consists of these files, some of them with other texts.
 std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
                                  const Options& options, const std::map<std::size_t, std::string>& other_texts = {}) {
     auto part = std::make_unique<Project>(whole.texts);
@@ -193,7 +193,8 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     part->name = name;
     prepare(*part, options);
     part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
-    // What is wrong with it is said with all in view: what was meant may be in another part.
+    // If the whole project has errors in these texts, its findings are used, because a name that is unknown here may be
+    // in another part.
     const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
     const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
     if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong))
@@ -201,7 +202,7 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     return part;
 }
 
-/// The first error of each text; nothing where one is in no text of assertions.
+/// The first error of each text; empty if an error is outside of assertion files.
 std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(const Project& project) {
     std::set<diagnostics::SourceId> assertions;
     for (const auto& file : project.model->files)
@@ -215,8 +216,8 @@ std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(co
     return first;
 }
 
-/// The project without assertion files that have errors, which is said; the same if other files have errors too, or if
-/// nothing were left.
+/// The project without the assertion files that have errors; each is reported. The unchanged project if other files
+/// have errors, too, or if no file would remain.
 std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> project, const Options& options) {
     const auto broken = errors_of_assertions(*project);
     frontend::Unit rest;
@@ -242,7 +243,7 @@ std::unique_ptr<Project> read(const Options& options) {
                                            : std::move(project);
 }
 
-/// Where two parts have components of one name, all that is said and written of them names the part.
+/// If two parts have components with the same name, all output about the parts contains the part's name.
 void label(const std::vector<Part>& parts) {
     std::map<std::string, std::set<const Project*>> owners;
     for (const Part& part : parts)
@@ -257,7 +258,7 @@ void label(const std::vector<Part>& parts) {
     }
 }
 
-/// Errors that are in no text of the model: nothing can be said of any part.
+/// True if there are errors without a place in a text, so that no part can be processed.
 bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
     const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted();
     return std::any_of(all.begin(), all.end(), [](const diagnostics::Diagnostic& finding) {
@@ -265,7 +266,7 @@ bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
     });
 }
 
-/// What was read, in the parts that it has.
+/// Divides the project into its parts.
 std::vector<Part> apart(std::unique_ptr<Project> whole, const Options& options,
                         const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
     std::vector<Part> parts;
@@ -307,7 +308,7 @@ csp_emit::SwarmGrid grid_of(const std::string& text) {
     return grid;
 }
 
-/// The swarm that --swarm names, with what other options say of it.
+/// The swarm that --swarm names, with the other options about it.
 csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sources,
                          diagnostics::Diagnostics& diagnostics) {
     std::string error;
@@ -321,7 +322,8 @@ csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sou
         {options.robots, options.grid.empty() ? std::nullopt : std::optional(grid_of(options.grid))});
 }
 
-/// The names of a project's claims, or the texts of a swarm's, in order, each once. They are what --assertion counts.
+/// The names of a project's claims, or the texts of a swarm's claims, in order, without duplicates. --assertion refers
+/// to this list.
 std::vector<std::string> claim_names(const Project& whole, const Options& options) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name) {
@@ -329,12 +331,12 @@ std::vector<std::string> claim_names(const Project& whole, const Options& option
     };
     if (!options.swarm.empty()) {
         diagnostics::SourceManager sources;
-        diagnostics::Diagnostics errors;  // reported where the swarm is composed
+        diagnostics::Diagnostics errors;  // reported when the swarm is composed
         for (const csp_emit::SwarmClaim& each : swarm_of(options, sources, errors).claims) add(each.text);
         return names;
     }
     for (const auto& file : whole.model->files) {
-        std::map<std::size_t, std::string> in_file;  // by place
+        std::map<std::size_t, std::string> in_file;  // by position
         for (const frontend::Assertion& each : file->assertions) in_file.emplace(each.span.begin, each.name);
         for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
             in_file.emplace(each.span.begin, each.name);
@@ -345,14 +347,15 @@ std::vector<std::string> claim_names(const Project& whole, const Options& option
     return names;
 }
 
-/// The words of --assertion become the names of the claims that they mean; of those that mean none the project says so.
+/// Replaces the words of --assertion by the names of the claims that they select. Words that select none are reported
+/// in the project.
 void name_claims(Project& whole, Options& options) {
     if (options.claims.empty()) return;
     const std::vector<std::string> names = claim_names(whole, options);
     const ClaimSelection selection = select_claims(options.claims, names);
     options.claims.clear();
     for (const std::size_t place : selection.chosen) options.claims.push_back(names[place]);
-    const bool errors = !whole.diagnostics.ok();  // they may have hidden a claim
+    const bool errors = !whole.diagnostics.ok();  // a claim may be missing because of them
     for (const std::string& word : selection.lost)
         if (errors)
             options.claims.push_back(word);
@@ -361,7 +364,8 @@ void name_claims(Project& whole, Options& options) {
                                      {fmt::format("--assertion {}: {}", word, why_lost(word, names, "the model"))});
 }
 
-/// Errors in the CSP blocks show when the script is made; it is kept, so it is made as it will be checked.
+/// Errors in CSP blocks are found when the script is made. The script is stored, so it is made with the options of the
+/// check.
 void read_blocks(const Part& part, const Options& options) {
     Project& project = *part.project;
     if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
@@ -372,7 +376,7 @@ void read_blocks(const Part& part, const Options& options) {
         (void)emit_csp(project, wanted, csp_emit::Time::timed);
 }
 
-/// Whether some assertion file has a claim of each name.
+/// True if every name is that of a claim in some assertion file.
 bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>& names) {
     return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
         return std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
@@ -385,13 +389,13 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
     });
 }
 
-/// Where claims are decided, the others do not wait for one with errors, nor for a CSP block: a part with errors
-/// becomes two where that leaves something to decide (broken_claims.hpp). Scripts are written of what is left.
+/// A claim or CSP block with errors does not prevent the other claims from being decided. A part with errors is divided
+/// into two if something can be decided then (broken_claims.hpp). Scripts are written for the part without errors.
 void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
     const bool writes = options.verb == Verb::emit_csp;
     if ((!decides_assertions(options.verb) && !writes) || !options.print.empty() || !are_claimed(parts, options.claims))
         return;
-    Options unnamed = options;  // what is asked for by name may be on either side
+    Options unnamed = options;  // named claims may be on either side
     unnamed.claims.clear();
     std::vector<Part> result;
     for (Part& part : parts) {
@@ -405,9 +409,9 @@ void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
         std::vector<Part> sound;
         sound.push_back({part_of(whole, found->sound.unit, whole.name, options, found->sound.texts), part.again});
         complete(sound, unnamed);
-        set_broken_claims_apart(sound, options);  // errors in blocks show once there are no others
+        set_broken_claims_apart(sound, options);  // errors in blocks are only found if there are no others
         std::set<diagnostics::SourceId> wrong;
-        std::string named;  // the first of them
+        std::string named;  // the first file with an error
         for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted())
             if (finding.rule->severity == diagnostics::Severity::error) {
                 if (wrong.empty()) named = whole.sources.path(finding.span.source);
@@ -463,7 +467,7 @@ bool core_wanted(const Part& part, const Options& options) {
 
 namespace {
 
-/// Whether an option of the form NAME=VALUE sets this name.
+/// True if a NAME=VALUE option sets this name.
 bool is_set(const std::vector<std::string>& options, const std::string& name) {
     return std::any_of(options.begin(), options.end(),
                        [&](const std::string& each) { return each.starts_with(name + "="); });
@@ -478,7 +482,7 @@ Options with_swarm(Options options) {
         return options;
     }
     diagnostics::SourceManager sources;
-    diagnostics::Diagnostics found;  // reported where the swarm is composed
+    diagnostics::Diagnostics found;  // reported when the swarm is composed
     const csp_emit::Swarm swarm = swarm_of(options, sources, found);
     if (!found.ok()) return options;
     for (const csp_emit::SwarmConstant& each : swarm.constants)
@@ -511,8 +515,8 @@ const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp
     if (!emission.captured.empty())
         throw std::logic_error(
             fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
-    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is an
-    // internal error.
+    // Scripts that are written or checked must satisfy FDR's type rules. If a script contains no text of the user, a
+    // finding is an internal error.
     csp_emit::check_script(emission, project.system, project.diagnostics);
     if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
         diagnostics::TextStyle style;
@@ -574,7 +578,7 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
 
 namespace {
 
-/// The component that the options name exists in some part; else the first part says so.
+/// The component that the options name must exist in some part; otherwise the first part reports it.
 void check_component(const std::vector<Part>& parts, const Options& options) {
     std::vector<std::string> known;
     for (const Part& part : parts) {
@@ -607,7 +611,7 @@ Exit refusal(const Project& project) {
                                    &ir::rules::ranges_not_nested,
                                    &ir::rules::range_too_large};
     const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted();
-    // What the model's own text causes has a place there.
+    // Errors caused by the text of the model have a place in it.
     const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
         return each.rule->severity == diagnostics::Severity::error &&
                (each.span.known() ||
@@ -643,7 +647,8 @@ void show_findings(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
     const diagnostics::TextStyle style = findings_style(options);
     if (options.quiet && good) {
-        // Verdicts about a model whose numbers are not in it are not let stand without a word.
+        // These warnings are shown even with --quiet, because the verdicts are about a model that differs from the
+        // text.
         diagnostics::Diagnostics kept;
         for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
             if (each.rule == &ir::rules::literal_outside_range || each.rule == &csp_emit::rules::inputs_hidden)
@@ -658,7 +663,7 @@ void show_findings(const Project& project, const Options& options) {
 bool show_diagnostics(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
     if (!good && (options.format != Format::text || !options.files.empty())) {
-        // It is the run's answer: what a limit would have to say comes too late, and would be a second document.
+        // This is the answer of the run. A limit that is reached later must not print a second document.
         options.run->finish();
         answer(options, [&](Format format) { return refused_document(project, options, format); });
     }

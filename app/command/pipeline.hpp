@@ -1,4 +1,4 @@
-// The phases of one run over a model, each made once and on demand (docs/architecture.md has the table).
+// The phases of a run over a model, each computed once and on demand (docs/architecture.md has the table).
 #pragma once
 
 #include <map>
@@ -16,90 +16,91 @@
 
 namespace robochart::app {
 
-/// Everything known about the model of this run.
+/// All data about the model of this run.
 struct Project {
     explicit Project(
         std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
         : texts(std::move(shared)), sources(*texts) {}
 
-    std::string name;    ///< of the first input, without folder and extension: names the files written
-    std::string label;   ///< in front of what is said of it: "NAME: " where parts have components of one name
-    std::string folder;  ///< below which its components' files go: "NAME/" there
+    std::string name;    ///< of the first input, without folder and extension; used in names of written files
+    std::string label;   ///< printed before results: "NAME: " if parts have components of the same name, otherwise ""
+    std::string folder;  ///< folder for the files of its components: "NAME/" in this case
     std::shared_ptr<diagnostics::SourceManager> texts;
-    diagnostics::SourceManager& sources;  ///< of all parts of a run
+    diagnostics::SourceManager& sources;  ///< shared by all parts of a run
     diagnostics::Diagnostics diagnostics;
     std::unique_ptr<frontend::Model> model;
     ir::System system;
-    ir::InstantiationOptions asked;  ///< what the options ask of its instantiation
+    ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;
-    std::set<std::string> shared_names;  ///< that components of one kind in several of its packages have
-    double seconds = 0;                  ///< reading, resolving, lowering
-    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< those that were asked for (emit_csp)
+    std::set<std::string> shared_names;  ///< names that components of one kind in several of its packages share
+    double seconds = 0;                  ///< for reading, resolving and lowering
+    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< those that were requested (emit_csp)
 };
 
-/// Reads the inputs, lowers them and makes them finite, as one. Stops after the first phase with errors; `diagnostics`
-/// has them, and what the options name and the model does not have.
+/// Reads the inputs, lowers them and makes them finite, as one project. Stops after the first phase with errors.
+/// `diagnostics` contains them, and names in the options that the model does not have.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
 
-/// The options with what the swarm's file says where they leave it open: constants, ranges, and with a grid the timed
-/// semantics. Errors of that file are reported where the swarm is composed. Throws UsageError where options about a
-/// swarm are given and none is named, or cannot be meant.
+/// The options, completed by the swarm's file: constants, ranges, and the timed semantics if there is a grid. Errors of
+/// that file are reported when the swarm is composed. Throws UsageError if options about a swarm are given without one,
+/// or are invalid.
 [[nodiscard]] Options with_swarm(Options);
 
-/// The inputs, part by part: what does not belong together is resolved and made finite apart
-/// (frontend/project/units.hpp), each part as if it were alone. One part where it all belongs together. A part with
-/// errors is not lowered or made finite; its diagnostics have them. What the options name has to be in some part. The
-/// words of --assertion become the names of the claims that they mean (claim_selection.hpp).
+/// Divides the inputs into parts. Files that do not belong together are resolved and made finite separately
+/// (frontend/project/units.hpp), each part as if it were alone. There is one part if all files belong together. A part
+/// with errors is not lowered or made finite; its diagnostics contain them. Names in the options must exist in some
+/// part. The words of --assertion are replaced by the names of the claims that they select (claim_selection.hpp).
 struct Part {
     std::unique_ptr<Project> project;
-    bool again = false;  ///< its components are in a part before it too
+    bool again = false;  ///< an earlier part contains its components, too
 };
 [[nodiscard]] std::vector<Part> load_parts(Options&);
-/// The same as far as reading and resolving go, whatever the instantiations; errors are in the diagnostics.
+/// The same, but only reading and resolving, without instantiations. Errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const Options&);
 
-/// Whether the claim of this name is to be decided: all are where none is named.
+/// True if the claim of this name is to be decided; without names, all are.
 [[nodiscard]] bool asked_for(const Options&, const std::string& claim);
 
-/// Whether the core properties of a part are checked: asked for, or because the model claims nothing and assertions are
-/// to be checked; not of components that a part before it has.
+/// True if the core properties of a part are checked: they were requested, or assertions are checked and the model has
+/// none. False if an earlier part has the same components.
 [[nodiscard]] bool core_wanted(const Part&, const Options&);
 
-/// The semantics in one time, type checked; diagnostics are added to the project's. Made when it is first asked for, by
-/// the options of that time, and kept with the project. Throws std::logic_error where the script is wrong and nothing
-/// of it is the user's.
+/// The semantics for one time, type checked; diagnostics are added to the project's. Computed on the first request with
+/// the options of that request, and stored in the project. Throws std::logic_error if the script is wrong although it
+/// contains no text of the user.
 [[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const Options&, csp_emit::Time);
 
-/// The components that C++ is made for: the modules, without any the controllers, without any the machines;
-/// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
+/// The components for which C++ is generated: the modules; if there are none, the controllers; if there are none, the
+/// machines. With a name, the component of this name, of any kind. Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
 
-/// A component's name in names of files and of generated code: letters, digits and underscores. Its package is part of
-/// it where components of other packages have its name.
+/// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
+/// components of other packages have the same name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
 
-/// A text that is no model: a file, or standard input where the path is "-". Nothing where it cannot be read; `error`
-/// says why.
+/// Loads a text that is not a model: a file, or standard input if the path is "-". No value if it cannot be read;
+/// `error` contains the reason.
 [[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
                                                               std::string& error);
 
-/// "; it has patrol.scenario": what may have been meant where a folder is given for a file; "" if nothing.
+/// "; it has patrol.scenario": the files that may have been meant if a folder is given instead of a file; "" if there
+/// are none.
 [[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
-/// Writes a file below `--out`; false with a diagnostic where it cannot, or where this run has already written one of
-/// that name.
+/// Writes a file below `--out`. Returns false with a diagnostic if it cannot be written, or if this run has already
+/// written a file of this name.
 bool write_output(Project&, const Options&, const std::string& path, const std::string& text);
 
-/// The exit code of a run that ends with errors: wrong usage where all of them are about the command line.
+/// The exit code of a run that ends with errors: wrong usage if all errors are about the command line.
 [[nodiscard]] Exit refusal(const Project&);
 
-/// No errors, and no warnings where they are denied.
+/// True if there are no errors and, with --deny-warnings, no warnings.
 [[nodiscard]] bool acceptable(const Project&, const Options&);
 
 /// Prints the project's diagnostics as text to stderr.
 void show_findings(const Project&, const Options&);
-/// The same; in a format for programs those that refuse the model are the answer, on stdout. Returns whether they are
-/// acceptable.
+/// The same. In a format for programs, diagnostics that reject the model are the answer, on stdout. Returns true if the
+/// model is acceptable.
 bool show_diagnostics(const Project&, const Options&);
 
 }  // namespace robochart::app

@@ -1,4 +1,4 @@
-// See rule_pages.hpp. Only the little Markdown that the pages use is read: headings, paragraphs, fences, lists, links,
+// See rule_pages.hpp. Supports only the Markdown that the pages use: headings, paragraphs, fences, lists, links,
 // `code`, *emphasis*.
 #include "app/command/rule_pages.hpp"
 
@@ -143,7 +143,7 @@ private:
         }
     }
 
-    /// Tabs as four blanks; what the tests expect on a line becomes an arrow for people.
+    /// Tabs become four blanks; the comments with which tests state expected findings become arrows.
     void code_line(std::string_view line) {
         constexpr std::string_view expectation = " expect: ";
         const std::size_t at = line.find(expectation);
@@ -166,7 +166,7 @@ private:
         }
     }
 
-    /// Draws what begins with a special sign; the number of characters it took.
+    /// Draws an element that begins with a special character; returns the number of characters used.
     std::size_t special(std::string_view line) {
         const char sign = line.front();
         if (sign == '[') {
@@ -176,7 +176,7 @@ private:
         } else if (line.size() > 1 && line[1] != ' ') {
             const std::size_t end = line.find(sign, 1);
             if (end != std::string_view::npos) {
-                // Backquotes stay where there is no colour to take their place.
+                // Backquotes are kept if there are no colours.
                 const bool quotes = sign == '`' && !color_;
                 marked(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1),
                        sign == '`' ? Paint::name : Paint::heading);

@@ -1,4 +1,4 @@
-// Rules of the command itself, and access to the rules of all components (for `explain` and the tests).
+// Rules of the command, and access to the rules of all components (for `explain` and the tests).
 #pragma once
 
 #include <string_view>
@@ -9,20 +9,21 @@
 namespace robochart::app {
 
 namespace rules {
-extern const diagnostics::Rule bad_option;    ///< an option's value does not fit the model
+extern const diagnostics::Rule bad_option;    ///< the value of an option does not fit the model
 extern const diagnostics::Rule no_component;  ///< nothing to generate code for
-extern const diagnostics::Rule unwritable;    ///< a file could not be written
-extern const diagnostics::Rule no_monitor;    ///< a component without monitor or test suite
-extern const diagnostics::Rule left_out;      ///< an assertion file with errors, where only the model counts
+extern const diagnostics::Rule unwritable;    ///< a file cannot be written
+extern const diagnostics::Rule no_monitor;    ///< a component that has no monitor or test suite
+extern const diagnostics::Rule left_out;      ///< an assertion file with errors was ignored, because only the model is
+                                              ///< needed
 }  // namespace rules
 
-/// Every rule of every component, by component, then in table order.
+/// All rules of all components, by component, then in the order of their tables.
 [[nodiscard]] std::vector<const diagnostics::Rule*> all_rules();
-/// The codes that a word may mean: itself, or those that are the same but for case, hyphens and what stands in front of
-/// the last hyphen: `w17` and `RCW17` are RC-W17, `P01` is CSPM-P01, PRISM-P01, RC-P01 and SLEEC-P01. In order, none
-/// twice.
+/// The codes that a word may mean: the code itself, or the codes that are equal to it except for case, hyphens and the
+/// part before the last hyphen. `w17` and `RCW17` mean RC-W17; `P01` means CSPM-P01, PRISM-P01, RC-P01 and SLEEC-P01.
+/// Sorted, without duplicates.
 [[nodiscard]] std::vector<std::string> codes_meant(std::string_view word);
-/// The rows of a code (a published rule may have several, for different circumstances); ignores case.
+/// The rows of a code, ignoring case. A published rule may have several rows, for different circumstances.
 [[nodiscard]] std::vector<const diagnostics::Rule*> find_rules(std::string_view code);
 
 }  // namespace robochart::app

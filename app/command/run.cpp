@@ -28,16 +28,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr timespec between_looks{0, 10'000'000};
-/// How long work may go on behind a limit before it is cut short: until it polls, and then gives back what it holds.
+/// How long work may continue after a limit before it is cut short: the time to poll and to free its memory.
 constexpr std::chrono::milliseconds grace{300};
-/// How long a verb may print behind a signal.
+/// How long a verb may print after a signal.
 constexpr std::chrono::milliseconds longest_printing{2000};
 
-/// The limits are those of the whole run, and begin now.
+/// The limits of the whole run, starting now.
 diagnostics::Limits limits_of(const Options& options) {
     diagnostics::Limits limits;
     limits.memory_bytes = options.memory_bytes > 0 ? options.memory_bytes : default_memory();
-    // More than a year is for ever, and would not fit the clock.
+    // More than a year means no limit, and would overflow the clock.
     if (constexpr double year = 366.0 * 24 * 3600; options.timeout_seconds > 0 && options.timeout_seconds < year)
         limits.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double>(options.timeout_seconds));
@@ -57,7 +57,7 @@ Run::Run(const Options& options) : budget_(limits_of(options)) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
-        const bool unwanted = signal == SIGHUP && before.sa_handler == SIG_IGN;  // nohup
+        const bool unwanted = signal == SIGHUP && before.sa_handler == SIG_IGN;  // set by nohup
         if (!unwanted) sigaddset(&signals_taken_, signal);
     }
     pthread_sigmask(SIG_BLOCK, &signals_taken_, &mask_before_);
@@ -132,9 +132,9 @@ bool Run::write_kept() {
     return all;
 }
 
-/// A run goes on after a limit of memory if what has reached it gives enough back; after all others it ends. Where even
-/// this thread finds no memory, nobody else is left to say so. A verb that has its answer may take its time to print it
-/// after a limit; after a signal nobody waits for it that long.
+/// After a memory limit, a run continues if enough memory is freed; after any other limit, it ends. If this thread
+/// cannot allocate memory, it prints a fixed message and ends the program. A verb that has its answer may take its time
+/// to print it after a limit, but only a limited time after a signal.
 void Run::watch() {
     std::optional<Clock::time_point> since;
     int asked_to_end = 0;
@@ -167,9 +167,9 @@ void Run::watch() {
     }
 }
 
-/// Programs that start this one send a signal to it and to its process group, so it may come twice at once: what
-/// follows within a moment is the same wish. SIGXCPU comes each second from the system's limit of processor time on:
-/// nobody is in a hurry.
+/// Programs that start this one may send a signal both to it and to its process group. Two signals within a moment
+/// therefore count as one. SIGXCPU is repeated every second after the system's CPU time limit, and never ends the
+/// program at once.
 void Run::take(int signal) {
     constexpr std::chrono::milliseconds moment{100};
     if (signal == SIGXCPU) return budget_.interrupt();
@@ -178,7 +178,7 @@ void Run::take(int signal) {
     budget_.interrupt();
 }
 
-/// Unless the verb is about to say it itself.
+/// Prints the last word and ends the program, unless the verb is about to print its answer.
 void Run::say_and_end(const std::string& why) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || finishing_) return;
@@ -202,18 +202,18 @@ void Run::end_at_once(int code) {
 
 namespace {
 
-/// No thread, process or memory can be had.
+/// True if no thread, process or memory is available.
 bool exhausted(const std::system_error& error) {
     return error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
 }
 
-/// The verb, within the run; what ends it early is said by the last word.
+/// Runs the verb within the run. If it ends early, the last word is printed.
 Exit run_within(Run& run, const Options& options, const std::function<Exit(const Options&)>& verb) {
     try {
         return verb(options);
     } catch (const diagnostics::LimitReached& limit) {
         return run.stopped(limit.what());
-    } catch (const cspm::EvaluationError& error) {  // verbs catch it where they know the place in the model
+    } catch (const cspm::EvaluationError& error) {  // verbs catch it if they know the place in the model
         run.finish();
         print_error("robochart-verify: the script cannot be evaluated: {}\n", error.what());
         return Exit::bad_input;
@@ -235,7 +235,7 @@ Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const 
         return parsed.exit;
     }
     Options options = *parsed.options;
-    // An editor's server is ended by its editor.
+    // The editor ends its language server.
     if (options.verb == Verb::lsp) return verb(options);
     Run run(options);
     options.run = &run;
@@ -280,7 +280,7 @@ int run_command(const char* program, int argc, const char* const* argv,
     }
 }
 
-/// Without a bound there would be programs that close every file that could be open.
+/// The number is bounded, because some programs close every file that could be open.
 void allow_many_files() {
     constexpr rlim_t most = rlim_t{1} << 20U;
     rlimit limit{};
@@ -295,7 +295,7 @@ std::uint64_t default_memory() {
     std::uint64_t bytes =
         static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     std::uint64_t group = 0;
-    // Control groups, version 2; "max" where there is no limit.
+    // Control groups, version 2; the file contains "max" if there is no limit.
     if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0) bytes = std::min(bytes, group);
     return std::min(std::uint64_t{16} << 30U, bytes / 4 * 3);
 }

@@ -11,7 +11,7 @@
 
 namespace robochart::app {
 
-/// A script with its findings and the types of its names; every script is type checked before it is evaluated.
+/// A script with its findings and the types of its names. Every script is type checked before it is evaluated.
 struct LoadedScript {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -19,11 +19,11 @@ struct LoadedScript {
     std::vector<cspm::NamedType> types;
 };
 
-/// The process as an assertion of the script: so it is read, and type checked as a process, where it will be evaluated.
-/// `origin`: what findings name as its text. Null, with diagnostics, where it cannot be.
+/// Parses the process as part of an assertion of the script, so that it is type checked where it will be evaluated.
+/// `origin`: the name of its text in findings. Null, with diagnostics, if it is wrong.
 [[nodiscard]] cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin);
 void load_script(const std::string& path, LoadedScript& loaded);
-/// As text to standard error, or as JSON to standard output where that is what is asked for.
+/// Prints the findings: as text to standard error, or as JSON to standard output if that is the format.
 void show_findings(const LoadedScript& loaded, const Options& options);
 
 }  // namespace robochart::app

@@ -1,13 +1,12 @@
-// Which robochart-verify this program was built with.
+// Identifies the robochart-verify of the same build.
 #pragma once
 
 #include <string>
 
 namespace robochart::app {
 
-/// The build ID of the robochart-verify of the same build (diagnostics::program_identity at run time there); "" where
-/// it has none. All that evaluates, compiles and searches comes from the same libraries, so that both have the same
-/// rows.
+/// The build ID of the robochart-verify of the same build (at run time, diagnostics::program_identity there); "" if it
+/// has none. Both use the same libraries for evaluation, compilation and search, so their stored rows are equal.
 [[nodiscard]] std::string command_identity();
 
 }  // namespace robochart::app

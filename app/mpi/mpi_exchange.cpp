@@ -21,7 +21,7 @@ int as_count(std::size_t words) {
     return static_cast<int>(words);
 }
 
-/// Where each part begins, if all lie side by side, and how long they are together.
+/// Computes the offset of each part if all are stored consecutively, and returns the total length.
 std::size_t place(const std::vector<int>& counts, std::vector<int>& places) {
     std::size_t end = 0;
     places.clear();
@@ -32,7 +32,7 @@ std::size_t place(const std::vector<int>& counts, std::vector<int>& places) {
     return static_cast<std::size_t>(as_count(end));
 }
 
-/// MPI itself looks without pause; what takes longer than a moment is looked for less often.
+/// MPI itself polls without pause. Here the polling interval grows if the wait is longer than a moment.
 void await(MPI_Request request) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds moment{2}, pause{1};

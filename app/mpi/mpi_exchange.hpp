@@ -1,11 +1,12 @@
-// Programs that MPI has started as ranks. Calls of MPI-3 alone, by one thread.
+// Exchange between programs that MPI started as ranks. Uses only calls of MPI-3, from one thread.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"
 
 namespace robochart::app {
 
-/// MPI while it lives; one in a program. An exception that would leave a rank while others wait for it is for `abort`.
+/// Initialises MPI and finalises it when destroyed; only one per program. If an exception would end a rank while others
+/// wait for it, `abort` must be called.
 class MpiProgram {
 public:
     MpiProgram(int& argc, char**& argv);
@@ -13,13 +14,13 @@ public:
     MpiProgram& operator=(const MpiProgram&) = delete;
     /// Waits for the other ranks.
     ~MpiProgram();
-    /// Whether a program may have several threads, of which the one that has begun MPI calls it.
+    /// True if MPI allows several threads of which only the initialising one calls MPI.
     [[nodiscard]] static bool serves_threads();
     /// Ends all ranks at once.
     [[noreturn]] static void abort(int code);
 };
 
-/// All programs, each as one rank. While they wait for a broadcast they sleep: rank 0 may be at work for long.
+/// All programs, each as one rank. While they wait for a broadcast they sleep, because rank 0 may work for a long time.
 class MpiExchange final : public refine::Exchange {
 public:
     MpiExchange();
@@ -33,7 +34,7 @@ public:
 private:
     unsigned rank_ = 0;
     unsigned ranks_ = 1;
-    refine::Words received_;  // of all ranks, side by side
+    refine::Words received_;  // of all ranks, stored consecutively
     std::vector<int> send_counts_, send_places_, counts_, places_;
 };
 

@@ -1,4 +1,4 @@
-// robochart-verify-mpi: the command, whose searches are shared by all ranks that mpirun starts (docs/scale.md).
+// robochart-verify-mpi: the command, with searches distributed over all ranks that mpirun starts (docs/scale.md).
 #include "app/mpi/ranked_command.hpp"
 
 #include "app/mpi/mpi_exchange.hpp"

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// mpirun gives a program one core, unless it is asked for more.
+/// mpirun binds a program to one core unless more are requested.
 void warn_of_few_cores(unsigned threads) {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
@@ -31,7 +31,7 @@ void warn_of_few_cores(unsigned threads) {
                     threads, cores, cores == 1 ? "" : "s");
 }
 
-/// The command as ever, with a strategy for its searches.
+/// The usual command, with a strategy for its searches.
 int command(int argc, char** argv, refine::Exchange& exchange) {
     ranks::ServedRanks served(exchange, command_identity());
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
@@ -41,7 +41,7 @@ int command(int argc, char** argv, refine::Exchange& exchange) {
         Options options = given;
         options.by_levels = &served;
         options.identity = command_identity();
-        // mpirun reads its programs through terminals of its own, whatever it writes to.
+        // mpirun connects its programs to its own terminals, even if its output goes elsewhere.
         if (options.color == Color::automatic) options.color = Color::never;
         return run_verb(options);
     });
@@ -67,7 +67,7 @@ void block_signals() {
 int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
     try {
         if (exchange.rank() == 0) return command(argc, argv, exchange);
-        allow_many_files();  // the command does so itself
+        allow_many_files();  // the command calls it itself
         for (const int each : ending) signal(each, SIG_IGN);
         ranks::serve(exchange, command_identity());
         return 0;

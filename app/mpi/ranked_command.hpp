@@ -1,17 +1,17 @@
-// What each program of robochart-verify-mpi does between the beginning and the end of MPI.
+// The work of each robochart-verify-mpi program between the initialisation and the finalisation of MPI.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"
 
 namespace robochart::app {
 
-/// Blocks the signals that end a run, for this thread and those that it starts. To be called before MPI starts threads:
-/// one of them would take a signal, and the system would end the program.
+/// Blocks the signals that end a run, in this thread and those that it starts. Must be called before MPI starts
+/// threads: otherwise one of them could receive a signal, and the system would end the program.
 void block_signals();
 
-/// The first program is the command; the others serve its searches, and leave signals to it. In each as many threads
-/// search as `--threads` of the command says, one without it. Returns the exit code. Where an error has met one program
-/// alone, so that others wait for it, it ends all, with the code of this error. Called by the thread that has begun
+/// Rank 0 runs the command; the other ranks serve its searches and ignore signals. Each rank searches with the number
+/// of threads given by `--threads`, or one by default. Returns the exit code. If an error occurs in one rank while
+/// others wait for it, all ranks are ended with the code of this error. Must be called by the thread that initialised
 /// MPI.
 int ranked_command(int argc, char** argv, refine::Exchange& exchange);
 

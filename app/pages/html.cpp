@@ -1,4 +1,4 @@
-// See html.hpp. What others wrote is escaped where it is put into the page; ids come from counters.
+// See html.hpp. Foreign text is escaped when it is inserted into the page; ids are numbers from counters.
 #include "app/pages/html.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// Steps that are shown of one run; the first and the last of longer ones.
+/// The number of steps shown of one run; of longer runs, the first and the last steps.
 constexpr std::size_t most_steps = 2000;
 
 const char* look(Answer answer) {
@@ -37,12 +37,12 @@ std::string title_of(const AssertionReport& assertion) {
     return assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
 }
 
-/// Lines that are wider than the page scroll, by keyboard too.
+/// Lines that are wider than the page can be scrolled, also by keyboard.
 std::string preformatted(const std::string& text) {
     return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
 }
 
-/// The file's name; its whole path where the pointer rests.
+/// The file's name, with its full path as a tooltip.
 std::string place_text(const std::string& place) {
     return fmt::format("<span class=\"place\" title=\"{}\">{}</span>", xml_text(place),
                        xml_text(place.substr(place.rfind('/') + 1)));
@@ -52,7 +52,7 @@ std::string place_text(const runs::Place& place) {
     return place_text(fmt::format("{}:{}", place.file, place.line));
 }
 
-/// What a verdict rests on; "" if there is nothing to say.
+/// The basis of a verdict; "" if it is empty.
 std::string basis_list(const Basis& basis) {
     std::string items;
     std::set<std::string> remedies;
@@ -65,7 +65,7 @@ std::string basis_list(const Basis& basis) {
     return items.empty() ? "" : fmt::format("<div class=\"basis\">rests on:<ul>{}</ul></div>", items);
 }
 
-/// The values of a probabilistic assertion: a row for each combination of the constants that vary.
+/// The values of a probabilistic assertion: one row for each combination of the constants that vary.
 std::string values_table(const ProbabilityReport& report) {
     if (report.rows.empty()) return "";
     std::string head;
@@ -84,7 +84,7 @@ std::string values_table(const ProbabilityReport& report) {
                        xml_text(reading_of(report)), head, body, value_plot(report));
 }
 
-/// Elements of diagrams: the number of the machine whose diagram it is, and the element's id.
+/// Elements of diagrams: the number of the machine, and the id of the element in its diagram.
 using Marks = std::vector<std::pair<std::size_t, std::string>>;
 
 /// "0:e5 1:e9".
@@ -94,7 +94,7 @@ std::string text_of(const Marks& marks) {
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
-/// The input as given; of `.` and `..` the folder's name.
+/// The input as given; for `.` and `..` the name of the folder.
 std::string name_of(const Report& report, const std::vector<Part>& parts) {
     const bool says_nothing = report.model.find_first_not_of("./ ") == std::string::npos;
     return says_nothing && !parts.empty() ? parts.front().project->name : report.model;
@@ -140,10 +140,10 @@ private:
                                      const std::vector<runs::Machine>& after) const;
 
     const Report& report_;
-    std::string name_;  ///< of what the page is about
+    std::string name_;  ///< of the subject of the page
     PartDiagrams diagrams_;
-    std::vector<std::pair<std::string, std::string>> machines_;  ///< of the run shown: instance, definition
-    bool timed_ = false;                                         ///< the run shown is
+    std::vector<std::pair<std::string, std::string>> machines_;  ///< of the current run: instance, definition
+    bool timed_ = false;                                         ///< the current run is timed
     std::string out_;
 };
 
@@ -195,7 +195,7 @@ void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
         place_text(assertion.place), assertion.statistics.states);
 }
 
-/// The active states of each machine of the run shown.
+/// The active states of each machine in the current run.
 Marks ReportPage::active(const std::vector<runs::Machine>& machines) const {
     Marks marks;
     for (const runs::Machine& machine : machines)
@@ -207,7 +207,7 @@ Marks ReportPage::active(const std::vector<runs::Machine>& machines) const {
     return marks;
 }
 
-/// What the step does, in the machines that do it.
+/// The elements that perform the step, in the machines that take part.
 Marks ReportPage::fired(const runs::Step& step) const {
     Marks marks;
     const auto add = [&](const runs::Event& event) {
@@ -220,7 +220,7 @@ Marks ReportPage::fired(const runs::Step& step) const {
     return marks;
 }
 
-/// "x = 2"; "" where the words say it already.
+/// "x = 2"; "" if the text of the event contains it.
 std::string change_text(const runs::Step& step, const runs::Change& change) {
     std::string text = fmt::format("{} = {}", change.name, change.after);
     return step.event.text.ends_with(text) ? "" : text;
@@ -233,7 +233,7 @@ std::string step_text(const runs::Step& step) {
     return text;
 }
 
-/// What else could have happened, behind its number.
+/// The alternatives to a step, with their number.
 std::string also_possible(const runs::Step& step) {
     if (step.offered.empty()) return "";
     std::vector<std::string> offered;
@@ -250,7 +250,7 @@ std::string end_entry(const char* title, const std::vector<runs::Event>& events)
     return texts.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, fmt::join(texts, "<br>"));
 }
 
-/// What is possible where a run ends, and what the specification allows or requires there.
+/// The events that are possible at the end of a run, and those that the specification allows or requires there.
 std::string end_text(const runs::End& end) {
     std::string text = end_entry("possible", end.offered) + end_entry("the specification allows", end.allowed) +
                        end_entry("it refuses, against the specification", end.refused);
@@ -265,7 +265,7 @@ std::string end_text(const runs::End& end) {
                : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
 }
 
-/// What a component does in a step, and what it changes.
+/// What a component does in a step, and its changes.
 std::string does(const runs::Step& step, const std::string& component) {
     std::vector<std::string> parts;
     if (step.event.component == component) parts.push_back(runs::text(step.event));
@@ -283,7 +283,7 @@ const runs::Machine* find(const std::vector<runs::Machine>& machines, const std:
     return found == machines.end() ? nullptr : &*found;
 }
 
-/// The last part of its name where that tells it from the others, else all but the first.
+/// The last part of the name if it is unique, otherwise all parts but the first.
 std::string ReportPage::lane(const std::string& component) const {
     const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
     const auto alike = std::count_if(machines_.begin(), machines_.end(),
@@ -292,8 +292,8 @@ std::string ReportPage::lane(const std::string& component) const {
     return alike == 1 ? last(component) : component.substr(whole == std::string::npos ? 0 : whole + 2);
 }
 
-/// The variables of the machines whose variables are not as before, by the machine's number: name, value, whether it
-/// has changed.
+/// The variables of the machines whose variables have changed, by the machine's number: name, value, whether it
+/// changed.
 std::string ReportPage::values(const std::vector<runs::Machine>& before,
                                const std::vector<runs::Machine>& after) const {
     diagnostics::Json all = diagnostics::Json::object();
@@ -316,8 +316,7 @@ std::string ReportPage::values(const std::vector<runs::Machine>& before,
     return diagnostics::json_text(all);
 }
 
-/// A lane for each machine: what it does, and below it where it is then, if that is new. `step`: null for the
-/// beginning.
+/// One lane per machine: what it does and, below that, its new state if it changed. `step`: null for the initial state.
 void ReportPage::row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
                      const std::vector<runs::Machine>& after) {
     const std::string what = step == nullptr ? "the beginning" : step_text(*step);
@@ -346,7 +345,7 @@ void ReportPage::row(std::size_t number, const runs::Step* step, const std::vect
                         step == nullptr ? "" : also_possible(*step));
 }
 
-/// Widths of the columns on screen, where each row is laid out alone: rows that are not in view cost nothing then.
+/// The widths of the columns. On screen, each row is laid out separately, so that rows outside the view cost nothing.
 std::string column_style(const std::string& id, std::size_t lanes, bool timed) {
     return fmt::format(
         "<style>@media screen {{ #{0} .steps tr {{ grid-template-columns: {1} repeat({2}, minmax(8em, 4fr)) "
@@ -386,7 +385,7 @@ void ReportPage::steps(const std::string& id, const runs::Run& run) {
     out_ += "</tbody></table>\n</div>\n";
 }
 
-/// The elements that are marked at some time, by machine.
+/// The elements that are marked at some point of the run, by machine.
 std::vector<std::set<std::string>> ReportPage::marked(const runs::Run& run) const {
     std::vector<std::set<std::string>> result(machines_.size());
     const auto add = [&](const Marks& marks) {
@@ -399,8 +398,8 @@ std::vector<std::set<std::string>> ReportPage::marked(const runs::Run& run) cons
     return result;
 }
 
-/// Each machine's diagram as it is after the last step, so that it is read without script; and those of the operations
-/// that it calls.
+/// The diagram of each machine after the last step, so that the page is readable without a script, and the diagrams of
+/// the operations that it calls.
 void ReportPage::figures(const std::string& id, const runs::Run& run) {
     const std::vector<runs::Machine>& last = run.steps.empty() ? run.initial : run.steps.back().machines;
     std::vector<PartDiagrams::Classes> classes(machines_.size());
@@ -423,7 +422,7 @@ void ReportPage::figures(const std::string& id, const runs::Run& run) {
     out_ += "</div>\n";
 }
 
-/// One that is wider than its place scrolls, by keyboard too.
+/// A figure that is wider than its space can be scrolled, also by keyboard.
 void ReportPage::figure(const std::string& attributes, const std::string& caption, const std::string& svg) {
     out_ += fmt::format(
         "<figure{} tabindex=\"0\" aria-label=\"diagram of "
@@ -431,7 +430,7 @@ void ReportPage::figure(const std::string& attributes, const std::string& captio
         attributes, xml_text(caption), xml_text(caption), svg);
 }
 
-/// The steps of a run beside the diagrams of its machines.
+/// The steps of a run next to the diagrams of its machines.
 void ReportPage::replay(const std::string& id, const runs::Run& run) {
     machines_.clear();
     timed_ = run.timed;
@@ -475,7 +474,7 @@ void ReportPage::claim(std::size_t number, const AssertionReport& assertion) {
     out_ += "</section>\n";
 }
 
-/// A run of the model behind what is said of a component and its code. `more`: a second sentence, or "".
+/// A run of the model that explains a result about a component and its code. `more`: a second sentence, or "".
 void ReportPage::model_run(const std::string& id, const std::string& title, const std::string& more,
                            const runs::Run& run) {
     out_ += fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{}</h3>\n<p>{}</p>\n", id, xml_text(title),
@@ -485,8 +484,8 @@ void ReportPage::model_run(const std::string& id, const std::string& title, cons
     out_ += "</section>\n";
 }
 
-/// What shows that the model cannot be run in cycles, or how far it goes with code that differs; and where it makes an
-/// output twice or misses a deadline.
+/// The runs that show why the model cannot run in cycles, what leads to a difference of the code, and where an output
+/// is repeated or a deadline is missed.
 void ReportPage::model_runs(std::size_t number, const ConformanceReport& report) {
     const conformance::Result& result = report.result;
     const auto coded = [&](std::string title, const diagnostics::Rule* rule) {
@@ -520,7 +519,7 @@ void ReportPage::code() {
     out_ += "</section>\n";
 }
 
-/// The elements that some claim asks about and no run exercises.
+/// The elements that some claim asks about and that no run exercises.
 std::set<std::string> ReportPage::unexercised() const {
     std::set<std::string> result, exercised;
     for (const AssertionReport& each : report_.assertions) {

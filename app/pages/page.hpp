@@ -1,5 +1,5 @@
-// A page that opens anywhere: one file that needs no network and no other file, and lets nothing run but its own
-// script, by hash (Content Security Policy Level 3).
+// A self-contained page: one file that needs no network and no other file, and runs only its own script, allowed by
+// hash (Content Security Policy Level 3).
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@ namespace robochart::app {
 /// The text of app/pages/parts/`path`.
 [[nodiscard]] std::string page_part(std::string_view path);
 
-/// What makes a page. What others wrote is escaped already.
+/// The contents of a page. Foreign text must be escaped already.
 struct Page {
-    std::string title;   ///< as it is
-    std::string script;  ///< the file of app/pages/parts that it runs, behind tables.js: "script.js"
-    std::string body;    ///< HTML; each `<style>` in it, a diagram's, is let in
+    std::string title;   ///< unescaped
+    std::string script;  ///< script in app/pages/parts that runs after tables.js: "script.js"
+    std::string body;    ///< HTML; each `<style>` in it, from a diagram, is allowed by hash
 };
 
 [[nodiscard]] std::string page_text(const Page&);
 
-/// Data for the script of a page: the text of JSON as the element of this id, which nothing in it can end.
+/// Data for the script of a page: JSON in an element with this id. The text cannot end the element.
 [[nodiscard]] std::string page_data(std::string_view id, std::string json);
 
 }  // namespace robochart::app

@@ -14,7 +14,7 @@
 namespace robochart::app {
 namespace {
 
-/// "Forward", "initial junction i", "ref EPuck, turned": an end of a line.
+/// "Forward", "initial junction i", "ref EPuck, turned": the text of an end of a line.
 std::string end_text(const diagrams::Picture& picture, const diagrams::Outline& outline,
                      const diagrams::Elements& elements, std::size_t end) {
     const diagrams::PictureBox& box = picture.boxes[end];
@@ -26,7 +26,7 @@ std::string end_text(const diagrams::Picture& picture, const diagrams::Outline& 
     return box.event_of == diagrams::none ? text : outline.title(box.event_of) + ", " + text;
 }
 
-/// What its lines join, for those who cannot see the picture; "" where there are none.
+/// Describes which boxes the lines join, for readers who cannot see the picture; "" if there are no lines.
 std::string lines_text(const diagrams::Picture& picture, const diagrams::Elements& elements) {
     if (picture.lines.empty()) return "";
     const diagrams::Outline outline(picture);

@@ -1,5 +1,5 @@
-// The diagrams of a run's parts: which subjects they have, and which element of a diagram a place or a name of the
-// model is. Elements are numbered through all parts, so that one element has one id in a whole page.
+// The diagrams of a run's parts: their subjects, and the element of a diagram that belongs to a place or name of the
+// model. Elements are numbered through all parts, so that an element has one id in a whole page.
 #pragma once
 
 #include <cstdint>
@@ -19,45 +19,45 @@
 
 namespace robochart::app {
 
-/// What has a diagram, with the part of the input that it is of.
+/// A subject with a diagram, and the part that contains it.
 struct PartSubject {
     Project* project = nullptr;
     const diagrams::Elements* elements = nullptr;
-    diagrams::Subject subject;                       ///< its file is alike with no other of all parts
-    const diagrams::StoredLayout* layout = nullptr;  ///< that a person drew; null for our own
+    diagrams::Subject subject;                       ///< its file name is unique among all parts
+    const diagrams::StoredLayout* layout = nullptr;  ///< drawn by a person; null: automatic layout
 };
 
 class PartDiagrams {
 public:
-    /// Parts that could not be read and those that come a second time have none.
+    /// Parts that could not be read, and parts that repeat an earlier one, have no diagrams.
     PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget);
-    /// Of projects of which each is loaded by itself. Of two with the same texts the first has the diagrams, and places
-    /// of the second are found in them.
+    /// For projects that were loaded separately. If two have the same texts, the first has the diagrams, and places of
+    /// the second are found in them.
     PartDiagrams(const std::vector<Project*>& projects, diagnostics::Budget& budget);
 
-    /// In the order of the text.
+    /// The subjects in textual order.
     [[nodiscard]] const std::vector<PartSubject>& subjects() const { return subjects_; }
-    /// What is to be said of files with diagrams that people drew, and, in the findings of its project, of that of a
-    /// subject.
+    /// Findings about files with diagrams that people drew. `explain` adds the finding about one subject to its
+    /// project.
     [[nodiscard]] const diagnostics::Diagnostics& stored_findings() const { return stored_findings_; }
     void explain_layout(const PartSubject& subject) const;
-    /// The id of what begins at a place; "" if nothing does.
+    /// The id of the element that begins at a place; "" if there is none.
     [[nodiscard]] std::string at(const runs::Place& place) const;
     [[nodiscard]] std::string at(const diagnostics::SourceManager& sources, diagnostics::Span span) const;
     /// The id of a state or transition by its name in the resolved model; "" if it has none.
     [[nodiscard]] std::string named(const std::string& element) const;
 
-    /// The id of the element that makes an event happen; "" if none is drawn.
+    /// The id of the element that causes an event; "" if none is drawn.
     [[nodiscard]] std::string of(const runs::Event& event) const;
 
-    /// What groups of elements are besides, by their ids.
+    /// Additional classes of groups, by element id.
     using Classes = std::map<std::string, std::string>;
-    /// The diagram for a page, with what its lines join as text; in its place a paragraph with the reason where it is
-    /// too large. `prefix`: of all its ids.
+    /// The diagram for a page, with a text description of its lines; if it is too large, a paragraph with the reason.
+    /// `prefix`: of all its ids.
     [[nodiscard]] std::string drawn(const PartSubject& subject, const std::string& prefix, const Classes& = {}) const;
     /// The same of a component by its qualified name; "" if it has none.
     [[nodiscard]] std::string drawn(const std::string& component, const std::string& prefix, const Classes& = {}) const;
-    /// Those of the operations that show one of these elements, by id.
+    /// The diagrams of the operations that contain one of these elements, by id.
     struct Drawn {
         std::string name, diagram;
     };

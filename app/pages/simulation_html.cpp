@@ -1,4 +1,4 @@
-// See simulation_html.hpp. What others wrote is escaped where it is put into the page; ids come from counters.
+// See simulation_html.hpp. Foreign text is escaped when it is inserted into the page; ids are numbers from counters.
 #include "app/pages/simulation_html.hpp"
 
 #include <fmt/format.h>
@@ -26,14 +26,14 @@ namespace {
 using diagnostics::Json;
 using diagnostics::xml_text;
 
-/// Rows of the table of trials, and of the robots at the end.
+/// The largest number of rows in the table of trials and in that of the robots at the end.
 constexpr std::size_t most_rows = 200;
-/// Times of the plots.
+/// The largest number of points in time in plots.
 constexpr std::size_t most_times = 140;
-/// Lines of single trials are in plots of so many series and trials at most.
+/// Single trials are drawn as lines only if there are at most this many series and trials.
 constexpr std::size_t most_line_series = 2;
 constexpr std::size_t most_line_trials = 20;
-/// Links between robots are shown of so many robots at most.
+/// Links between robots are drawn for at most this many robots.
 constexpr std::size_t most_linked = 300;
 
 /// "1 trial", "3 trials".
@@ -76,7 +76,7 @@ private:
         return kind.project->system.machines[each.machine.index];
     }
     [[nodiscard]] bool several() const { return run_.kinds.size() > 1; }
-    /// "state of rig::go"; of a number where each kind has machines of its own.
+    /// "state of rig::go"; with a number if each kind has its own machines.
     [[nodiscard]] std::string title_of(std::size_t number) const {
         const std::string& name = machines_[number].name;
         if (several()) return machines_.size() == 1 ? "state" : fmt::format("state of machine {}", number + 1);
@@ -183,7 +183,7 @@ void SimulationPage::claims() {
     out_ += "</ul>\n</section>\n";
 }
 
-/// The values of the trials as ticks beside what is accepted.
+/// The values of the trials as ticks next to the accepted interval.
 std::string SimulationPage::strip(std::size_t band) const {
     const simulation::Band& accepted = scenario_.bands[band];
     double low = INFINITY, high = -INFINITY;
@@ -282,7 +282,7 @@ void SimulationPage::controls() {
         "<p class=\"sim-status\" id=\"status\" role=\"status\"></p>\n";
 }
 
-/// The states of the first machine, with how many robots are in each.
+/// The states of the first machine, with the number of robots in each.
 void SimulationPage::legend() {
     out_ += "<ul class=\"sim-legend\">";
     const auto entries =
@@ -300,7 +300,7 @@ void SimulationPage::legend() {
     out_ += "</ul>\n";
 }
 
-/// The chosen robot: where it is, and its machines.
+/// The selected robot: its position and its machines.
 void SimulationPage::robot() {
     out_ +=
         "<div class=\"sim-chosen-robot\">\n<p class=\"controls\"><label for=\"robot\">Robot</label> <select "
@@ -317,13 +317,13 @@ void SimulationPage::robot() {
     out_ += "</div>\n";
 }
 
-/// Of a machine of a kind; shown while a robot of that kind is chosen.
+/// The diagram of a machine of a kind; shown while a robot of that kind is selected.
 void SimulationPage::diagram(std::size_t kind, std::size_t number) {
     const cpp_emit::DriveMachine& drive = run_.kinds[kind].emission->machines[number];
     const ir::Machine& definition = machine(run_.kinds[kind], drive);
     const std::string name = definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
     const diagnostics::SourceManager& sources = run_.kinds[kind].project->sources;
-    // Two models may have components of one name.
+    // Two models may have components with the same name.
     const auto is_of = [&](const PartSubject& each) {
         return each.subject.component != nullptr && each.subject.name == name && !definition.nodes.empty() &&
                each.project->sources.path(each.subject.component->span.source) ==
@@ -362,7 +362,7 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
     out_ += "</tbody></table></details>\n";
 }
 
-/// The elements of the diagram that are active in each state of a machine, kind after kind: the state and those around
+/// The active elements of the diagram for each state of a machine, kind by kind: the state and the states that contain
 /// it.
 Json SimulationPage::elements(std::size_t number) const {
     Json states = Json::array();
@@ -389,7 +389,7 @@ Json SimulationPage::elements(const KindModel& kind, const cpp_emit::DriveMachin
 Json SimulationPage::data() const {
     Json json = trials_json(view(), result_, shown_, machines_.size());
     json["link"] = scenario_.all_robots() <= most_linked ? simulation::link_of(scenario_) : 0;
-    json["kinds"] = Json::array();  // the first robot of each
+    json["kinds"] = Json::array();  // first robot of each kind
     for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind) json["kinds"].push_back(scenario_.first_robot(kind));
     json["states"] = Json::array();
     for (std::size_t m = 0; m < machines_.size(); ++m)
@@ -465,7 +465,7 @@ void SimulationPage::diagrams() {
     out_ += "</section>\n";
 }
 
-/// What the page does not show as it was, so that it stays small and clear.
+/// Lists data that the page omits or thins out to stay small and clear.
 std::vector<std::string> SimulationPage::left_out() const {
     std::vector<std::string> list;
     const std::size_t recorded = simulation::recorded_trials(scenario_);

@@ -1,5 +1,5 @@
-// A simulation as one page: what was run and what came of it, a trial to play through, the active states of each
-// robot on the diagrams of its machines, the measures over time. See page.hpp for what every page keeps to.
+// A simulation as one page: the scenario and its results, a trial to replay, the active states of each robot on the
+// diagrams of its machines, the measures over time. page.hpp states what holds for every page.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace robochart::app {
 
-/// What drives a kind of robots; the diagrams are those of its model.
+/// The model that drives a kind of robots; the diagrams are of this model.
 struct KindModel {
     Project* project = nullptr;
     const cpp_emit::DriveEmission* emission = nullptr;
 };
 
-/// What the page is about.
+/// The contents of the page.
 struct SimulationRun {
-    const std::vector<KindModel>& kinds;  ///< in the scenario's order
+    const std::vector<KindModel>& kinds;  ///< in the order of the scenario
     const simulation::Scenario& scenario;
     const simulation::Machines& machines;  ///< of all kinds of robots
     const simulation::RunResult& result;
-    std::string simulator;           ///< "" for the embedded world
-    std::string monitors;            ///< what they watched, in a line; "" without
-    std::string notes;               ///< lines, of monitors and of files that were not made
-    std::vector<std::string> files;  ///< written beside the page
+    std::string simulator;           ///< "" for the built-in world
+    std::string monitors;            ///< one line about what they observed; "" without monitors
+    std::string notes;               ///< lines about monitors and about files that were not written
+    std::vector<std::string> files;  ///< written with the page
 };
 
 [[nodiscard]] std::string render_simulation_html(const SimulationRun&, const Options&);

@@ -1,4 +1,4 @@
-// See sweep_html.hpp. What others wrote is escaped where it is put into the page.
+// See sweep_html.hpp. Foreign text is escaped when it is inserted into the page.
 #include "app/pages/sweep_html.hpp"
 
 #include <fmt/format.h>

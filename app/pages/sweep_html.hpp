@@ -1,4 +1,4 @@
-// A sweep as one page: the answers, the table of points, plots, the world that they are about.
+// A sweep as one page: the answers, the table of points, plots, and the world.
 #pragma once
 
 #include <string>

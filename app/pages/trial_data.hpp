@@ -1,5 +1,5 @@
-// The recorded trials as data for the script of a page: where each robot is and the state of each of its machines,
-// frame by frame, in few letters.
+// The recorded trials as compact data for the script of a page: the position of each robot and the state of each of its
+// machines, frame by frame.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,28 @@
 
 namespace robochart::app {
 
-/// What of a run a page shows, so that it stays small: trials with their numbers from 0, robots, and of the recorded
-/// times one in `every`, and the last.
+/// The part of a run that a page shows, so that it stays small: trials (numbered from 0), robots, and one of every
+/// `every` recorded times, and the last.
 struct ShownTrials {
     std::vector<std::size_t> trials;
     std::size_t robots = 0;
     std::size_t every = 1;
 };
 
-/// Trials that stopped come first, then those outside of a band, then the first ones. `most_letters`: of all positions.
+/// Selects trials: first those that stopped, then those outside of a band, then the first ones. `most_letters`: for all
+/// positions together.
 [[nodiscard]] ShownTrials shown_trials(const simulation::Scenario&, const simulation::RunResult&, std::size_t machines,
                                        std::size_t most_letters = 650'000);
 
-/// A number from 0 to 4095 as two of the letters A-Z a-z 0-9 - _.
+/// A number from 0 to 4095 as two of the characters A-Z a-z 0-9 - _.
 [[nodiscard]] std::string two_letters(std::size_t number);
 
-/// A frame: for each robot x, y (from the left and the top, 4095 is the whole width and height), the heading (4096 is a
-/// whole turn counter-clockwise), and the number of the state of each machine, each in two letters.
+/// A frame: for each robot x, y (from the left and the top; 4095 is the whole width and height), the heading (4096 is a
+/// full turn counter-clockwise), and the number of the state of each machine, each in two characters.
 [[nodiscard]] std::string frame_letters(const simulation::View&, const simulation::Frame&, std::size_t robots,
                                         std::size_t machines);
 
-/// `view`, `robots`, `machines` (how many) and `trials[]`: `number` (from 1), `times[]` and `frames[]`.
+/// `view`, `robots`, `machines` (the number) and `trials[]`: `number` (from 1), `times[]` and `frames[]`.
 [[nodiscard]] diagnostics::Json trials_json(const simulation::View&, const simulation::RunResult&, const ShownTrials&,
                                             std::size_t machines);
 

@@ -1,4 +1,4 @@
-// A plot of the values of a probabilistic assertion over the constant that varies.
+// A plot of the values of a probabilistic assertion against the constant that varies.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace robochart::app {
 
-/// SVG: a line, or a band between the least and the greatest values. "" where it is not one constant that varies, or
-/// not every row has a number.
+/// SVG: a line, or a band between the least and the greatest values. "" unless exactly one constant varies and every
+/// row has a number.
 [[nodiscard]] std::string value_plot(const ProbabilityReport&);
 
 }  // namespace robochart::app

@@ -30,14 +30,14 @@ void add(prism::PropertyFile& all, prism::PropertyFile more) {
     all.properties.insert(all.properties.end(), more.properties.begin(), more.properties.end());
 }
 
-/// In a model of `emit prism` no state may be reachable that its label of left out steps holds in.
+/// In a model written by `emit prism`, no state that satisfies the label of omitted steps may be reachable.
 void note_left_out(std::string_view text, prism::CheckedModel& model) {
     if (!prism_emit::is_of_robochart(text)) return;
     for (const prism::Definition& label : model.labels)
         if (label.name.text == prism_emit::left_out_label) model.left_out = label.body;
 }
 
-/// The uniform scheduler takes every combination of commands with the same probability: that is a dtmc.
+/// The uniform scheduler chooses every combination of commands with equal probability, which gives a dtmc.
 void resolve_choices(const Options& options, LoadedModel& loaded) {
     if (loaded.model->kind != prism::ModelKind::mdp) return;
     if (!options.scheduler.empty()) {

@@ -1,4 +1,4 @@
-// What the verb `prism` works on: a model and properties, read and checked, and the values to try for their constants.
+// The input of the verb `prism`: a model and properties, parsed and checked, and the values of their constants to try.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@
 
 namespace robochart::app {
 
-/// The files with the findings about them.
+/// The files with their findings.
 struct LoadedModel {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    std::optional<prism::ModelKind> kind;      ///< as written; nothing where that could not be read
-    std::optional<prism::CheckedModel> model;  ///< a dtmc where it is an mdp under a scheduler
-    bool scheduled = false;                    ///< it is
+    std::optional<prism::ModelKind> kind;      ///< as written; no value if it could not be read
+    std::optional<prism::CheckedModel> model;  ///< a dtmc if an mdp is combined with a scheduler
+    bool scheduled = false;                    ///< an mdp was combined with a scheduler
     prism::CheckedProperties properties;
 };
 
-/// Reads the model, the files of properties and those of `--property`; what is wrong is among the findings. Throws
-/// UsageError where paths of an mdp are asked for and nobody makes its choices.
+/// Reads the model, the property files and those of `--property`; mistakes are added to the findings. Throws UsageError
+/// if paths of an mdp are requested without a scheduler.
 void load(const Options& options, LoadedModel& loaded);
 
-/// Values asked for on the command line: of the model's constants, and of those of the properties.
+/// The values requested on the command line: for constants of the model, and for those of the properties.
 struct Experiment {
     std::vector<prism::Values> of_model, of_properties;
 };

@@ -12,7 +12,7 @@
 namespace robochart::app {
 namespace {
 
-/// A value of a constant: a whole number, a decimal or a fraction.
+/// The value of a constant: a whole number, a decimal or a fraction.
 std::optional<double> number(const std::string& text) {
     const auto decimal = [](std::string_view part) -> std::optional<double> {
         double value = 0;
@@ -36,7 +36,7 @@ NamedValues constants_of(const PrismRun& run, const PrismAnswer& answer) {
 
 using ValuesByName = std::map<std::string, std::set<std::string>>;
 
-/// The constant with most values, all of them numbers; "" if none has two.
+/// The constant with the most values, all of them numbers; "" if none has at least two.
 std::string parameter_of(const ValuesByName& values) {
     std::string result;
     std::size_t most = 1;

@@ -1,4 +1,4 @@
-// The answers of an experiment as a picture.
+// The answers of an experiment as a plot.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace robochart::app {
 
-/// Numbers over the constant that takes most values: a line for each property and each set of the other constants. ""
-/// if no constant takes several numbers as values, or no property has a number as answer.
+/// Plots numbers against the constant with the most values: one line for each property and each combination of the
+/// other constants. "" if no constant has several numeric values, or no property has a numeric answer.
 [[nodiscard]] std::string prism_plot(const PrismReport& report);
 
 }  // namespace robochart::app

@@ -1,4 +1,4 @@
-// A bound is reported once for each expression, with the element that contains it.
+// A bound is reported once for each expression, with the element that contains the expression.
 #include "app/report/bounds.hpp"
 
 #include <fmt/format.h>
@@ -19,10 +19,10 @@
 namespace robochart::app {
 namespace {
 
-/// A state of a term takes long beside one of a compiled machine.
+/// Limited, because a state of a term takes much longer than one of a compiled machine.
 constexpr std::size_t most_states = 20'000;
 
-/// What looks at the elements of a sequence.
+/// The functions that access the elements of a sequence.
 constexpr std::array<const char*, 3> of_sequences{"sequence_toolkit_extract", "sequence_toolkit_size", "access_"};
 
 /// The expression as written, on one line.
@@ -58,7 +58,7 @@ cspm::CallObserver BoundWatch::observer() {
 }
 
 void BoundWatch::note(const cspm::ObservedCall& call) {
-    // Calls without a place, and those in CSP blocks, are no expressions of the model.
+    // Calls without a place, and those in CSP blocks, are not expressions of the model.
     if (!call.span.known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
     if (std::ranges::find(of_sequences, call.function) != of_sequences.end()) {
         for (const ir::SequenceLimit& limit : sequence_limits_)
@@ -91,10 +91,10 @@ void BoundWatch::add(diagnostics::Span span, std::string text, std::string remed
 
 namespace {
 
-/// The processes of components, by what their names end in.
+/// The suffixes of names of component processes.
 constexpr std::array<const char*, 6> variants{"::D__", "::O__", "::VS__", "::VS_O__", "::AS_O__", "::FVS__"};
 
-/// The component whose process a call is; "" if it is none.
+/// The component whose process is called; "" if there is none.
 std::string component_of(const cspm::Expr& expr) {
     if (expr.kind != cspm::ExprKind::apply || expr.args[0]->kind != cspm::ExprKind::name) return "";
     const std::string& name = expr.args[0]->text;
@@ -105,7 +105,7 @@ std::string component_of(const cspm::Expr& expr) {
 
 using Processes = std::vector<cspm::ExprPtr>;
 
-/// The components' processes in an expression, as they are before compression.
+/// Collects the processes of components in an expression, in their form before compression.
 void add_components(const cspm::ExprPtr& expr, Processes& found) {
     if (!expr) return;
     if (const std::string component = component_of(*expr); !component.empty()) {
@@ -117,8 +117,8 @@ void add_components(const cspm::ExprPtr& expr, Processes& found) {
     for (const cspm::ExprPtr& part : expr->args) add_components(part, found);
 }
 
-/// Where a claim speaks of what a CSP block defines, all of it counts: the block may keep a component from doing
-/// things.
+/// If a claim is about a process that a CSP block defines, the whole process counts, because the block may restrict a
+/// component.
 Processes processes_of(const csp_emit::Obligation& claim) {
     Processes sides;
     if (claim.firing) sides.push_back(claim.firing->process);
@@ -144,7 +144,8 @@ const ReachedBounds::Visited& ReachedBounds::visited(const cspm::ExprPtr& proces
     const auto [at, added] = visited_.try_emplace(cspm::print(process));
     Visited& result = at->second;
     if (!added) return result;
-    // A session of its own: values that another claim has asked for are known in its session, and nobody hears of them.
+    // A separate session: in the session of another claim, values may be cached, and the observer would not see their
+    // evaluation.
     cspm::Session session(emission_.script, &options_.run->budget());
     BoundWatch watch(project_, emission_);
     session.observe(watch.observer());
@@ -169,7 +170,8 @@ const ReachedBounds::Visited& ReachedBounds::visited(const cspm::ExprPtr& proces
     return result;
 }
 
-/// Whether the element is of a machine that runs in the component that the process is; of other processes: always.
+/// True if the element belongs to a machine that runs in the component of this process; always true for other
+/// processes.
 bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& process) const {
     const std::string component = component_of(*process);
     if (component.empty()) return true;

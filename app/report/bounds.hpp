@@ -1,4 +1,5 @@
-// Bounds of the finite instantiation that runs come to: where a value was cut, chosen, or is none of the type.
+// Bounds of the finite instantiation that runs reach: places where a value was clipped, chosen, or does not belong to
+// the type.
 #pragma once
 
 #include <map>
@@ -15,13 +16,13 @@
 
 namespace robochart::app {
 
-/// Listens to the evaluation of one script.
+/// Observes the evaluation of one script.
 class BoundWatch {
 public:
     BoundWatch(const Project& project, const csp_emit::Emission& emission);
 
     [[nodiscard]] cspm::CallObserver observer();
-    /// What was met so far: once for each function and place.
+    /// The bounds observed so far, once for each function and place.
     [[nodiscard]] const std::vector<Ground>& met() const { return met_; }
 
 private:
@@ -35,21 +36,21 @@ private:
     std::vector<Ground> met_;
 };
 
-/// Which bounds the runs of a claim's processes come to. The search for an answer explores each part of a composition
-/// with all its inputs, and meets bounds that no run of the whole does; so the states of the whole are visited once
-/// more, up to a limit.
+/// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component of a
+/// composition with all its inputs, and observes bounds that no run of the whole process reaches. So the states of the
+/// whole process are explored again, up to a limit.
 class ReachedBounds {
 public:
     ReachedBounds(const Project& project, const csp_emit::Emission& emission, const Options& options)
         : project_(project), emission_(emission), options_(options) {}
 
-    /// `met`: what the search met, for this claim or others.
+    /// `met`: the bounds observed by the search, for this claim or others.
     [[nodiscard]] Basis of(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
 
 private:
     struct Visited {
         std::vector<Ground> reached;
-        bool all = true;  ///< no state is left
+        bool all = true;  ///< every state was explored
     };
     const Visited& visited(const cspm::ExprPtr& process);
     [[nodiscard]] bool is_part(const std::string& element, const cspm::ExprPtr& process) const;
@@ -57,7 +58,7 @@ private:
     const Project& project_;
     const csp_emit::Emission& emission_;
     const Options& options_;
-    std::map<std::string, Visited> visited_;  // by the process as text
+    std::map<std::string, Visited> visited_;  // by the text of the process
 };
 
 }  // namespace robochart::app

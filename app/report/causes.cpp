@@ -8,7 +8,7 @@
 namespace robochart::app {
 namespace {
 
-/// The evaluator lists no more values of a set.
+/// The evaluator does not enumerate more values of a set.
 constexpr double most_values = 5'000'000;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What in the finite instantiation is behind an error of evaluation.
+// Finds the cause of an evaluation error in the finite instantiation.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace robochart::app {
 
-/// Behind the error, what to do about it: "; type Twist has about 2e+15 values: ...". "" where it is not known.
+/// A text to append to the error, with a remedy: "; type Twist has about 2e+15 values: ...". "" if the cause is
+/// unknown.
 [[nodiscard]] std::string cause_of(const Project&, const cspm::EvaluationError&);
 
 }  // namespace robochart::app

@@ -1,5 +1,5 @@
-// See diff.hpp. The shortest edit is searched greedily (Myers, "An O(ND) difference algorithm", 1986) between what the
-// texts have in common at their begins and ends.
+// See diff.hpp. The shortest edit is found greedily (Myers, "An O(ND) difference algorithm", 1986), between the common
+// beginning and the common end of the texts.
 #include "app/report/diff.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ Lines lines_of(std::string_view text) {
     return lines;
 }
 
-/// A run of lines: kept (` `), left out (`-`) or new (`+`).
+/// A run of lines: kept (` `), removed (`-`) or added (`+`).
 struct Edit {
     char kind;
     std::size_t before;  ///< line of the old text, from 0
@@ -36,7 +36,7 @@ class Search {
 public:
     Search(const Lines& before, const Lines& after) : before_(before), after_(after) {}
 
-    /// The edits in order; all lines replaced if more than `most` steps were needed.
+    /// The edits in order. If more than `most` steps were needed, all lines are replaced.
     std::vector<Edit> run();
 
 private:
@@ -59,7 +59,7 @@ private:
     std::vector<Frontier> history_;
 };
 
-/// Extends every path by one change and then as far as lines agree; true if one reached the end.
+/// Extends every path by one change and then along equal lines; returns true if one reached the end.
 bool Search::advance(std::ptrdiff_t step) {
     history_.push_back(frontier_);
     for (std::ptrdiff_t diagonal = -step; diagonal <= step; diagonal += 2) {
@@ -111,7 +111,7 @@ std::vector<Edit> Search::run() {
     return replace();
 }
 
-/// The edits between two texts, what they have in common at both ends included.
+/// The edits between two texts, including the common lines at both ends.
 std::vector<Edit> edits_between(const Lines& before, const Lines& after) {
     const std::size_t shorter = std::min(before.size(), after.size());
     std::size_t head = 0;
@@ -157,7 +157,7 @@ std::string hunk(Place begin, Place end, const Lines& before, const Lines& after
     return out;
 }
 
-/// Where the hunk that begins with the change at `change` ends: changes nearer than twice the context belong together.
+/// The end of the hunk that begins at `change`: changes closer than twice the context are in one hunk.
 Place hunk_end(Place change, Place end, std::ptrdiff_t context) {
     for (;;) {
         const Place quiet = std::find_if_not(change, end, changes);

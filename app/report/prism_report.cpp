@@ -15,7 +15,7 @@ namespace {
 using diagnostics::Json;
 using Kind = prism::Result::Kind;
 
-/// A bound or value as a number of JSON, or "Infinity".
+/// A bound or value as a JSON number, or "Infinity".
 Json number_json(double value) {
     if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
     return value;
@@ -145,7 +145,7 @@ std::string value_of(const std::string& name, const PrismRun& run, const PrismAn
     return "";
 }
 
-/// Those that take several values.
+/// The constants that take several values.
 NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismAnswer& answer) {
     NamedValues all = run.constants;
     all.insert(all.end(), answer.constants.begin(), answer.constants.end());
@@ -163,7 +163,7 @@ std::string total_text(const prism::Enclosure& total) {
     return total.exact() ? double_text(total.low) : fmt::format("{:.6g}", total.middle());
 }
 
-/// The most probable of them, step by step.
+/// The most probable path, step by step.
 std::string counterexample_text(const PrismReport& report, const prism::Counterexample& found,
                                 const std::string& indent) {
     constexpr std::size_t most = 3;
@@ -287,7 +287,7 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-/// All names of constants, in the order in which they first occur.
+/// The names of all constants, in the order of first occurrence.
 std::vector<std::string> names_of(const PrismReport& report) {
     std::vector<std::string> names;
     const auto add = [&](const NamedValues& constants) {
@@ -345,7 +345,7 @@ Exit exit_of(const PrismReport& report) {
     return failed ? Exit::failed : open ? Exit::inconclusive : Exit::success;
 }
 
-/// One run: property by property. Several: a table for each property.
+/// For one run: property by property. For several: one table per property.
 std::string prism_text(const PrismReport& report, const Options& options) {
     std::string text;
     if (!options.quiet)

@@ -1,4 +1,4 @@
-// What `prism` found, as data, and its output: text, JSON (robochart-verify/prism/1), CSV.
+// The results of `prism` as data, and their output: text, JSON (robochart-verify/prism/1), CSV.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace robochart::app {
 
-/// Names of constants with their values, as text.
+/// Names of constants with their values as text.
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
-/// One property, for one set of constants.
+/// The answer to one property, for one set of constants.
 struct PrismAnswer {
     std::size_t property = 0;
     NamedValues constants;
     prism::Result result;
-    std::string error;  ///< why it could not be evaluated; "" if it could
+    std::string error;  ///< why it could not be evaluated; "" if it was
     std::optional<prism::Counterexample> counterexample;
 };
 
@@ -31,7 +31,7 @@ struct PrismAnswer {
 struct PrismRun {
     NamedValues constants;
     std::uint64_t states = 0, choices = 0, transitions = 0, initial = 0, deadlocks = 0;
-    double seconds = 0;  ///< to explore
+    double seconds = 0;  ///< to explore the states
     bool explored = false;
     std::vector<PrismAnswer> answers;
 };
@@ -42,32 +42,32 @@ struct PrismProperty {
 
 struct PrismReport {
     std::string model;                                    ///< path
-    const diagnostics::SourceManager* sources = nullptr;  ///< of the commands in counterexamples
-    std::optional<prism::ModelKind> kind;                 ///< as written; nothing where that could not be read
-    std::string scheduler;                                ///< of an mdp: who made the choices; "": any scheduler may
+    const diagnostics::SourceManager* sources = nullptr;  ///< for the commands in counterexamples
+    std::optional<prism::ModelKind> kind;                 ///< as written; no value if it could not be read
+    std::string scheduler;                                ///< for an mdp: how choices are resolved; "": any scheduler
     std::vector<PrismProperty> properties;
     std::vector<PrismRun> runs;
     std::vector<std::string> errors;
-    std::string limit;  ///< what ended the run; "" if nothing did
+    std::string limit;  ///< the limit that ended the run; "" if none did
 };
 
-/// Around a number: where it lies, or of an estimate the interval that is right most often, that of Clopper and Pearson
-/// where the samples are hits and misses.
+/// The interval around a number: its enclosure. For an estimate, the interval with the best coverage: that of Clopper
+/// and Pearson if the samples are successes and failures.
 [[nodiscard]] prism::Enclosure interval_of(const prism::Result& result);
 /// "0.384 +- 0.04 at 99 % (ci, 1000 paths of 4.6 steps, 1 to 31)", or "true (sprt, ...)".
 [[nodiscard]] std::string sampled_text(const prism::Result& result);
-/// "Clopper-Pearson: from 0.34 to 0.42"; "" where the samples are no hits and misses.
+/// "Clopper-Pearson: from 0.34 to 0.42"; "" if the samples are not successes and failures.
 [[nodiscard]] std::string binomial_text(const prism::Result& result);
-/// Of a number that was estimated, {"value", "low", "high"}: the mean, in `interval_of`.
+/// An estimated number as {"value", "low", "high"}: the mean in `interval_of`.
 [[nodiscard]] diagnostics::Json interval_json(const prism::Result& result);
 /// The method, the samples and the intervals.
 [[nodiscard]] diagnostics::Json estimate_json(const prism::Estimate& estimate);
 /// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
 [[nodiscard]] std::string value_text(const prism::Real& value);
-/// {"value", "low", "high"}, and "exact" where it is a fraction.
+/// {"value", "low", "high"}, and "exact" if it is a fraction.
 [[nodiscard]] diagnostics::Json real_json(const prism::Real& value);
 
-/// 2 where something is wrong, else 1 where a property is false, else 3 where one is not decided.
+/// 2 if there is an error, otherwise 1 if a property is false, otherwise 3 if one is not decided.
 [[nodiscard]] Exit exit_of(const PrismReport& report);
 [[nodiscard]] std::string prism_text(const PrismReport& report, const Options& options);
 [[nodiscard]] std::string prism_json(const PrismReport& report);

@@ -32,7 +32,7 @@ std::string result_text(const prism::Result& result) {
                    (result.reason.empty() ? "" : fmt::format("; wider than asked for: {}", result.reason));
         case Kind::range:
             return fmt::format("from {} to {}", value_text(result.low), value_text(result.high));
-        case Kind::states:  // no assertion asks for them
+        case Kind::states:  // not used by assertions
         case Kind::unknown:
             break;
     }

@@ -1,4 +1,4 @@
-// Answers to probabilistic assertions as text and JSON: a value or a truth for each combination of constants.
+// Answers to probabilistic assertions as text and JSON: a value or truth value for each combination of constants.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace robochart::app {
 
-/// Lines, each behind `indent`: what it was decided on, then the values; constants that do not vary are left out.
+/// Lines indented by `indent`: the model, then the values; constants that do not vary are omitted.
 [[nodiscard]] std::string probability_text(const ProbabilityReport&, const std::string& indent);
 [[nodiscard]] diagnostics::Json probability_json(const ProbabilityReport&);
 /// "0.5"; "least 0.25, greatest 0.5"; "false, for example in the state x=1".
 [[nodiscard]] std::string row_text(const probability::Row&);
-/// The steps of a row's path, a line for each; "" where it has none.
+/// The steps of a row's path, one per line; "" if it has none.
 [[nodiscard]] std::string path_text(const probability::Row&, const std::string& indent);
-/// Those constants of a row that take several values.
+/// The constants of a row that take several values.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport&,
                                                                        const probability::Row&);
-/// Which model was asked, and how bounds on steps count in it.
+/// The model that was used, and how bounds on steps are counted in it.
 [[nodiscard]] std::string reading_of(const ProbabilityReport&);
 
 }  // namespace robochart::app

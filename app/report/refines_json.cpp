@@ -1,5 +1,6 @@
-// The fields of FDR's `refines --format json`: event 0 stands for "no event", 1 is tau, 2 is tick, so our numbers go
-// up by one. The names are those of FDR 4.2.7's output; a child's trace has an entry for every step of its parent's.
+// The fields of FDR's `refines --format json`. There, event 0 means "no event", 1 is tau and 2 is tick, so our event
+// numbers are increased by one. The field names are those of FDR 4.2.7's output. A child's trace has an entry for every
+// step of its parent's trace.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -63,8 +64,8 @@ const char* counterexample_type(ViolationKind kind) {
     return "";
 }
 
-/// What a part shows at the end of the run: the run's last event is apart where it is the offence, and a loop and an
-/// acceptance are given with the trace.
+/// The behaviour of each part at the end of the run. The offending event is separate from the trace; a loop and an
+/// acceptance are added to the trace.
 class Behaviours {
 public:
     Behaviours(const refine::Counterexample& counterexample, EventMap& events, const Options& options)
@@ -89,7 +90,7 @@ public:
         json["states"] = std::move(states);
         return json;
     }
-    /// The run that accepts the event, which is its last one.
+    /// The run that accepts the event; the event is its last step.
     Json accepting(const std::string& name) {
         Json json{{"machine_name", name}, {"type", "trace"}};
         std::vector<Event> trace;
@@ -119,15 +120,14 @@ public:
     }
 
 private:
-    /// The position of the offending event in a trace, if there is one.
+    /// The index of the offending event in a trace, if there is one.
     using Offence = std::optional<std::size_t>;
 
     [[nodiscard]] Offence offence_of_whole() const {
         if (counterexample_.kind != ViolationKind::trace || counterexample_.steps.empty()) return std::nullopt;
         return counterexample_.steps.size() - 1;
     }
-    /// A part has an entry for every step of the part above it, but for what was compressed, which has a run of its
-    /// own.
+    /// A part has an entry for every step of the part above it. A compressed part has a run of its own instead.
     static Offence offence_of(const process::Behaviour& part, const process::Behaviour& above, Offence offence) {
         if (!part.own_run || !offence) return offence;
         if (*offence >= above.trace.size() || above.trace[*offence] == process::no_event) return std::nullopt;
@@ -161,7 +161,7 @@ private:
                 return "min_acceptance";
         }
     }
-    /// A state that can terminate may do so whatever else it offers: its least acceptance is ✓ alone.
+    /// A state that can terminate may always do so, so its least acceptance is {✓}.
     static process::EventSet least(const process::EventSet& offered) {
         const bool terminates = !offered.empty() && offered.front() == process::tick;
         return terminates ? process::EventSet{process::tick} : offered;

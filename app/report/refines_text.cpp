@@ -1,4 +1,4 @@
-// Assertions of scripts as text: as FDR's `refines` prints them, and in our own report.
+// Assertions of scripts as text: in the format of FDR's `refines`, and for our own report.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using process::Behaviour;
 using process::Event;
 using refine::ViolationKind;
 
-/// A split of more parts than this is shown on request only.
+/// A split into more parts than this is shown only on request.
 constexpr std::size_t few_parts = 16;
 
 class Names {
@@ -59,7 +59,8 @@ std::string not_allowed(const refine::Counterexample& c, const Names& names, con
     return fmt::format("where the specification does not allow {}, only {}", event, sets(names, c.required));
 }
 
-/// In F a specification that has no stable state after the trace has no failures there: it allows no stable state.
+/// In the failures model, a specification without a stable state after the trace has no failures there, so it allows no
+/// stable state.
 std::string refusal(const refine::Counterexample& c, const Names& names) {
     if (c.required.empty())
         return fmt::format(
@@ -70,7 +71,7 @@ std::string refusal(const refine::Counterexample& c, const Names& names) {
                        sets(names, c.required));
 }
 
-/// Both runs, where the second is known.
+/// Both runs, if the second is known.
 std::string nondeterminism(const refine::Counterexample& c, const Names& names, const std::string& event) {
     std::string out = fmt::format("then refuses {}: the state offers {}", event, names.set(c.offered));
     if (c.accepting.empty()) return out + fmt::format("; after the same events it can also accept {}", event);
@@ -78,7 +79,7 @@ std::string nondeterminism(const refine::Counterexample& c, const Names& names, 
     return out + fmt::format("\n                 and accepts {} after {}", event, names.run(before));
 }
 
-/// The offence after the trace, with what the specification allowed.
+/// The offending event after the trace, with the events that the specification allows.
 std::string offence(const refine::Counterexample& c, const Names& names) {
     const std::string event = c.event ? names.of(*c.event) : "";
     switch (c.kind) {
