@@ -27,7 +27,7 @@ std::string_view outcome_word(conformance::Outcome outcome) {
 
 using diagnostics::Paint;
 
-/// A verdict at the beginning of a line, as wide as all of them.
+/// A verdict at the beginning of a line, padded to the width of the longest verdict.
 std::string verdict(std::string_view word, Paint paint, bool color) {
     constexpr std::size_t widest = 12;
     return fmt::format("  {}{:<{}} ", diagnostics::painted(word, paint, color), "",
@@ -48,13 +48,13 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
-/// Of random paths nothing is explored.
+/// False for answers from random paths, which explore no states.
 bool has_statistics(const AssertionReport& a) {
     if (a.probability && a.statistics.states == 0) return false;
     return a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0;
 }
 
-/// What was made of components that are equal, if there are any.
+/// The reduction by symmetry of equal components, if there are any.
 std::string symmetry_text(const refine::Statistics& size) {
     if (size.distinguished > 0)
         return fmt::format(
@@ -68,13 +68,13 @@ std::string symmetry_text(const refine::Statistics& size) {
                              : "";
 }
 
-/// Another place where the run of an assertion stands, and who else has the run that is printed.
+/// Where the run of an assertion is printed, and the other components with the same run.
 struct SharedRun {
-    std::string shown_at;             ///< "module P::M"; "": here
+    std::string shown_at;             ///< "module P::M"; "": with this assertion
     std::vector<std::string> others;  ///< components with the same run
 };
 
-/// What the model does, with its raw events.
+/// The run of the model with its raw events.
 std::string run_lines(const AssertionReport& a, const Options& options) {
     if (!a.run) return a.counterexample;
     std::string out = runs::text(*a.run, indent_of_runs);
@@ -85,10 +85,10 @@ std::string run_lines(const AssertionReport& a, const Options& options) {
     return out;
 }
 
-/// Of each kind; JSON, SARIF and the page list all.
+/// The number of entries shown per kind; JSON, SARIF and the page list all.
 constexpr std::size_t listed_grounds = 8;
 
-/// Behind the verdict. Under the heading of its component a core property needs no title.
+/// The text after the verdict. A core property has no title, because it is listed under its component.
 std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options, const SharedRun& shared) {
     const std::size_t padded = has_statistics(a) ? width : 0;
@@ -118,7 +118,7 @@ std::string assertion_block(const AssertionReport& a, const std::string& subject
            diagnostics::shown_lines(assertion_rest(a, subject, width, options, shared));
 }
 
-/// What the verdicts are about where it is less than the model.
+/// The cycles that the verdicts are about, if they do not cover the whole model.
 void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const conformance::Cycle& cycle = cycles[i];
@@ -132,7 +132,7 @@ std::string code_of(const diagnostics::Rule* rule) {
     return rule == nullptr ? "" : fmt::format(" [{}]", rule->code);
 }
 
-/// Why a model cannot be run in cycles, in its own words.
+/// The reason why a model cannot be run in cycles, in terms of the model.
 void write_explanation(std::string& out, const conformance::Explanation& explanation) {
     if (explanation.rule == nullptr) return;
     for (const std::string& place : explanation.where)
@@ -160,14 +160,14 @@ std::string first_of(const std::vector<std::string>& places) {
     return text;
 }
 
-/// Why an event is lost, and where.
+/// The reason for the loss of an event, and the states where it is lost.
 std::string reason_text(const conformance::MissedEvent::Reason& reason) {
     const bool busy = reason.why == conformance::MissedWhile::busy;
     return fmt::format("{} while {}: {}", in_cycles(reason.cycles), busy ? "the machine is busy" : "no condition holds",
                        first_of(reason.places));
 }
 
-/// The most cycles in a row in which an event is lost; with two reasons, of each of them.
+/// The largest number of consecutive cycles in which an event is lost; if there are two reasons, for each of them.
 void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
     for (const conformance::MissedEvent& each : missed) {
         out += fmt::format("               event {} can be missed for ", each.event);
@@ -187,7 +187,7 @@ void write_overtaken(std::string& out, const std::vector<conformance::OvertakenE
     }
 }
 
-/// What the model is besides, which decides nothing.
+/// Further properties of the model, which do not affect the verdict.
 void write_asides(std::string& out, const conformance::Result& r) {
     if (r.register_cycles) {
         const conformance::Aside& once = *r.register_cycles;
@@ -220,7 +220,7 @@ void write_api_difference(std::string& out, const conformance::Result& r) {
     write_behaviour(out, "dispatch", r.api_difference->dispatched);
 }
 
-/// Behind the verdict.
+/// The text after the verdict.
 std::string conformance_rest(const ConformanceReport& c, const Options& options) {
     const conformance::Result& r = c.result;
     std::string out =
@@ -391,10 +391,11 @@ std::string heading_text(const Report& report) {
 
 using Listed = std::vector<const AssertionReport*>;
 
-/// Runs of core properties that are the same for several components, by assertion.
+/// Runs of core properties that several components share, by assertion.
 using SharedRuns = std::map<const AssertionReport*, SharedRun>;
 
-/// A module, its controller and its machine often fail a property by one run: it is printed for the first of them.
+/// A module, its controller and its machine often fail a property with the same run; it is printed only for the first
+/// of them.
 SharedRuns shared_runs(const Report& report, const Options& options) {
     std::map<std::pair<std::string, std::string>, const AssertionReport*> first;  // by property and run
     SharedRuns result;
@@ -408,7 +409,7 @@ SharedRuns shared_runs(const Report& report, const Options& options) {
     return result;
 }
 
-/// Each as wide as the widest title, within reason.
+/// The title column is as wide as the widest title, up to 80 characters.
 std::string blocks(const Listed& listed, const std::string& subject, const Options& options, bool color,
                    const SharedRuns& shared) {
     std::size_t width = 0;
@@ -416,7 +417,7 @@ std::string blocks(const Listed& listed, const std::string& subject, const Optio
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
     for (const AssertionReport* a : listed)
-        // A value is an answer, and what an answer rests on belongs to it: both are printed whatever is left out.
+        // Values are answers, and the basis of an answer belongs to it, so both are printed even with --quiet.
         if (!options.quiet || a->answer != Answer::holds || !a->basis.empty()) {
             const auto elsewhere = shared.find(a);
             out += assertion_block(*a, subject, width, options, color,
@@ -433,7 +434,7 @@ std::string assertions_text(const Report& report, const Options& options, bool c
     return heading + blocks(listed, report.subject, options, color, {});
 }
 
-/// What is so of a component and what is not, in one sentence: states that cannot be reached with their places.
+/// The informative properties of a component in one sentence. Unreachable states are listed with their places.
 std::string information_text(const Listed& information) {
     std::vector<std::string> words;
     std::size_t reached = 0;
@@ -458,10 +459,10 @@ std::string information_text(const Listed& information) {
     return words.empty() ? "" : fmt::format("  {:<12} {}\n", "information", fmt::join(words, "; "));
 }
 
-/// Component by component.
+/// The core properties, by component.
 std::string core_text(const Report& report, const Options& options, bool color) {
     std::vector<std::string> components;
-    std::map<std::string, std::pair<Listed, Listed>> parts;  // what is required, and information
+    std::map<std::string, std::pair<Listed, Listed>> parts;  // required properties, and informative ones
     for (const AssertionReport& a : report.assertions) {
         if (!a.core) continue;
         const auto [part, added] = parts.try_emplace(a.core->component);
@@ -480,7 +481,7 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// What stands in the place of the seconds, where it does.
+/// Explains the word that is printed instead of the seconds, if it occurs.
 std::string legend(const Report& report, const Options& options) {
     const auto shown = [&](const AssertionReport& a) {
         return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds || !a.basis.empty());

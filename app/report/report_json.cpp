@@ -1,4 +1,4 @@
-// The report for programs. A library writes the JSON; the schema is in docs/cli.md.
+// The report for programs. nlohmann::json writes it; docs/cli.md contains the schema.
 #include <nlohmann/json.hpp>
 
 #include "app/report/probability_report.hpp"
@@ -19,7 +19,7 @@ Json statistics(const refine::Statistics& s) {
             {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
 }
 
-/// As text, as the script's events, and as data.
+/// The counterexample as text, as events of the script, and as data.
 Json counterexample(const runs::Run& run) {
     const auto loop = run.raw.end() - static_cast<std::ptrdiff_t>(run.raw_loop);
     Json json{{"story", runs::text(run, indent_of_runs)}, {"events", std::vector<std::string>(run.raw.begin(), loop)}};
@@ -168,7 +168,7 @@ std::string render_json(const Report& report) {
     for (const RefusedReport& each : report.refused)
         json["refused"].push_back(
             {{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
-    // Names come from the user's files: bytes that are not UTF-8 are replaced rather than refused.
+    // Names of files may contain bytes that are not UTF-8; they are replaced.
     return diagnostics::json_text(json, 2) + "\n";
 }
 

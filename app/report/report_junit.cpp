@@ -1,4 +1,5 @@
-// The report for continuous integration servers. What is not known counts as an error: a skipped case would pass.
+// The report for continuous integration servers. An unknown answer counts as an error, because a skipped case would
+// pass.
 #include <fmt/format.h>
 
 #include "app/base/junit.hpp"
@@ -61,7 +62,7 @@ JunitCase case_of(const ConformanceReport& c) {
     return made;
 }
 
-/// What concerns the run as a whole.
+/// A case about the run as a whole.
 JunitCase about_run(const std::string& name, const std::string& message, const std::string& text) {
     return {"run", name, Kind::error, message, text, 0};
 }

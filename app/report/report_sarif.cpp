@@ -1,7 +1,8 @@
-// The report as SARIF 2.1.0 (OASIS, 2020): a result for each assertion that fails or is not decided, with the steps of
-// its run that have places as a code flow (3.36), and for each component whose code does not conform. What is not known
-// has the kind `open` (3.27.9), which is no failure and no pass; what holds and rests on something has the kind
-// `informational`. What a verdict rests on is a related location (3.27.22) if it has a place, else part of the message.
+// The report as SARIF 2.1.0 (OASIS, 2020). There is a result for each assertion that fails or is not decided, with the
+// steps of its run that have places as a code flow (3.36), and for each component whose code does not conform. An
+// unknown answer has the kind `open` (3.27.9), which is neither a failure nor a pass. A claim that is true on some
+// basis has the kind `informational`. Entries of the basis with a place are related locations (3.27.22); the others are
+// part of the message.
 #include <fmt/format.h>
 
 #include <array>
@@ -42,7 +43,7 @@ std::string step_text(const runs::Step& step) {
     return step.time ? fmt::format("t={}: {}", *step.time, step.event.text) : step.event.text;
 }
 
-/// The steps that have places; null if none has.
+/// The steps that have places; null if there are none.
 Json flow(const runs::Run& run) {
     Json locations = Json::array();
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
@@ -56,7 +57,7 @@ Json flow(const runs::Run& run) {
     return Json::array({Json{{"threadFlows", Json::array({Json{{"locations", locations}}})}}});
 }
 
-/// `region`: none puts it at the beginning of `file`, since readers refuse results without a place.
+/// `region`: without a value, the result is at the beginning of `file`, because readers reject results without a place.
 Json result(Rule rule, std::string_view kind, const std::string& message, const std::string& subject,
             const std::optional<runs::Place>& region, const std::string& file) {
     const runs::Place beginning{file, 1, 1, 1, 1};
@@ -71,7 +72,7 @@ Json result(Rule rule, std::string_view kind, const std::string& message, const 
             {"partialFingerprints", diagnostics::sarif_fingerprint(ids[index], subject)}};
 }
 
-/// What the verdict rests on, behind its message and as locations.
+/// Adds the basis of the verdict to the message and to the locations.
 void add_basis(const Basis& basis, std::string& message, Json& related) {
     for (const Ground& ground : basis) {
         message += fmt::format("; it rests on: {}", ground_text(ground));
@@ -119,7 +120,7 @@ void add(const ConformanceReport& c, const std::string& file, Json& results) {
                              c.component, c.region, file));
 }
 
-/// Why the results are not all that was asked for.
+/// Why the results are incomplete.
 std::string incomplete(const Report& report) {
     if (!report.limit.empty()) return report.limit;
     if (!report.refused.empty()) return fmt::format("{} has errors", report.refused.front().model);

@@ -1,4 +1,5 @@
-// What the verb `cspm` found in one script, as data; drawn as FDR's `refines` does: its plain text, its JSON.
+// The results of the verb `cspm` for one script as data; printed in the formats of FDR's `refines`: plain text and
+// JSON.
 #pragma once
 
 #include <optional>
@@ -11,24 +12,24 @@
 
 namespace robochart::app {
 
-/// One assertion of a script, decided.
+/// A decided assertion of a script.
 struct ScriptAssertion {
     std::size_t number = 0;  ///< in its script, from 1
     std::string text;        ///< without `assert`
     std::string place;
-    std::string specification;  ///< of a refinement: the expression
-    std::string process;        ///< the implementation, or what a property is about
+    std::string specification;  ///< of a refinement
+    std::string process;        ///< the implementation, or the subject of a property
     Answer answer = Answer::inconclusive;
     std::vector<std::string> errors;  ///< why there is no answer
     cspm::AssertionResult result;
-    std::optional<process::Behaviour> behaviour;  ///< of a counterexample that is to be shown: what each part did
+    std::optional<process::Behaviour> behaviour;  ///< of a counterexample to show: the behaviour of each part
 };
 
 struct ScriptPrint {
     std::string expression;
     std::string value;
     std::string error;
-    bool failed = false;  ///< it has no value; else the error is a limit
+    bool failed = false;  ///< it has no value because of an error; otherwise because of a limit
 };
 
 struct ScriptReport {
@@ -38,11 +39,11 @@ struct ScriptReport {
     std::vector<ScriptAssertion> assertions;
 };
 
-/// One object on one line, with the fields of FDR 4's `refines --format json` and some of our own (docs/cli.md).
+/// One JSON object on one line, with the fields of FDR 4's `refines --format json` and additional ones (docs/cli.md).
 [[nodiscard]] std::string refines_json(const ScriptReport&, const process::EventTable&, const Options&);
-/// As FDR 4's `refines` prints one assertion.
+/// The output of FDR 4's `refines` for one assertion.
 [[nodiscard]] std::string refines_plain(const ScriptAssertion&, const process::EventTable&, const Options&);
-/// The counterexample in our own words, with its split; each line indented.
+/// The counterexample in our own format, with its split; each line is indented.
 [[nodiscard]] std::string counterexample_text(const ScriptAssertion&, const process::EventTable&, const Options&);
 
 }  // namespace robochart::app

@@ -21,14 +21,14 @@ namespace {
 namespace b = cspm::build;
 using cspm::ExprPtr;
 
-/// There are more states than are looked at.
+/// Thrown if there are too many states to explore.
 struct TooMany {};
 
 bool is_refinement(const csp_emit::Obligation& obligation) {
     return obligation.kind == ir::PropertyKind::refines || obligation.kind == ir::PropertyKind::equals;
 }
 
-/// "P::S::e.in" of `P::S::e.in` and `P::S::e.in.3`; "" of what names no event of a component.
+/// "P::S::e.in" for `P::S::e.in` and `P::S::e.in.3`; "" if the expression is not an event of a component.
 std::string event_named(const ExprPtr& expr, const csp_emit::Provenance& provenance) {
     const bool dotted = expr->kind == cspm::ExprKind::dot;
     const ExprPtr& channel = dotted ? expr->args.front() : expr;
@@ -39,14 +39,15 @@ std::string event_named(const ExprPtr& expr, const csp_emit::Provenance& provena
     return provenance.events.contains(name) ? name : "";
 }
 
-/// With any values.
+/// True if the set contains the channel with any values.
 bool does(const std::set<std::string>& events, const std::string& channel) {
     if (events.contains(channel)) return true;
     const auto next = events.lower_bound(channel + ".");
     return next != events.end() && next->starts_with(channel + ".");
 }
 
-/// Events of components that prefixes in the expression and in what it names have, and where each is first.
+/// The events of components in prefixes of the expression and of the definitions that it uses, each with its first
+/// place.
 std::map<std::string, diagnostics::Span> prefixed(const csp_emit::Emission& emission, const ExprPtr& process) {
     std::map<std::string, diagnostics::Span> found;
     csp_emit::visit_named(emission, {process}, [&](const ExprPtr& expr) {
@@ -105,7 +106,8 @@ const SecondLook::Seen& SecondLook::look(const ExprPtr& process) {
     return known->second;
 }
 
-/// The platform takes calls, outputs and writes at once, so that time is stopped by the component alone.
+/// The process with calls, outputs and writes hidden, because the platform accepts them at once. If time stops then,
+/// only the component stops it.
 ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     std::vector<ExprPtr> outputs;
     for (const std::string& path : csp_emit::components_in(emission_, {process}))
@@ -113,8 +115,8 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     return outputs.empty() ? process : b::hide(process, b::productions(outputs));
 }
 
-/// The component's process with the constants of the instantiation, by the name of its variant; null where the claim is
-/// about something else or sets constants.
+/// The component's process with the constants of the instantiation, in this variant. Null if the claim is about
+/// something else or sets constants.
 ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std::string& variant) const {
     if (obligation.property == ir::no_id) return nullptr;
     const ir::Property& property = project_.system.properties[obligation.property];
@@ -140,7 +142,8 @@ void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report)
                        "`is timelock-free` shows a run to where time stops"});
 }
 
-/// Where time is what is forbidden: a specification without time allows only what happens before any time passes.
+/// Applies if the forbidden event is the passing of time: a specification without `tock` allows only events before any
+/// time passes.
 void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& report) {
     if (!report.run || report.run->end.kind != runs::EndKind::forbidden || !report.run->end.event ||
         report.run->end.event->kind != runs::Kind::tock)
@@ -159,7 +162,7 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
                      name)});
 }
 
-/// What follows an event that never comes has no part in the answer.
+/// If an event never occurs, the part of the specification after it has no influence on the answer.
 void SecondLook::add_never_asked(const cspm::Assertion& assertion, AssertionReport& report) {
     const auto named = prefixed(emission_, assertion.specification);
     if (named.empty()) return;
@@ -181,7 +184,7 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     if (assertion.kind != cspm::AssertionKind::refinement || assertion.negated) return;
     if (timed && report.answer == Answer::fails) add_no_time(assertion, report);
     if (report.answer != Answer::holds) return;
-    // A process that a block writes out owes nothing.
+    // Only for components: a process that a block defines may stop time.
     const bool of_model = !csp_emit::components_in(emission_, {assertion.implementation}).empty();
     if (timed && of_model && assertion.model == cspm::Model::traces) add_time_stops(assertion.implementation, report);
     if (assertion.model == cspm::Model::failures) {
@@ -199,7 +202,7 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     add_never_asked(assertion, report);
 }
 
-/// A component that has ended, or in which time has stopped, is not deadlocked in time.
+/// In the timed semantics, a component that has terminated, or in which time has stopped, is not deadlocked.
 void SecondLook::add_of_deadlock(const csp_emit::Obligation& obligation, AssertionReport& report) {
     const ExprPtr process = subject_of(obligation, "D__");
     if (!process) return;

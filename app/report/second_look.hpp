@@ -1,6 +1,5 @@
-// A second look at the processes of a claim that is decided: what its verdict rests on and no search for a violation
-// tells. Only processes of few states are looked at, all of whose states are explored at once; of larger ones nothing
-// is said.
+// Explores the processes of a decided claim again, to find the basis of its verdict that no search for a violation
+// shows. Only processes with few states are explored; about larger ones nothing is reported.
 #pragma once
 
 #include <map>
@@ -13,25 +12,25 @@
 
 namespace robochart::app {
 
-/// More states than this are not looked at.
+/// The largest number of states that are explored.
 inline constexpr std::size_t most_states_for_second_look = 50'000;
 
-/// Looks at the processes of one script.
+/// Explores the processes of one script.
 class SecondLook {
 public:
     SecondLook(const Project&, const csp_emit::Emission&, cspm::Session&, const Options&);
 
-    /// Adds to a claim that holds or fails.
+    /// Adds entries to the basis of a claim that holds or fails.
     void add_to(const csp_emit::Obligation&, AssertionReport&);
 
 private:
-    /// What all states of a process tell.
+    /// The facts found by exploring all states of a process.
     struct Seen {
-        bool whole = false;        ///< all states have been explored; else nothing else is known
+        bool whole = false;        ///< all states were explored; otherwise nothing else is known
         bool ends = false;         ///< it can terminate
-        bool diverges = false;     ///< it can go on internally for ever
+        bool diverges = false;     ///< it has an infinite sequence of internal steps
         bool time_passes = false;  ///< in some run
-        bool time_stops = false;   ///< in a state in which nothing internal can happen
+        bool time_stops = false;   ///< in a stable state
         std::set<std::string> events;
     };
 

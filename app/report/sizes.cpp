@@ -1,4 +1,4 @@
-// See sizes.hpp. What cannot be evaluated has no size, which is said.
+// See sizes.hpp. A process that cannot be evaluated has no size; this is reported.
 #include "app/report/sizes.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace robochart::app {
 namespace {
 
-/// A component alone may have more: its environment is what bounds it.
+/// A component by itself may have more states, because its environment restricts it.
 constexpr std::uint64_t most_states = 1'000'000;
 
 SizeReport::Size size_of(cspm::Session& session, const cspm::ExprPtr& process, const Options& options) {

@@ -1,4 +1,4 @@
-// `check --sizes`: how many states and transitions the components of a script have.
+// `check --sizes`: the numbers of states and transitions of the components of a script.
 #pragma once
 
 #include "app/command/pipeline.hpp"
@@ -8,7 +8,8 @@
 
 namespace robochart::app {
 
-/// Explores D__ and O__ of each component, up to a million states, with the run's limits; added to the report.
+/// Explores D__ and O__ of each component, up to a million states, within the run's limits, and adds the sizes to the
+/// report.
 void measure_sizes(const Project&, cspm::Session&, const csp_emit::Emission&, csp_emit::Time, const Options&, Report&);
 
 }  // namespace robochart::app

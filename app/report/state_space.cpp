@@ -1,4 +1,4 @@
-// All states of one process, under the limits of the run.
+// Explores all states of one process, within the limits of the run.
 #include "app/report/state_space.hpp"
 
 #include "checker/refine/search/poll_guard.hpp"

@@ -1,4 +1,4 @@
-// All states of a process within the limits of a check.
+// Explores all states of a process within the limits of a check.
 #pragma once
 
 #include "checker/lts/graph.hpp"
@@ -6,7 +6,7 @@
 
 namespace robochart::app {
 
-/// Throws process::Interrupted where a limit is reached; `known` then says how many states had been found.
+/// Throws process::Interrupted if a limit is reached; `known` then contains the number of states found so far.
 [[nodiscard]] lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known);
 
 }  // namespace robochart::app

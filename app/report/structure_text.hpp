@@ -1,5 +1,5 @@
-// The structure of a process where it stands: its operators as a tree, and what each component offers, as the probe of
-// FDR shows it.
+// Prints the structure of a process in its current state: its operators as a tree, and what each component offers, as
+// in the probe of FDR.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace robochart::app {
 
-/// A line for each part, parts of an operator further in; a sentence where there is no structure.
+/// One line per part, with the parts of an operator indented; a sentence if there is no structure.
 [[nodiscard]] std::string structure_text(const std::optional<process::Behaviour>&, const process::EventTable&);
 
 }  // namespace robochart::app

@@ -63,7 +63,7 @@ TakenGuards::TakenGuards(const Project& project, const csp_emit::Emission& emiss
         for (const auto& offer : definition.offers) note(definition.component, offer->origin);
 }
 
-/// A step that may be one of several transitions has the element of its event.
+/// If a step may be one of several transitions, its element is that of the event.
 void TakenGuards::add_of_event(const runs::Event& event, Basis& basis) const {
     const bool transition = event.kind == runs::Kind::transition;
     if (!transition && event.kind != runs::Kind::input) return;

@@ -1,5 +1,4 @@
-// Conditions that the untimed semantics has taken for true as far as they read clocks, for the verdicts that rest on
-// them.
+// Conditions whose clock-reading parts the untimed semantics has taken as true; verdicts are based on them.
 #pragma once
 
 #include <map>
@@ -14,33 +13,34 @@
 
 namespace robochart::app {
 
-/// Knows the conditions of one untimed script.
+/// The conditions of one untimed script.
 class TakenGuards {
 public:
-    /// Of a timed script there are none.
+    /// A timed script has no such conditions.
     TakenGuards(const Project&, const csp_emit::Emission&, csp_emit::Time);
 
     [[nodiscard]] bool any() const { return !guards_.empty(); }
-    /// Of the transitions in the run.
+    /// Adds the conditions of the transitions in the run.
     void add_of_run(const runs::Run&, Basis&) const;
-    /// Of an assertion without a run. Without time a component does more, so an assertion about traces that is true
-    /// rests on the conditions of its specification alone.
+    /// Adds the conditions for an assertion without a run. Without time, a component has more behaviours, so a true
+    /// assertion about traces depends only on the conditions of its specification.
     void add_of_assertion(const cspm::Decl&, bool holds, Basis&) const;
 
 private:
-    using Key = std::pair<diagnostics::SourceId, std::uint32_t>;  ///< where the transition stands
+    using Key = std::pair<diagnostics::SourceId, std::uint32_t>;  ///< the place of the transition
     struct Guard {
         Ground ground;
-        std::string element;   ///< of the transition, as runs have it
-        bool trigger = false;  ///< it has one
+        std::string element;   ///< the transition, as in runs
+        bool trigger = false;  ///< it has a trigger
     };
     void add_of(const std::vector<cspm::ExprPtr>&, Basis&) const;
     void add_of_event(const runs::Event&, Basis&) const;
 
     const csp_emit::Emission& emission_;
     std::map<Key, Guard> guards_;
-    std::map<std::string, std::set<Key>> inside_;  ///< by the path of the component whose process has the transition
-    std::set<std::string> transitions_;            ///< all elements that are transitions
+    std::map<std::string, std::set<Key>> inside_;  ///< by the path of the component whose process contains the
+                                                   ///< transition
+    std::set<std::string> transitions_;            ///< all transitions
 };
 
 }  // namespace robochart::app

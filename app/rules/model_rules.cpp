@@ -19,7 +19,7 @@
 namespace robochart::app {
 namespace {
 
-/// A run of component and rule in the words of the rule: follows the obligation that the rule's process has picked.
+/// A run of component and rule in terms of the rule. It follows the obligation that the rule's process has selected.
 class BrokenRule {
 public:
     BrokenRule(const RulesOf& of, const sleec::Watch& watch, const sleec::Linking& linking, std::size_t rule)
@@ -41,7 +41,7 @@ public:
         at_ = second ? now_ - 1 : now_;
     }
 
-    /// What was asked for, by which clauses.
+    /// The demands, each with the clause that made it.
     [[nodiscard]] std::vector<std::string> asked() const {
         std::vector<std::string> lines;
         const sleec::Asked& way = watch_.ways()[way_.value()];
@@ -49,7 +49,7 @@ public:
             lines.push_back(sleec::side_text({rule_, began_, way.values, each}, of_.rules, of_.sources));
         return lines;
     }
-    /// The event that broke it; "" if a second without one did.
+    /// The event that broke the rule; "" if the end of a second without an event did.
     [[nodiscard]] std::string breaking_event() const { return event_of(breaking_) ? breaking_ : ""; }
     [[nodiscard]] std::string how(const std::string& place) const {
         const auto event = event_of(breaking_);
@@ -92,7 +92,8 @@ public:
           watch_(of.of_.rules, rule, of.linking_.linking, of.component_.process, readings),
           session_(of.session(script())) {}
 
-    /// Nothing may be broken, and nothing waited for without end. False where a limit is reached.
+    /// Decides that no demand is broken and that no demand without limit stays open forever. Returns false if a limit
+    /// is reached.
     bool decide(JudgedRule& judged) {
         const refine::Verdict found = session_->check(*obeyed_, limits(of_.options_)).verdict;
         RuleVerdict& verdict = judged.verdict;
@@ -110,7 +111,7 @@ public:
         return verdict.kind != RuleVerdict::Kind::not_decided;
     }
 
-    /// No run brings the rule to ask for anything.
+    /// True if no run makes the rule demand anything.
     bool never_asked() {
         return session_->check(*never_asked_, limits(of_.options_)).verdict.outcome == refine::Outcome::holds;
     }
@@ -139,7 +140,7 @@ private:
         draw(run, judged);
     }
 
-    /// The run in terms of the model; the verdict has its lines.
+    /// The run in terms of the model; the verdict contains its lines.
     void draw(const refine::Counterexample& run, JudgedRule& judged) {
         csp_emit::Obligation claim;
         claim.kind = ir::PropertyKind::conforms;
@@ -147,7 +148,7 @@ private:
         judged.run = runs::interpret({of_.emission_.provenance, of_.project_.system, of_.project_.instantiation,
                                       of_.project_.sources, *session_},
                                      claim, run);
-        // What the rule's process says of itself is no step of the model.
+        // Events of the rule's own process are not steps of the model.
         const auto own = [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); };
         if (std::optional<std::size_t>& loop = judged.run->loop_start) {
             const auto begin = judged.run->steps.begin();
@@ -159,7 +160,7 @@ private:
         judged.run->end.why = judged.verdict.lines.back();
     }
 
-    /// What has no limit comes at last, unless some run goes on without it for ever.
+    /// A demand without limit is met eventually, unless an infinite run never meets it.
     void wait(JudgedRule& judged) {
         RuleVerdict& verdict = judged.verdict;
         const refine::Limits bounds = limits(of_.options_);
@@ -202,8 +203,8 @@ private:
                 : fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between)));
     }
 
-    /// The same steps in the terms that the system was compiled from. Without terms, or where a state stands for
-    /// several of them, there is no run to draw.
+    /// The same run as steps of the terms that the system was compiled from. If there are no terms, or if a state
+    /// represents several of them, there is no run to show.
     void draw_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, JudgedRule& judged) {
         if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
         refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
@@ -224,7 +225,7 @@ private:
         draw(drawn, judged);
     }
 
-    /// " (model.rct:12)": where the event, or the operation, is declared.
+    /// " (model.rct:12)": the declaration of the event or operation.
     [[nodiscard]] std::string place_in_model(const std::string& event) const {
         const auto found = of_.emission_.provenance.events.find(event);
         if (found == of_.emission_.provenance.events.end() || !found->second.origin.span.known()) return "";

@@ -1,4 +1,4 @@
-// Whether components of a model obey rules in SLEEC: what `rules FILE MODEL` and `sleec assertion` ask.
+// Decides whether components of a model obey SLEEC rules, for `rules FILE MODEL` and `sleec assertion`.
 #pragma once
 
 #include <optional>
@@ -15,26 +15,27 @@
 
 namespace robochart::app {
 
-/// A file of rules with the texts that it was read from.
+/// A rule file with its texts.
 struct RulesOf {
     const sleec::CheckedRules& rules;
     const diagnostics::SourceManager& sources;
 };
 
-/// A verdict, and of a rule that is broken the run of the model.
+/// A verdict and, for a broken rule, the run of the model.
 struct JudgedRule {
     RuleVerdict verdict;
-    std::optional<runs::Run> run;  ///< none: it could not be found in terms of the model
+    std::optional<runs::Run> run;  ///< no value: it was not found in terms of the model
 };
 
-/// Whether time can stop in a component, while its platform takes every output and call at once: that breaks no rule.
+/// Whether time can stop in a component although its platform accepts every output and call at once. Then no rule is
+/// broken.
 struct TimeStops {
     bool stops = false;
-    std::string unknown;  ///< why it is not known; "": it is
-    bool error = false;   ///< unknown, because the component cannot be evaluated
+    std::string unknown;  ///< why it is not known; "" if it is known
+    bool error = false;   ///< not known because the component cannot be evaluated
 };
 
-/// One component and the rules of a file, in the timed semantics. Refers to what it is made from.
+/// One component and the rules of a file, in the timed semantics. Refers to its constructor's arguments.
 class ModelRules {
 public:
     ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,

@@ -22,7 +22,7 @@
 namespace robochart::app {
 namespace {
 
-/// What a claim of this kind says about a file with errors.
+/// The message about a rule file with errors.
 std::string first_error(const LoadedRules& file) {
     for (const diagnostics::Diagnostic& each : file.diagnostics.sorted())
         if (each.rule->severity == diagnostics::Severity::error)
@@ -54,7 +54,7 @@ void load_rules(const std::string& path, LoadedRules& loaded) {
 
 void show_rule_findings(const LoadedRules& loaded, const Options& options) {
     const diagnostics::TextStyle style = findings_style(options);
-    diagnostics::Diagnostics wrong;  // with --quiet
+    diagnostics::Diagnostics wrong;  // not printed with --quiet
     for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
         if (each.rule->severity == diagnostics::Severity::note) continue;
         diagnostics::Diagnostic& kept = wrong.report(*each.rule, each.span, each.arguments);
@@ -73,7 +73,8 @@ const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::files_beside(const 
     const std::filesystem::path path(assertions);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     if (const auto known = folders_.find(folder); known != folders_.end()) return known->second;
-    std::vector<std::unique_ptr<LoadedRules>> files;  // kept when all are read: a limit may come in between
+    std::vector<std::unique_ptr<LoadedRules>> files;  // stored only when all are read, because a limit may end the
+                                                      // reading
     for (const std::string& each : sleec_files(folder)) {
         auto loaded = std::make_unique<LoadedRules>();
         loaded->diagnostics.within(&options_.run->budget());
@@ -83,7 +84,7 @@ const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::files_beside(const 
     return folders_.emplace(folder, std::move(files)).first->second;
 }
 
-/// Throws sleec::NotDecided, with the cause, where there is not exactly one rule of the name.
+/// Throws sleec::NotDecided with the reason if there is not exactly one rule of this name.
 RuleClaims::Found RuleClaims::find(const ir::Property& property) {
     std::vector<Found> found;
     std::vector<std::string> names;

@@ -1,4 +1,5 @@
-// Claims that a component conforms to a rule in SLEEC (`sleec assertion`): rules from the files beside the assertions.
+// Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rules are in files beside the
+// assertions.
 #pragma once
 
 #include <map>
@@ -15,19 +16,19 @@
 
 namespace robochart::app {
 
-/// A file of rules with the findings about it.
+/// A rule file with its findings.
 struct LoadedRules {
     std::string path;
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    std::optional<sleec::CheckedRules> rules;  ///< nothing: the findings say why
+    std::optional<sleec::CheckedRules> rules;  ///< no value: see the findings
 };
-/// Reads a file of rules; "-" is standard input.
+/// Reads a rule file; "-" is standard input.
 void load_rules(const std::string& path, LoadedRules& loaded);
-/// Prints the findings about it, to standard error.
+/// Prints the findings of a rule file to standard error.
 void show_rule_findings(const LoadedRules& loaded, const Options& options);
 
-/// Decides the claims of one model. Every file is read once. Refers to what it is made from.
+/// Decides the claims of one model. Every file is read once. Refers to its constructor's arguments.
 class RuleClaims {
 public:
     RuleClaims(const Project& project, const csp_emit::Emission& emission, const Options& options);
@@ -35,8 +36,8 @@ public:
     RuleClaims(const RuleClaims&) = delete;
     RuleClaims& operator=(const RuleClaims&) = delete;
 
-    /// The answer about a property of the kind `conforms`. A rule that cannot be asked of the component, or is in no
-    /// file or in several, is an error.
+    /// Answers a property of the kind `conforms`. It is an error if the rule does not fit the component, or if no file
+    /// or several files contain it.
     void decide(const ir::Property& property, const Options& options, AssertionReport& report);
 
 private:
@@ -54,7 +55,7 @@ private:
     const csp_emit::Emission& emission_;
     const Options& options_;
     std::map<std::string, std::vector<std::unique_ptr<LoadedRules>>> folders_;
-    std::map<std::string, TimeStops> time_stops_;  ///< of components, by path
+    std::map<std::string, TimeStops> time_stops_;  ///< by the path of the component
 };
 
 }  // namespace robochart::app

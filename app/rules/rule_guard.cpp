@@ -15,7 +15,7 @@
 namespace robochart::app {
 namespace {
 
-/// The value as the rules have it; nothing where they cannot say it.
+/// The value in terms of the rules; no value if the rules cannot express it.
 std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_emit::Port& port, rc_value value) {
     const bool boolean = measure.type == sleec::MeasureType::boolean;
     const bool scale = measure.type == sleec::MeasureType::scale;
@@ -40,7 +40,7 @@ std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_em
     return std::nullopt;
 }
 
-/// The events of a response, and of all behind `otherwise` and `unless`.
+/// Collects the events of a response, including those after `otherwise` and `unless`.
 void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
     if (duty == nullptr) return;
     events.push_back(duty->event);
@@ -90,10 +90,10 @@ public:
 private:
     struct Robot {
         RuleRun run;
-        bool given_up = false;  ///< the rules ask more than a monitor follows
+        bool given_up = false;  ///< the rules demand more than a monitor can follow
     };
 
-    /// One cycle.
+    /// Follows one cycle.
     void follow(RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
         const auto& emission = all_.emission_;
         for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
@@ -147,7 +147,7 @@ std::vector<RuleGuard::Linked> RuleGuard::link(const std::vector<cpp_emit::Port>
     return result;
 }
 
-/// A rule about an event that the controller does not have says nothing about it.
+/// Excludes rules about events that the controller does not have.
 void RuleGuard::leave_out() {
     std::erase_if(rules_.rules, [&](const sleec::CheckedRule& rule) {
         if (rule.assumed) return true;

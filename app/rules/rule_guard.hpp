@@ -1,5 +1,5 @@
-// Rules in SLEEC beside the robots of a simulation (`simulate --monitor RULES.sleec`): each robot obeys them, by what
-// its controller reads and does. A time unit of the model is a second of the rules.
+// SLEEC rules that monitor the robots of a simulation (`simulate --monitor RULES.sleec`). Each robot must obey them,
+// judged by the inputs and outputs of its controller. A time unit of the model is a second of the rules.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 namespace robochart::app {
 
-/// A file of rules and what of it is about a controller. Refers to the emission.
+/// A rule file and its rules about a controller. Refers to the emission.
 class RuleGuard final : public simulation::Guard {
 public:
     /// `units`: time units of the model in one cycle.
@@ -23,12 +23,12 @@ public:
 
     [[nodiscard]] Maker beside(Maker other) override;
     [[nodiscard]] std::string note() const override;
-    /// How many rules are followed: those whose events the controller has.
+    /// The number of monitored rules, that is, rules whose events the controller has.
     [[nodiscard]] std::size_t followed() const { return rules_.rules.size(); }
 
 private:
     class Watch;
-    /// What an input or output of the controller is in the rules.
+    /// The events and measures of the rules that belong to an input or output of the controller.
     struct Linked {
         std::vector<std::size_t> events, measures;
     };
@@ -38,18 +38,18 @@ private:
     std::unique_ptr<LoadedRules> loaded_;
     const cpp_emit::DriveEmission& emission_;
     std::uint32_t units_;
-    sleec::CheckedRules rules_;  ///< of the file, those that are followed
+    sleec::CheckedRules rules_;  ///< the monitored rules of the file
     std::vector<Linked> inputs_, outputs_;
-    std::vector<bool> has_;  ///< of each event: whether the controller has it
+    std::vector<bool> has_;  ///< for each event: whether the controller has it
     std::vector<std::string> left_out_;
     std::mutex mutex_;
-    std::map<std::size_t, std::uint64_t> open_;  ///< robots with triggers of a rule that were not followed
-    std::string given_up_;                       ///< why a robot was not followed to its end; "": all were
+    std::map<std::size_t, std::uint64_t> open_;  ///< number of robots for which a trigger of a rule was not followed
+    std::string given_up_;                       ///< why a robot was not followed to its end; "" if all were
     std::atomic<std::uint64_t> robots_ = 0;
 };
 
-/// Null, with the cause in `error`, where the file is wrong or none of its rules is about the controller; findings
-/// about the file are printed.
+/// Null, with the reason in `error`, if the file is wrong or none of its rules is about the controller. Findings about
+/// the file are printed.
 [[nodiscard]] std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file,
                                                          const cpp_emit::DriveEmission& emission, std::uint32_t units,
                                                          const Options& options, std::string& error);

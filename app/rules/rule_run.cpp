@@ -96,7 +96,7 @@ void RuleRun::end_instant() {
     read_.assign(read_.size(), false);
 }
 
-/// The first violation is kept.
+/// Only the first violation is recorded.
 void RuleRun::note(std::uint64_t line) {
     for (const sleec::Violation& each : monitor_.take()) {
         if (broken()) return;

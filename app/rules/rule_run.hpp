@@ -1,4 +1,4 @@
-// Rules in SLEEC beside what runs: a log, or a robot of a simulation.
+// Runs SLEEC rules along with a log or a robot of a simulation.
 #pragma once
 
 #include <map>
@@ -12,16 +12,17 @@
 
 namespace robochart::app {
 
-/// Words of logs as events and measures of a file of rules. Equal names are linked, unless `map` says otherwise. Refers
-/// to the rules.
+/// Maps words of logs to events and measures of a rule file. Equal names are linked, unless `map` states otherwise.
+/// Refers to the rules.
 class RuleWords {
 public:
     explicit RuleWords(const sleec::CheckedRules& rules);
 
-    /// Those that the word is about: its name in front of `?` or `!`.
+    /// The events that belong to the word, by its name before `?` or `!`.
     [[nodiscard]] std::vector<std::size_t> events(std::string_view word) const;
     [[nodiscard]] std::vector<std::size_t> measures(std::string_view word) const;
-    /// The value in the word; nothing where the rules cannot say it: a fraction, a literal that they do not have.
+    /// The value in the word. No value if the rules cannot express it: a fraction, or a literal that they do not
+    /// declare.
     [[nodiscard]] std::optional<std::int64_t> value(std::size_t measure, std::string_view word) const;
 
 private:
@@ -32,29 +33,29 @@ private:
     Names events_, measures_;
 };
 
-/// One run. What happens in an instant is taken together, since a measure may be read behind a trigger. Refers to the
-/// rules.
+/// One run. Everything in an instant is processed together, because a measure may be read after a trigger. Refers to
+/// the rules.
 class RuleRun {
 public:
     RuleRun(RulesOf of, sleec::WithoutLimit without);
 
-    /// A reading at this instant; nothing: of a value that the rules cannot say.
+    /// A reading at this instant; without a value, one that the rules cannot express.
     void read(std::size_t measure, std::optional<std::int64_t> value);
-    /// An event at this instant, in a line of a log.
+    /// An event at this instant; `line` is its line in a log.
     void happen(std::size_t event, std::uint64_t line = 0);
-    /// The second ends.
+    /// The end of a second.
     void second(std::uint64_t line = 0);
-    /// What was asked for until now is forgotten.
+    /// Drops all open obligations.
     void forget();
-    /// The run ends here, which may be in the middle of an instant.
+    /// The end of the run, possibly in the middle of an instant.
     void end() { end_instant(); }
 
     [[nodiscard]] bool broken() const { return !text_.empty(); }
-    /// Where it was first broken, and what was: each duty on a line, then what broke them.
+    /// The first violation: its line, and its description, with one line per duty, then the event that broke them.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& text() const { return text_; }
     [[nodiscard]] diagnostics::Span place() const { return place_; }
-    /// Rules of which a trigger was not followed, since a measure was not read.
+    /// Rules with a trigger that was not followed because a measure had not been read.
     [[nodiscard]] const std::vector<std::size_t>& open() const { return monitor_.open_triggers(); }
     [[nodiscard]] std::int64_t seconds() const { return monitor_.now(); }
 

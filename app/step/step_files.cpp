@@ -24,14 +24,14 @@ namespace {
 
 using runs::Kind;
 
-/// States that are looked at for one cycle of a log.
+/// The number of states explored for one cycle of a log.
 constexpr std::size_t most_searched = 100'000;
 
 struct Unsayable {
     std::string why;
 };
 
-/// Throws Unsayable for values with parts.
+/// Throws Unsayable for composed values.
 std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
     const runs::Event& event = offer.happening.event;
     if (auto word = log_word(event, offer.name, stepped)) return std::move(*word);
@@ -41,7 +41,7 @@ std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
 /// A control cycle of one time unit.
 struct Cycle {
     std::vector<std::string> inputs, outputs;
-    bool ends = false;  ///< with its time unit
+    bool ends = false;  ///< with the end of its time unit
     bool terminates = false;
 };
 
@@ -87,7 +87,7 @@ std::string log_text(const runs::Stepper& stepper, const Stepped& stepped) {
     return text;
 }
 
-/// A name for what is made of a path: letters, digits and _ only.
+/// A name made from a path: only letters, digits and _.
 std::string name_of(const std::string& path) {
     std::string name = std::filesystem::path(path).stem().string();
     for (char& c : name)
@@ -95,10 +95,10 @@ std::string name_of(const std::string& path) {
     return "Way_" + name;
 }
 
-/// Events in one definition: texts of scripts are nested only so far.
+/// The number of events in one definition, because the nesting of script texts is limited.
 constexpr std::size_t most_in_one = 100;
 
-/// The way as definitions of processes, the first of this name.
+/// The steps so far as definitions of processes; the first has this name.
 std::string process_text(const runs::Stepper& stepper, const std::string& name) {
     std::string text = fmt::format("\t{} =", name);
     std::size_t events = 0;
@@ -111,7 +111,7 @@ std::string process_text(const runs::Stepper& stepper, const std::string& name) 
     return text + " STOP\n";
 }
 
-/// The claim that the component can go the way: it is a trace of it.
+/// The claim that the steps so far are a trace of the component.
 std::string assertion_text(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path) {
     const std::string name = name_of(path);
     const char* const time = stepped.time == csp_emit::Time::timed ? "timed" : "untimed";
@@ -123,24 +123,24 @@ std::string assertion_text(const runs::Stepper& stepper, const Stepped& stepped,
         time, process_text(stepper, name), stepped.name);
 }
 
-/// One state of the search through a cycle.
+/// A state of the search through a cycle.
 struct Node {
     process::TermId term{};
-    std::set<std::string> left;  ///< inputs that are there and not taken yet
+    std::set<std::string> left;  ///< inputs that are available and not yet taken
     std::size_t outputs = 0, tocks = 0;
     std::size_t parent = 0, offer = 0;
 };
 
-/// A cycle of a log: its words.
+/// A cycle of a log as words.
 struct Wanted {
-    std::uint64_t line = 0;  ///< of its first word
+    std::uint64_t line = 0;  ///< line of its first word
     std::set<std::string> inputs;
     std::vector<std::string> outputs;
     std::size_t tocks = 0;
     bool terminates = false;
 };
 
-/// Where the cycle ends after the event, if the log allows it there.
+/// The state after this event; no value if the log does not allow it here.
 std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& wanted, const Stepped& stepped) {
     Node result = node;
     result.term = offer.step.target;
@@ -160,7 +160,7 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
     return result;
 }
 
-/// Takes the steps of one cycle; false if there is no such way.
+/// Takes the steps of one cycle; returns false if the model has no such steps.
 bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
     std::vector<Node> nodes{{stepper.here(), wanted.inputs, 0, 0, 0, 0}};
     using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
@@ -188,7 +188,7 @@ bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped
     return false;
 }
 
-/// Whether the model is stepped with this "NAME=VALUE".
+/// True if the model has this "NAME=VALUE".
 bool has_constant(const Stepped& stepped, const std::string& constant) {
     if (stepped.project == nullptr) return false;
     const auto& asked = stepped.project->asked.constants;
@@ -196,7 +196,7 @@ bool has_constant(const Stepped& stepped, const std::string& constant) {
     return found != asked.end() && constant == found->first + "=" + found->second;
 }
 
-/// The cycles of the first run; what cannot be read is thrown as Unsayable.
+/// The cycles of the first run. Throws Unsayable if the log cannot be read.
 std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     std::ifstream in(path);
     if (!in) throw Unsayable{fmt::format("{}: cannot be read", path)};

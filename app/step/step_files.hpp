@@ -1,5 +1,5 @@
-// Ways of `step` in files: logs that `conform --traces` reads (docs/traces.md), and assertions that a way stays
-// possible.
+// Saves the steps of `step` in files: as logs for `conform --traces` (docs/traces.md), and as assertions that the steps
+// stay possible.
 #pragma once
 
 #include <optional>
@@ -11,34 +11,35 @@
 
 namespace robochart::app {
 
-/// What is animated.
+/// The subject of stepping.
 struct Stepped {
-    std::string name;                  ///< of the component, "P::M"; of a script, the process as it was given
+    std::string name;                  ///< of the component, "P::M"; for a script, the process as given
     std::string model;                 ///< the file or folder
     const Project* project = nullptr;  ///< null: a process of a script
     csp_emit::Time time = csp_emit::Time::timed;
-    bool any_constants = false;  ///< are logs of the model with other constants followed too?
+    bool any_constants = false;  ///< also follow logs of the model with other constants
 };
 
-/// What an event is in a log.
+/// The role of an event in a log.
 enum class LogRole { none, input, output, tock, termination };
 [[nodiscard]] LogRole log_role(const runs::Event&);
-/// An input or output as a log has it: "e?3", "move!1!2". `name`: as in runs::Offer. None for values with parts, which
-/// logs written by hand do not have.
+/// An input or output in the notation of logs: "e?3", "move!1!2". `name`: as in runs::Offer. No value for composed
+/// values, which logs cannot contain.
 [[nodiscard]] std::optional<std::string> log_word(const runs::Event&, std::string name, const Stepped&);
 /// The first lines of a log.
 [[nodiscard]] std::string log_head(const Stepped&);
 
-/// Writes the way: to NAME.trace as a log, to NAME.assertions as an assertion. Returns why it cannot, "" if it could.
+/// Writes the steps so far: to NAME.trace as a log, to NAME.assertions as an assertion. Returns the reason on failure,
+/// "" on success.
 [[nodiscard]] std::string save_way(const runs::Stepper&, const Stepped&, const std::string& path, Run&);
 
-/// How far a log could be followed.
+/// How far a log was followed.
 struct Followed {
-    std::string error;  ///< "" : to its end
+    std::string error;  ///< "": to its end
 };
-/// Goes the way of the first run of a log, from the beginning, as far as the model can: in each cycle its outputs in
-/// their order, its inputs where they are taken, and its time units, with hidden steps in between. Which inputs are
-/// taken when is searched for, breadth first.
+/// Follows the first run of a log from the beginning as far as the model allows. In each cycle these are its outputs in
+/// order, its inputs when they are taken, and its time units, with hidden steps in between. A breadth-first search
+/// finds when each input is taken.
 [[nodiscard]] Followed follow_log(runs::Stepper&, const Stepped&, const std::string& path, Run&);
 
 }  // namespace robochart::app

@@ -1,5 +1,5 @@
-// See step_page.hpp. app/pages/parts/explorer.js reads the data. What others wrote is escaped where it is put into the
-// page, and shown in the data.
+// See step_page.hpp. app/pages/parts/explorer.js reads the data. Foreign text is escaped for HTML when it is inserted
+// into the page, and made visible in the data.
 #include "app/step/step_page.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::string place_text(const std::optional<runs::Place>& place) {
     return place ? fmt::format("{}:{}", place->file, place->line) : "";
 }
 
-/// The texts of the data, each once. The first is empty.
+/// The texts of the data without duplicates. The first is empty.
 class Strings {
 public:
     Strings() { (void)number(""); }
@@ -48,7 +48,7 @@ private:
     std::map<std::string, std::size_t> numbers_;
 };
 
-/// A machine of the process: the instance, and its definition, which is drawn.
+/// A machine of the process: the instance, and its definition, whose diagram is drawn.
 struct Instance {
     std::string component, machine;
 };
@@ -61,7 +61,7 @@ std::vector<Instance> instances_of(const Exploration& space) {
     return result;
 }
 
-/// What explorer.js steps through. Numbers stand for texts, machines, labels, absences and states by their places.
+/// The data for explorer.js. Texts, machines, labels, absences and states are referred to by index.
 class Data {
 public:
     Data(const Exploration& space, const Stepped& stepped, const std::vector<Instance>& instances,
@@ -167,7 +167,7 @@ private:
     Strings strings_;
 };
 
-/// What is there without script: the first state. Its parts are filled into app/pages/parts/explorer.html.
+/// The contents without a script: the first state. Inserted into app/pages/parts/explorer.html.
 class Body {
 public:
     Body(const Exploration& space, const Stepped& stepped) : space_(space), stepped_(stepped) {}
@@ -255,7 +255,7 @@ std::string figure(std::size_t machine, const std::string& caption, const std::s
         machine, xml_text(caption), xml_text(caption), drawn);
 }
 
-/// The machines' diagrams, each with those of the operations that it may be in.
+/// The machines' diagrams, each with those of the operations that it can call.
 std::string figures_of(const Exploration& space, const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
     std::string text;
     for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -283,7 +283,7 @@ std::string counts_text(const Exploration& space) {
 }
 
 std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<Part>& parts) {
-    diagnostics::Budget drawing;  // a limit of the run that has ended the exploration does not end the page
+    diagnostics::Budget drawing;  // separate, so that a limit that ended the exploration does not prevent the page
     const PartDiagrams diagrams(parts, drawing);
     const std::vector<Instance> instances = instances_of(space);
     const Json data = Data(space, stepped, instances, diagrams).write();

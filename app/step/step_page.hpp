@@ -1,4 +1,4 @@
-// `step --html`: a process as one page that embeds what can be reached, on which one steps in a browser.
+// `step --html`: a process as one page that contains its reachable states, for stepping in a browser.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace robochart::app {
 
 /// "17 states, all that can be reached", or the limit that was reached.
 [[nodiscard]] std::string counts_text(const runs::Exploration&);
-/// The page; `parts`: of the model, whose machines are drawn; none for a process of a script.
+/// The page. `parts`: those of the model, whose machines are drawn; empty for a process of a script.
 [[nodiscard]] std::string step_page(const runs::Exploration&, const Stepped&, const std::vector<Part>& parts);
 
 }  // namespace robochart::app

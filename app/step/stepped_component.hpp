@@ -1,4 +1,4 @@
-// A component of a model made ready to be stepped through.
+// Prepares a component of a model for stepping.
 #pragma once
 
 #include <string>
@@ -9,11 +9,10 @@
 
 namespace robochart::app {
 
-/// The process of a component in one time with all that its stepper refers to. The project outlives it.
+/// The process of a component in one semantics, with all data that its stepper refers to. The project must outlive it.
 class SteppedComponent {
 public:
-    /// `name`: qualified. Throws UsageError where the component has no process of its own, and what cspm::Session
-    /// throws.
+    /// `name`: qualified. Throws UsageError if the component has no process, and the exceptions of cspm::Session.
     SteppedComponent(Project& project, const std::string& name, csp_emit::Time time, const Options& options);
     SteppedComponent(const SteppedComponent&) = delete;
     SteppedComponent& operator=(const SteppedComponent&) = delete;

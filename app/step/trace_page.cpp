@@ -17,17 +17,17 @@
 namespace robochart::app {
 namespace {
 
-/// Logs whose first run is stepped through.
+/// The number of logs whose first run is shown.
 constexpr std::size_t most_replayed = 20;
 
 class Replays {
 public:
     explicit Replays(const Options& options) : options_(options) {}
 
-    /// The first run of the log, as far as the component goes its way.
+    /// The first run of the log, as far as the component can follow it.
     runs::Run of(const ComparedLog& log) {
         runs::Stepper& stepper = stepper_of(log);
-        // The log was compared with this model: what it says of constants is settled.
+        // The constants need no check, because the log was compared with this model.
         const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed, true};
         const Followed followed = follow_log(stepper, stepped, log.path, *options_.run);
         runs::Run run = stepper.run(csp_emit::Time::timed);

@@ -1,4 +1,4 @@
-// `conform --traces --html`: logs as a page, the first run of each stepped through on the diagrams of its machines.
+// `conform --traces --html`: a page with logs; the first run of each is replayed on the diagrams of its machines.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robochart::app {
 
-/// A log that was compared with its component.
+/// A log after the comparison with its component.
 struct ComparedLog {
     std::string path;
     Project* project = nullptr;
@@ -19,9 +19,9 @@ struct ComparedLog {
     std::optional<conformance::RunReport> wrong;  ///< the first run that is not accepted
 };
 
-/// The page. `limit`: why not all logs were compared, and none is stepped through then; "" if all were. A run is shown
-/// as far as the model can go its way; of many logs the first ones are stepped through. Polls the budget; throws what
-/// runs::Stepper throws.
+/// The page. `limit`: why not all logs were compared (no run is replayed then); "" if all were. A run is shown as far
+/// as the model can follow it; of many logs only the first ones are replayed. Polls the budget. Throws the exceptions
+/// of runs::Stepper.
 [[nodiscard]] std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts,
                                      const Options& options, const std::string& limit);
 

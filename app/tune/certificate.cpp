@@ -1,4 +1,4 @@
-// See certificate.hpp. A certificate is read as what may have been changed by anybody.
+// See certificate.hpp. A certificate is untrusted input, because anybody may have changed it.
 #include "app/tune/certificate.hpp"
 
 #include <fmt/format.h>
@@ -79,13 +79,13 @@ Json certificate_json(const Certificate& certificate) {
             {"claims", std::move(claims)}};
 }
 
-/// What is wrong with a certificate.
+/// Thrown if a certificate is malformed.
 class Malformed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// An object of which each field is asked for once, and of which none may be left.
+/// An object each of whose fields is read exactly once; remaining fields are an error.
 class Fields {
 public:
     Fields(const Json& value, std::string where) : value_(value), where_(std::move(where)) {
@@ -105,7 +105,7 @@ public:
     }
     double number(const char* name) { return checked(name, (*this)[name].is_number(), "number").get<double>(); }
 
-    /// What `read` makes of each value of a list.
+    /// Applies `read` to each value of a list.
     template <typename Read>
     auto list(const char* name, Read read) {
         const Json& values = checked(name, (*this)[name].is_array(), "list");
@@ -231,7 +231,7 @@ std::string certificate_text(const Certificate& certificate) {
 
 namespace {
 
-/// A certificate says each thing once: a second value of a key would be read by some and not by others.
+/// Rejects duplicate keys, because different readers would use different values.
 Json parse_once(std::string_view text, std::string& twice) {
     std::vector<std::set<std::string>> open;
     const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {

@@ -1,5 +1,5 @@
-// What tuning leaves behind: constants, how they were found, and what was decided of the model with them, so that
-// anybody can have it decided again (`tune --verify-certificate`).
+// The result of tuning: constants, how they were found, and what was decided about the model with them. Anybody can
+// repeat the decisions (`tune --verify-certificate`).
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace robochart::app {
 
-/// Hexadecimal, of content: equal for equal content alone.
+/// The hexadecimal digest of a text; different texts have different digests.
 [[nodiscard]] std::string content_digest(std::string_view text);
 
-/// Something that was decided, and the answer: "A1 [timed] S is deadlock-free", "holds".
+/// A decided claim and its answer: "A1 [timed] S is deadlock-free", "holds".
 struct DecidedItem {
     std::string subject;
     std::string answer;
@@ -24,28 +24,29 @@ struct DecidedItem {
     friend bool operator==(const DecidedItem&, const DecidedItem&) = default;
 };
 
-/// A claim about probabilities with what it rests on. Its trials have the seeds from the scenario's `seed` on.
+/// A claim about probabilities and the trials that it is based on. The seeds of the trials start at the scenario's
+/// `seed`.
 struct DecidedClaim {
     std::string claim;  ///< as written
     std::string answer;
     std::uint64_t trials = 0;
     std::uint64_t successes = 0;
-    double low = 0;  ///< of the interval of the last look
+    double low = 0;  ///< of the interval at the last look
     double high = 1;
 
     friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;
 };
 
-/// What is decided of a model with certain constants, and of which texts.
+/// What was decided about a model with certain constants, and the texts that it is about.
 struct Evidence {
     using Files = std::vector<std::pair<std::string, std::string>>;
 
     std::string scenario;         ///< its name
-    std::string scenario_digest;  ///< of its text
+    std::string scenario_digest;  ///< of the scenario's text
     Files model;                  ///< the files of the model and their digests, sorted
     std::vector<DecidedItem> assertions;
     std::vector<DecidedItem> conformance;
-    std::uint64_t seed = 0;  ///< of the first trial of the claims
+    std::uint64_t seed = 0;  ///< of the first trial for the claims
     std::vector<DecidedClaim> claims;
 };
 
@@ -57,28 +58,28 @@ struct SearchRecord {
     std::string test;  ///< "friedman", "t-test"
     std::uint64_t trials = 0;
     std::uint64_t candidates = 0;
-    std::uint64_t first_seed = 0;  ///< of the trials, and how many
+    std::uint64_t first_seed = 0;  ///< first seed of the trials, and their number
     std::uint64_t seeds = 0;
-    double cost = 0;  ///< the mean of the winner's trials in the search: lower than what fresh trials give
+    double cost = 0;  ///< mean cost of the winner's trials in the search; lower than that of fresh trials
 };
 
 /// Schema "robochart-verify/certificate/1" (docs/cli.md).
 struct Certificate {
     std::string program;                                         ///< "robochart-verify 0.1.0"
-    std::string build;                                           ///< which build of it; "" where it is not known
-    std::vector<std::pair<std::string, std::string>> constants;  ///< those found, then those that were given
+    std::string build;                                           ///< build ID of the program; "" if unknown
+    std::vector<std::pair<std::string, std::string>> constants;  ///< those found, then those given
     std::vector<std::string> ranges;                             ///< `--range`
     SearchRecord search;
     Evidence evidence;
 };
 
-/// The certificate as a text that ends with a line end, with a digest of all that is in it.
+/// The certificate as text with a final line end, including a digest of its contents.
 [[nodiscard]] std::string certificate_text(const Certificate&);
-/// Reads one, strictly: every field and no other, of the right kinds, and its digest. Nothing on failure, and `error`
-/// says why.
+/// Reads a certificate strictly: all fields and no others, with the right types, and a correct digest. No value on
+/// failure; `error` contains the reason.
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 
-/// What differs, a line for each: files, verdicts, claims. Empty where both say the same.
+/// The differences, one line each: files, verdicts, claims. Empty if both are equal.
 [[nodiscard]] std::vector<std::string> differences(const Evidence& certified, const Evidence& found);
 
 }  // namespace robochart::app

@@ -1,4 +1,4 @@
-// The script with the blocks is made beside the one without, and their definitions are compared as texts.
+// Makes the script with the blocks and the one without them, and compares their definitions as texts.
 #include "app/verbs/block_values.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 namespace robochart::app {
 namespace {
 
-/// What is defined at the top of a script, as text.
+/// The top-level definitions of a script, as text.
 class Definitions {
 public:
     explicit Definitions(const cspm::Script& script) {
@@ -35,7 +35,7 @@ public:
         }
     }
 
-    /// A constant that is another one by its name is what that one is. "": it is not defined.
+    /// The value of a constant; if it is defined as another constant, the value of that one. "": not defined.
     [[nodiscard]] std::string value(std::string name) const {
         std::set<std::string> followed;
         for (auto at = values_.find(name); at != values_.end(); at = values_.find(name)) {
@@ -46,7 +46,7 @@ public:
         }
         return "";
     }
-    /// Whether somebody has written it: what is generated has no place.
+    /// True if the user wrote it; generated definitions have no place.
     [[nodiscard]] bool is_written(const std::string& name) const { return written_.contains(name); }
     [[nodiscard]] std::string function(const std::string& name) const {
         const auto at = functions_.find(name);
@@ -59,17 +59,18 @@ private:
     std::map<std::string, std::string> functions_;
 };
 
-/// A constant by its last name where all of that name are alike, else by its path.
+/// Constants with different values: by the last part of the name if all constants of this name have the same values,
+/// otherwise by path.
 std::vector<std::string> constants_unlike(const Project& project, const Definitions& here, const Definitions& there) {
     const auto own = ir::own_constants(project.system);
-    std::vector<std::pair<std::string, std::string>> unlike;  // path, and both values
-    std::map<std::string, std::set<std::string>> of_name;     // what those of one name are
+    std::vector<std::pair<std::string, std::string>> unlike;  // path and both values
+    std::map<std::string, std::set<std::string>> of_name;     // the values of all constants of one name
     const auto last = [](const std::string& path) { return path.substr(path.rfind(':') + 1); };
     for (const ir::NamedConstant& constant : ir::named_constants(project.system)) {
         const auto shown = [&](const std::string& text) {
             return runs::value_text(project.system, project.instantiation, constant.type, text);
         };
-        // Of a part's constant the machine's own name decides.
+        // If a block defines the machine's own constant, that value applies where a controller runs the machine.
         const auto machines = own.find(constant.name);
         const bool of_machine = machines != own.end() && there.is_written(machines->second);
         const std::string& deciding = of_machine ? machines->second : constant.name;
@@ -96,7 +97,7 @@ std::string values_unlike_blocks(const Project& project, const cspm::Script& wit
     };
     const auto& blocks = project.system.csp_blocks;
     if (std::none_of(blocks.begin(), blocks.end(), replaces)) return "";
-    diagnostics::Diagnostics unread;  // those of blocks are said where assertions are decided
+    diagnostics::Diagnostics unread;  // findings in blocks are reported when assertions are decided
     const csp_emit::Emission with_blocks =
         csp_emit::emit(project.system, project.instantiation, csp_emit::Time::timed, {}, project.sources, unread);
     const Definitions here(without_blocks), there(with_blocks.definitions);

@@ -1,4 +1,5 @@
-// Where csp blocks replace the instantiation, generated code and its comparison have other values than the assertions.
+// Finds values that csp blocks replace: the assertions then use other values than the generated code and its
+// comparison.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace robochart::app {
 
-/// The constants and functions that the timed blocks define, and that are something else in these definitions, which
-/// were made without blocks: "RC = 0 (there 1), ms(...)". "": there are none.
+/// The constants and functions that the timed blocks define differently from these definitions, which were made without
+/// blocks: "RC = 0 (there 1), ms(...)". "": there are none.
 [[nodiscard]] std::string values_unlike_blocks(const Project&, const cspm::Script& without_blocks);
 
 }  // namespace robochart::app

@@ -1,5 +1,5 @@
-// `simulate` with a scenario that has a chain: trials estimate it, the timed semantics of the model excludes
-// transitions, fresh trials may refute it.
+// `simulate` with a scenario that defines a chain: trials estimate it, the timed semantics of the model excludes
+// transitions, and fresh trials may refute it.
 #include <fmt/format.h>
 
 #include <optional>
@@ -67,7 +67,7 @@ private:
         return true;
     }
 
-    /// The states that are distinguished by numbers of robots.
+    /// The states that numbers of robots distinguish.
     [[nodiscard]] std::vector<std::string> distinguished_states() const {
         std::vector<std::string> states;
         for (const simulation::Distinction& each : scenario_.abstraction->distinctions) {
@@ -77,7 +77,8 @@ private:
         return states;
     }
 
-    /// What the model's semantics in time says; nothing, with the reason, where it was not asked or has no answer.
+    /// The steps that the timed semantics of the model allows. No value, with the reason, if this was not requested or
+    /// could not be computed.
     std::optional<simulation::RobotSteps> steps_of_robots() {
         const std::vector<std::string> states = distinguished_states();
         if (states.empty()) {
@@ -142,7 +143,7 @@ private:
         trials_ = std::move(found.trials);
     }
 
-    /// False where trials took transitions that the proof excludes.
+    /// Returns false if trials took transitions that the proof excludes.
     bool answer(const std::vector<simulation::ChainAsked>& asked) {
         std::vector<simulation::Excluded> excluded;
         const auto sequences = simulation::sequences_of(scenario_, *states_, permitted_, trials_, excluded);
@@ -167,7 +168,7 @@ private:
                 result_.answers.back().of_no_chain = result_.order.has_value();
             }
         } catch (const diagnostics::LimitReached&) {
-            result_.interrupted = true;  // what was answered stays
+            result_.interrupted = true;  // the answers so far are kept
         }
         return true;
     }

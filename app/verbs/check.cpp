@@ -1,4 +1,4 @@
-// The verb `check`: assertions to verdicts.
+// The verb `check`: decides assertions.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -43,7 +43,7 @@ struct Context {
     const TakenGuards& guards;
 };
 
-/// What counterexamples and steps are read with.
+/// The data for reading counterexamples and steps.
 runs::Context reading(const Context& context) {
     return {context.emission.provenance, context.project.system, context.project.instantiation, context.project.sources,
             context.session};
@@ -75,8 +75,8 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     }
 }
 
-/// What the answer to an assertion rests on: that of a run on its steps, also where the run shows that the assertion
-/// holds.
+/// The basis of the answer to an assertion. If there is a run, it is that of its steps, even if the run shows that the
+/// assertion holds.
 Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                const refine::Verdict& verdict, const AssertionReport& report) {
     Basis basis;
@@ -91,12 +91,12 @@ Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, c
     return basis;
 }
 
-/// What cannot be evaluated, with its place and the element of the model that it is in.
+/// The evaluation error with its place and its element of the model.
 std::string said(const Project& project, const cspm::EvaluationError& error) {
     return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
 
-/// One assertion of an obligation: its answer, with its counterexample where it fails, and what it rests on.
+/// Decides one assertion of an obligation: the answer, the counterexample if it fails, and the basis.
 void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                 AssertionReport& report) {
     report.answer = Answer::holds;
@@ -113,19 +113,19 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
     }
 }
 
-/// Throws LimitReached where the run or the claim's turn is over.
+/// Throws LimitReached if the run or the claim's turn is over.
 void poll_turn(const Options& turn) {
     turn.run->budget().poll();
     if (turn.turn_ends && std::chrono::steady_clock::now() >= *turn.turn_ends)
         throw diagnostics::LimitReached("the time limit was reached");
 }
 
-/// A state of a term takes long beside one of a compiled machine.
+/// Limited, because a state of a term takes much longer than one of a compiled machine.
 constexpr std::uint64_t most_states_for_firing = 20'000;
 
 using Transitions = std::vector<csp_emit::TransitionInside>;
 
-/// Those that are not among the elements.
+/// The transitions that are not among the elements.
 Transitions missing(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
     Transitions result;
     for (const csp_emit::TransitionInside& each : question.transitions)
@@ -141,7 +141,7 @@ std::string listed(const Project& project, const Transitions& transitions) {
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The elements that fire in no instance of their machine.
+/// The transitions that fire in no instance of their machine.
 std::vector<std::string> unexercised(const csp_emit::FiringQuestion& question, const Transitions& never) {
     std::map<std::string, std::size_t> instances;
     for (const csp_emit::TransitionInside& each : question.transitions) ++instances[each.origin.element];
@@ -152,8 +152,8 @@ std::vector<std::string> unexercised(const csp_emit::FiringQuestion& question, c
     return result;
 }
 
-/// A step does not tell apart transitions of one state that have its trigger and lead to the same place: that one of
-/// them fires does not say that each does.
+/// A step may not distinguish several transitions of one state with the same trigger and target. If one of them fires,
+/// the others may still never fire.
 void answer_firing(const Project& project, const csp_emit::FiringQuestion& question, const runs::Exercised& found,
                    AssertionReport& report) {
     const Transitions never = missing(question, found.possible);
@@ -173,7 +173,7 @@ void answer_firing(const Project& project, const csp_emit::FiringQuestion& quest
     }
 }
 
-/// Which transitions fire, by a visit of all states.
+/// Decides which transitions fire, by exploring all states.
 void decide_firing(const Context& context, const csp_emit::FiringQuestion& question, AssertionReport& report) {
     const runs::Context read_with = reading(context);
     runs::StepReader reader(read_with);
@@ -189,12 +189,12 @@ void decide_firing(const Context& context, const csp_emit::FiringQuestion& quest
     }
 }
 
-/// What else is said where it holds: without chances that is no more than a possibility.
+/// Printed if the claim holds: without probabilities it states only a possibility.
 const char* const fair_draws =
     "it happens again and again with probability 1 only if every choice between steps is a draw, each with a chance "
     "above 0";
 
-/// Whether something can always come again, by a search backwards through all states.
+/// Decides whether something can always happen again, by a backward search through all states.
 void decide_recurrence(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     const refine::Limits bounds = limits(context.options, obligation.title);
     report.answer = Answer::holds;
@@ -213,11 +213,12 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
     }
 }
 
-/// All assertions must hold: the first that does not ends it. Or one suffices: the first that holds does, and only if
-/// each of them fails the claim does; where one of them is not known and none holds, nothing is known of the claim.
+/// Either all assertions must hold, and the first that fails ends the check. Or one suffices: then the first that holds
+/// decides, and the claim fails only if all of them fail. If none holds and one of them is unknown, the claim is
+/// inconclusive.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
-    std::optional<std::string> unknown;  // why the first that is not known is not
-    Basis before;                        // of those that do not decide the claim alone
+    std::optional<std::string> unknown;  // why the first inconclusive one is inconclusive
+    Basis before;                        // basis of assertions that do not decide the claim alone
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         for (Ground& ground : std::exchange(report.basis, {})) add(before, std::move(ground));
         decide_one(context, obligation, *assertion, report);
@@ -238,10 +239,11 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
 }
 
-/// Premises of claims, each decided once.
+/// The premises of claims; each is decided once.
 class Premises {
 public:
-    /// Of a claim that is answered with "holds": not decided, with the run that shows it, where its premise is not so.
+    /// If a claim holds but its premise does not, the claim becomes inconclusive, and the run that refutes the premise
+    /// is shown.
     void apply(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
         if (obligation.premise == nullptr || report.answer != Answer::holds) return;
         const AssertionReport premise = answer(context, obligation);
@@ -291,7 +293,7 @@ bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
                 : asked_for(context.options, context.project.system.properties[obligation.property].name);
 }
 
-/// Of the question whether they are exercised.
+/// The elements of the question which of them are exercised.
 std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     std::vector<std::string> result;
     if (obligation.firing)
@@ -302,7 +304,7 @@ std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     return result;
 }
 
-/// Where the component of a core property is declared: "state machine P::S".
+/// The declaration of the component of a core property: "state machine P::S".
 diagnostics::Span declaration(const ir::System& system, const std::string& component) {
     const std::string name = component.substr(component.rfind(' ') + 1);
     const auto is_it = [&](const std::string& package, const std::string& path) {
@@ -317,7 +319,7 @@ diagnostics::Span declaration(const ir::System& system, const std::string& compo
     return {};
 }
 
-/// The report lists everything to be decided from the beginning, as not decided.
+/// Lists all claims as undecided in the report, before any is decided.
 void announce(const Context& context, Report& report) {
     const auto edit = context.options.run->edit();
     for (const csp_emit::Obligation& obligation : context.emission.obligations) {
@@ -341,7 +343,7 @@ void announce(const Context& context, Report& report) {
     }
 }
 
-/// A script that names what does not exist is bad input: reported once for all its claims.
+/// If a script uses an undefined name, this is wrong input; it is reported once for all its claims.
 std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time,
                                     const Options& options, Report& report) {
     try {
@@ -359,7 +361,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
     }
 }
 
-/// An answer that an earlier run has found says nothing of bounds.
+/// An answer from the cache contains no information about bounds.
 void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
                 AssertionReport& report) {
     const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
@@ -367,7 +369,7 @@ void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit
     for (Ground& ground : reached.of(claim, bounds.met())) add(report.basis, std::move(ground));
 }
 
-/// To those of other claims and of the other time.
+/// Adds these bounds to those of other claims and of the other semantics.
 void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds) {
     const std::string name = time == Time::timed ? "timed" : "untimed";
     for (const Ground& ground : basis) {
@@ -385,7 +387,7 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
 /// The claims in one semantics.
 class TimeClaims {
 public:
-    /// Lists them in the report.
+    /// Lists the claims in the report.
     TimeClaims(Project& project, const Options& options, Time time, Report& report)
         : project_(project),
           options_(options),
@@ -462,7 +464,7 @@ private:
         add_bounds(reached_, watch_, obligation, one);
     }
 
-    /// What is known of a claim if the run ends now.
+    /// Stores the current knowledge about a claim, in case the run ends now.
     void note(const refine::Progress& progress, std::size_t at) {
         const auto edit = options_.run->edit();
         AssertionReport& known = report_.assertions[first_ + at];
@@ -486,11 +488,11 @@ private:
     Premises premises_;
     std::unique_ptr<cspm::Session> session_;
     std::optional<SecondLook> second_look_;
-    std::size_t first_ = 0;                   ///< place of the first claim in the report
-    std::vector<AssertionReport> announced_;  ///< each before anything is known of it
+    std::size_t first_ = 0;                   ///< index of the first claim in the report
+    std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
 };
 
-/// Claims of other tools: each is said, and none of them is a success.
+/// Lists the claims for other tools; none of them counts as a success.
 void report_unchecked(const Project& project, const Options& options, Report& report) {
     const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& why) {
         if (!asked_for(options, name)) return;

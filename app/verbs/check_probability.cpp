@@ -1,4 +1,4 @@
-// The verb `check`: probabilistic assertions to values and verdicts, in the encoding asked for.
+// The verb `check`: computes probabilistic assertions in the selected encoding.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using prism::Result;
 using probability::NotExpressed;
 using probability::Row;
 
-/// An assertion with its file, which its names are looked up from.
+/// An assertion and its file, in whose scope its names are resolved.
 struct Claim {
     const frontend::File* file = nullptr;
     const frontend::ProbabilisticAssertion* assertion = nullptr;
@@ -36,7 +36,7 @@ std::vector<Claim> claims_of(const Project& project, const Options& options) {
     return result;
 }
 
-/// Of a row: an error before a failure, that before what is not known.
+/// The answer for a row: an error has priority over a failure, and a failure over an unknown answer.
 Answer answer_of(const Row& row) {
     if (!row.error.empty()) return Answer::error;
     Answer answer = row.path ? Answer::computed : Answer::holds;
@@ -62,8 +62,8 @@ std::string subject_list(const std::vector<std::string>& subjects) {
     return text;
 }
 
-/// What a property is about: its names begin with it. One that names nothing is about the only component of the highest
-/// level.
+/// The component that a property is about: its names begin with it. A property without names is about the only
+/// component of the highest level.
 ir::ComponentRef subject_of(const Project& project, const std::vector<std::string>& subjects) {
     if (subjects.size() > 1)
         throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
@@ -81,8 +81,8 @@ probability::Scheduler scheduler_of(const Options& options) {
     return options.scheduler == "uniform" ? probability::Scheduler::uniform : probability::Scheduler::any;
 }
 
-/// Whether an assertion is decided on RoboTool's chain. Random paths are always taken through that: those of a decision
-/// process depend on who chooses.
+/// True if an assertion is decided on RoboTool's Markov chain. Random paths always use this chain, because paths of a
+/// decision process depend on the scheduler.
 bool robotools(const Options& options, const frontend::ProbabilisticAssertion& assertion) {
     return options.encoding == "robotool" || probability::simulated(assertion);
 }
@@ -92,7 +92,7 @@ public:
     Decider(Project& project, const Options& options)
         : project_(project), options_(options), all_(*project.model), budget_(limits_of_turn()) {}
 
-    /// Throws LimitReached where a limit of the run is reached.
+    /// Throws LimitReached if a limit of the run is reached.
     void operator()(const Claim& claim, const Options& turn, AssertionReport& report) {
         turn_ends_ = turn.turn_ends;
         try {
@@ -100,7 +100,7 @@ public:
             report.reason.clear();
             probability::decide(*encoding_, question, how(), budget_, [&](Row row) { take(std::move(row), report); });
         } catch (const diagnostics::LimitReached& limit) {
-            encoding_.reset();  // it may not have been finished
+            encoding_.reset();  // it may be incomplete
             if (!options_.run->budget().reached().empty()) throw;
             report.answer = Answer::inconclusive;
             report.reason = is_over() ? "the time limit was reached" : limit.what();
@@ -114,7 +114,7 @@ public:
     }
 
 private:
-    /// Encodings keep the budget, through the turns of several claims.
+    /// The encoding keeps the budget during the turns of several claims.
     diagnostics::Limits limits_of_turn() {
         diagnostics::Limits limits = options_.run->budget().limits();
         limits.interrupted = [this] { return options_.run->budget().interrupted() || is_over(); };
@@ -126,7 +126,8 @@ private:
         const ir::ComponentRef subject =
             subject_of(project_, probability::subjects(all_, *claim.file, *claim.assertion));
         const auto functions = probability::functions(all_, *claim.file, *claim.assertion);
-        // Functions are written into RoboTool's models; without any they stay the same for the next property.
+        // Functions become part of RoboTool's model. If the assertion has none, the model is reused for the next
+        // property.
         const bool chain = robotools(options_, *claim.assertion);
         const bool same = encoding_ && chain == chain_ && ir::qualified(subject) == ir::qualified(subject_);
         if (!same || (chain && (!functions.empty() || with_functions_))) {
@@ -185,7 +186,7 @@ private:
     diagnostics::Budget budget_;
     std::unique_ptr<probability::Encoding> encoding_;
     ir::ComponentRef subject_;
-    bool chain_ = false;  ///< it is RoboTool's
+    bool chain_ = false;  ///< RoboTool's chain is used
     bool with_functions_ = false;
 };
 
@@ -208,8 +209,8 @@ struct ProbabilityClaims::Impl {
     const Options& options;
     std::vector<Claim> claims;
     Decider decide;
-    std::size_t first = 0;                   ///< place of the first claim in the report
-    std::vector<AssertionReport> announced;  ///< each before anything is known of it
+    std::size_t first = 0;                   ///< index of the first claim in the report
+    std::vector<AssertionReport> announced;  ///< the claims before anything was known about them
 };
 
 ProbabilityClaims::ProbabilityClaims(Project& project, const Options& options, Report& report)

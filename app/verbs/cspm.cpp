@@ -1,4 +1,4 @@
-// The verb `cspm`: any CSPM script's assertions, as FDR's `refines` would decide them.
+// The verb `cspm`: decides the assertions of a CSPM script, like FDR's `refines`.
 #include <fmt/format.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -35,7 +35,7 @@ Answer answer(refine::Outcome outcome) {
     return outcome == refine::Outcome::fails ? Answer::fails : Answer::inconclusive;
 }
 
-/// The innermost calls; deep recursion shows by their number.
+/// The innermost calls, and the number of calls, which shows a deep recursion.
 std::string call_stack(const std::vector<std::string>& frames) {
     constexpr std::size_t shown = 8;
     std::string text;
@@ -45,7 +45,7 @@ std::string call_stack(const std::vector<std::string>& frames) {
     return text;
 }
 
-/// The expressions an assertion is about.
+/// Stores the expressions of an assertion as text.
 void name_sides(const cspm::Assertion& assertion, ScriptAssertion& out) {
     const bool refinement = assertion.kind == cspm::AssertionKind::refinement;
     if (refinement) out.specification = cspm::print(assertion.specification);
@@ -68,7 +68,7 @@ AssertionReport undecided(const cspm::Decl& assertion) {
     return report;
 }
 
-/// What is known of an assertion while it is being decided.
+/// Stores the current knowledge about an assertion while it is decided.
 void note_progress(const refine::Progress& progress, AssertionReport& report) {
     if (progress.phase != refine::Progress::Phase::searching) return;
     report.statistics.states = progress.states;
@@ -78,12 +78,12 @@ void note_progress(const refine::Progress& progress, AssertionReport& report) {
     report.searched = true;
 }
 
-/// What the assertions of a script share while they are decided.
+/// Data shared by the assertions of a script while they are decided.
 struct Deciding {
     const Options& options;
     const diagnostics::SourceManager& sources;
-    std::function<void(const refine::Progress&)> note;  ///< of the assertion that is being decided
-    std::string limit = "";  ///< what has ended one of them, the first time; "" as long as nothing has
+    std::function<void(const refine::Progress&)> note;  ///< progress of the current assertion
+    std::string limit = "";  ///< the first limit that ended an assertion; "" if there is none
 };
 
 ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, Deciding& deciding) {
@@ -107,7 +107,7 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
         if (report.result.verdict.counterexample && !options.brief)
             report.behaviour = session.behaviour_with_values(assertion, *report.result.verdict.counterexample, bounds);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
-    } catch (const diagnostics::LimitReached& reached) {  // before it
+    } catch (const diagnostics::LimitReached& reached) {  // before the search
         options.run->finish();
         report.answer = Answer::inconclusive;
         report.errors.push_back(fmt::format("not begun: {}", deciding.limit.empty() ? reached.what() : deciding.limit));
@@ -119,7 +119,7 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
     return report;
 }
 
-/// The same for the report over all scripts.
+/// The same result in the report over all scripts.
 AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events, const Options& options) {
     AssertionReport report;
     report.title = assertion.text;
@@ -133,7 +133,7 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
     return report;
 }
 
-/// `limit`: why the names are not known; "" where they are.
+/// `limit`: why the types are unknown; "" if they are known.
 std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
     diagnostics::Json json{{"schema", "robochart-verify/types/1"}, {"script", path}};
     if (!limit.empty()) json["limit"] = limit;
@@ -143,14 +143,14 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
     return diagnostics::json_text(json) + "\n";
 }
 
-/// The answer about a script. Where it is the run's, a limit has nothing more to say: that would be a second document.
+/// Prints the answer about a script. If it is the answer of the run, a limit must not print a second document.
 void print_answer(const std::string& text, const Options& options) {
     if (options.inputs.size() == 1) options.run->finish();
     const auto edit = options.run->edit();
     print_exact(text);
 }
 
-/// What the file of --json gets.
+/// Stores the text for the file of --json.
 void keep_json(const std::string& text, const Options& options) {
     if (const auto file = options.files.find(Format::json); file != options.files.end())
         options.run->keep_for(file->second, text);
@@ -190,7 +190,7 @@ Exit check_types(const Options& options) {
     return exit;
 }
 
-/// `stopped`: whether a limit left one without its value.
+/// `stopped`: set if a limit left a print statement without a value.
 std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options,
                                           bool& stopped) {
     const cspm::Script& script = loaded.script;
@@ -205,7 +205,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
             printed.value = session.evaluate(statement->body, limits(options, printed.expression));
         } catch (const diagnostics::LimitReached& limit) {
             printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(statement->span)), limit.what());
-            options.run->finish();  // what is known is printed from here on
+            options.run->finish();  // from here on, only known results are printed
             stopped = true;
         } catch (const cspm::EvaluationError& error) {
             printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(error.span)), error.what());
@@ -221,7 +221,7 @@ void show_prints(const ScriptReport& script, const Options& options) {
         print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
 }
 
-/// The findings as FDR's output has them: one text each.
+/// The findings in the form of FDR's output: one text each.
 void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
         const std::string text = fmt::format("{}: {}", loaded.sources.place(each.span), each.message());
@@ -229,7 +229,7 @@ void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     }
 }
 
-/// The script with the assertions about this one, as `emit csp` names it; "" if there is none.
+/// The script with the assertions about this script, by the file name that `emit csp` uses; "" if there is none.
 std::string assertions_beside(const std::string& path) {
     const std::filesystem::path file(path);
     const std::filesystem::path beside = file.parent_path() / (file.stem().string() + "_assertions.csp");
@@ -237,8 +237,7 @@ std::string assertions_beside(const std::string& path) {
     return std::filesystem::is_regular_file(beside, code) ? beside.string() : "";
 }
 
-/// Definitions alone claim nothing. That their names and types are right is known by now, so they are no mistake; a
-/// script that has nothing at all is.
+/// A script without assertions is not an error: its names and types have been checked. An empty script is an error.
 void note_no_assertions(const LoadedScript& loaded, const Options& options, ScriptReport& script) {
     const std::string path = diagnostics::shown(script.path);
     if (loaded.script.decls.empty()) {
@@ -253,7 +252,7 @@ void note_no_assertions(const LoadedScript& loaded, const Options& options, Scri
     if (text || options.format == Format::junit) print_error("{}\n", script.warnings.back());
 }
 
-/// Places of the assertions that --assertion means.
+/// The indices of the assertions that --assertion selects.
 std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions, const Options& options,
                                    const std::string& path) {
     std::vector<std::string> texts;
@@ -265,7 +264,7 @@ std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions,
     return selection.chosen;
 }
 
-/// Prints what has been decided at once, in the formats that allow it.
+/// In formats that allow it, each answer is printed at once.
 void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script,
                 Report& report) {
     const auto assertions = session.assertions();
@@ -298,7 +297,7 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         }
         if (options.format != Format::framed_json || is_asked_for(options, Format::json))
             script.assertions.push_back(std::move(decided));
-        const auto edit = options.run->edit();  // the last word does not come in between
+        const auto edit = options.run->edit();  // so that the last word is not printed in between
         if (options.format == Format::plain)
             print_text(text);
         else
@@ -315,23 +314,23 @@ Exit worse(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
-/// What the last word of the run may still have to print.
+/// The data that the last word of the run may still have to print.
 struct Known {
     Report report;
-    std::string open;                    ///< script whose object is not printed yet; "": none
-    bool last = false;                   ///< it is the last one
-    bool asks = false;                   ///< some script has assertions or prints
-    std::vector<RefusedReport> refused;  ///< scripts with errors, for those who read cases
+    std::string open;                    ///< script whose object has not been printed; "": none
+    bool last = false;                   ///< it is the last script
+    bool asks = false;                   ///< some script has assertions or print statements
+    std::vector<RefusedReport> refused;  ///< scripts with errors, for JUnit
 };
 
-/// The report with a case for each script that has errors.
+/// The report, extended by a case for each script with errors.
 Report with_refused(const Known& known) {
     Report report = known.report;
     report.refused = known.refused;
     return report;
 }
 
-/// What the files of --json and --junit get: of a script, and of the run.
+/// Stores the contents of the files of --json (per script) and --junit (for the run).
 void keep_object(const ScriptReport& script, const process::EventTable& events, const Options& options) {
     if (is_asked_for(options, Format::json)) keep_json(refines_json(script, events, options), options);
 }
@@ -345,7 +344,7 @@ void note_refused(const ScriptReport& script, const Options& options, Known& kno
     known.refused.push_back({script.path, "", fmt::format("{}", fmt::join(script.errors, "\n"))});
 }
 
-/// The report over all scripts.
+/// Prints the report over all scripts.
 void print_report(const Known& known, const Options& options) {
     if (options.format == Format::junit)
         print_exact(render_junit(with_refused(known)));
@@ -353,7 +352,7 @@ void print_report(const Known& known, const Options& options) {
         print_styled(wrapped(render_text(known.report, options), line_width(STDOUT_FILENO)));
 }
 
-/// The rest of what is printed of a script. It is printed whole, and the last word prints nothing more of it.
+/// Prints the rest of the output about a script. It is printed completely, and the last word does not repeat it.
 void print_last(const std::string& text, const Options& options, Known& known) {
     if (known.last) options.run->finish();
     const auto edit = options.run->edit();
@@ -362,7 +361,7 @@ void print_last(const std::string& text, const Options& options, Known& known) {
     finish_output();
 }
 
-/// In a format of objects.
+/// Prints the object of a script, in the formats that have one.
 void print_object(const ScriptReport& script, const process::EventTable& events, const Options& options, Known& known) {
     keep_object(script, events, options);
     {
@@ -373,7 +372,7 @@ void print_object(const ScriptReport& script, const process::EventTable& events,
     if (json) print_last(refines_json(script, events, options), options, known);
 }
 
-/// One script; its part of the report over all is added.
+/// Decides one script and adds its results to the common report.
 Exit decide_script(const std::string& path, const Options& options, Known& known) {
     Report& report = known.report;
     LoadedScript loaded;
@@ -403,7 +402,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
         known.asks = known.asks || !session.assertions().empty() || !script.prints.empty();
-        // Frames are of assertions; a script that only prints has one of its own.
+        // Frames belong to assertions; a script with only print statements gets one frame.
         const bool frame = options.format == Format::framed_json && session.assertions().empty();
         if (frame || !json || options.format == Format::json) {
             print_object(script, session.event_table(), options, known);
@@ -433,7 +432,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     return stopped ? Exit::inconclusive : Exit::success;
 }
 
-/// Standard input; what it includes is looked for in the current folder.
+/// Reads standard input; included files are searched for in the current folder.
 cspm::Script read_standard_input(LoadedScript& loaded) {
     std::string error;
     std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);

@@ -1,4 +1,5 @@
-// The verb `draw`: diagrams of a model's components, of all of them into a folder, or of one (docs/diagrams.md).
+// The verb `draw`: draws the diagrams of all components of a model into a folder, or of one component
+// (docs/diagrams.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,7 +25,7 @@
 namespace robochart::app {
 namespace {
 
-/// The last names of it fit: "S", "C::S" for "P::C::S"; or it is how its file is called.
+/// True if the subject's name ends with this name ("S", "C::S" for "P::C::S"), or if its file has this name.
 bool is_called(const diagrams::Subject& subject, const std::string& name) {
     return subject.name == name || subject.file == name || subject.name.ends_with("::" + name);
 }
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    /// Those of the names on the command line; without names all. Throws UsageError.
+    /// Selects the subjects named on the command line; without names, all. Throws UsageError.
     void choose() {
         for (const std::string& name : wanted_) chosen_.push_back(&named(name));
         if (!wanted_.empty()) return;
@@ -81,7 +82,7 @@ private:
         throw UsageError(fmt::format("'{}' may be {}", name, fmt::join(names, ", ")));
     }
 
-    /// The diagram in the format asked for; nothing, with a diagnostic, where it cannot be made.
+    /// The diagram in the selected format; no value, with a diagnostic, if it cannot be made.
     std::optional<std::string> text_of(const PartSubject& drawn) {
         diagrams::SvgOptions style;
         if (options_.theme == "light" || options_.picture != "svg") style.theme = diagrams::Theme::light;
@@ -98,10 +99,10 @@ private:
         }
     }
 
-    /// Formats for other programs have none.
+    /// False for formats whose layout another program computes.
     [[nodiscard]] bool has_places() const { return options_.picture != "mermaid" && options_.picture != "dot"; }
 
-    /// What a person drew.
+    /// The layout that a person drew, if any.
     [[nodiscard]] const diagrams::StoredLayout* layout_of(const PartSubject& drawn) const {
         if (!has_places()) return nullptr;
         diagrams_->explain_layout(drawn);
@@ -113,7 +114,7 @@ private:
         return std::nullopt;
     }
 
-    /// By rsvg-convert, in a folder of its own.
+    /// Converts the diagram with rsvg-convert, in a temporary folder.
     std::optional<std::string> converted(const PartSubject& drawn, const std::string& text) {
         std::string error;
         diagnostics::Budget* budget = &options_.run->budget();
@@ -140,7 +141,7 @@ private:
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
-    /// To the file of `--out`, or to standard output.
+    /// Draws to the file of `--out`, or to standard output.
     bool draw_one() {
         const PartSubject& drawn = *chosen_.front();
         const auto text = text_of(drawn);
@@ -177,7 +178,7 @@ private:
     std::vector<std::string> wanted_;
     std::vector<Part> parts_;
     std::optional<PartDiagrams> diagrams_;
-    std::vector<const PartSubject*> chosen_;  ///< of diagrams_
+    std::vector<const PartSubject*> chosen_;  ///< elements of diagrams_
     bool written_ = false;
 };
 

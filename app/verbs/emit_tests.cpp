@@ -23,7 +23,7 @@ namespace {
 struct Made {
     std::vector<cpp_emit::OutputFile> files;
     std::size_t states = 0, tests = 0, cycles = 0;
-    bool adaptive = false;  ///< the model leaves a choice: tests that follow the implementation
+    bool adaptive = false;  ///< the model has choices, so the tests follow the implementation
 };
 
 std::string suite_summary(const Made& made, const Options& options, const ir::ComponentRef& component) {
@@ -35,7 +35,7 @@ std::string suite_summary(const Made& made, const Options& options, const ir::Co
                        made.states, options.extra_states, with_commas(made.tests), with_commas(made.cycles));
 }
 
-/// Throws std::length_error where there is none.
+/// Throws std::length_error if there is no test suite.
 Made make(Project& project, const Options& options, const ir::ComponentRef& component, const refine::Limits& bounds) {
     std::string error;
     const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle,

@@ -1,5 +1,5 @@
-// What is decided of a scenario's model with the constants of the options: its assertions, the code that drives the
-// scenario's robots, and the scenario's claims.
+// Decides everything about a scenario's model with the constants of the options: its assertions, the conformance of the
+// robots' code, and the scenario's claims.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace robochart::app {
 
 namespace {
 
-/// The texts of a model, but for libraries that come with the program, by the names of their files.
+/// The texts of a model by file name, without the built-in libraries.
 Evidence::Files files_of(const Project& project) {
     Evidence::Files files;
     for (std::size_t i = 0; i < project.sources.size(); ++i) {
@@ -40,12 +40,12 @@ Options over_the_model(const Options& options, const simulation::Scenario& scena
     return wanted;
 }
 
-/// "leaders: ", "" of the first.
+/// "leaders: ", or "" for the first controller.
 std::string in_front(const simulation::Scenario& scenario, std::size_t controller) {
     return controller == 0 ? "" : scenario.controller_name(controller) + ": ";
 }
 
-/// A model with its constants, however they were given.
+/// A model with its constants, independent of how they were given.
 using ModelRead = std::vector<std::string>;
 ModelRead model_read(const Options& wanted, const std::vector<Part>& parts) {
     ModelRead subject{wanted.inputs.front()};
@@ -58,7 +58,7 @@ ModelRead model_read(const Options& wanted, const std::vector<Part>& parts) {
 
 void decide_assertions_of(const Options& wanted, const std::vector<Part>& parts, const std::string& name,
                           Evidence& evidence) {
-    if (!parts.empty())  // they share their sources
+    if (!parts.empty())  // all parts share their sources
         for (const auto& [file, digest] : files_of(*parts.front().project))
             evidence.model.emplace_back(name + file, digest);
     const auto add = [&](const std::string& subject, std::string answer) {
@@ -125,7 +125,7 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     if (controller == nullptr || !project.diagnostics.ok()) return false;
     simulation::Scenario scenario = simulation->scenario;
     scenario.bands.clear();
-    scenario.abstraction.reset();  // no chain is made of these trials
+    scenario.abstraction.reset();  // these trials do not estimate a chain
     simulation::Plan plan = simulation->plan;
     plan.scenario = &scenario;
     simulation::RunOptions wanted;
@@ -135,7 +135,7 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     const simulation::RunResult found =
         simulation::run(plan, drives_of(*simulation, *controller), wanted, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
-    if (found.interrupted) options.run->budget().check();  // throws what was reached
+    if (found.interrupted) options.run->budget().check();  // throws the reached limit
     evidence.scenario = scenario.name.text;
     std::string texts(project.sources.text(simulation->scenario.name.span.source));
     for (const std::string& drawing : simulation->scenario.drawings) texts += content_digest(drawing);

@@ -1,4 +1,4 @@
-// The verb `explain`: the page of a rule, or the list of all rules.
+// The verb `explain`: prints the page of a rule, or the list of all rules.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -29,7 +29,7 @@ std::string upper_start(std::string_view code) {
     return letters;
 }
 
-/// The nearest code, or those of the same family, to help after a slip.
+/// The nearest code, or the codes with the same prefix, for a mistyped code.
 std::string relatives(std::string_view code) {
     std::vector<std::string> all, found;
     for (const diagnostics::Rule* rule : all_rules()) {
@@ -42,7 +42,7 @@ std::string relatives(std::string_view code) {
                          : fmt::format("; there are {}", fmt::join(found, ", "));
 }
 
-/// What the table says, for a rule whose page is missing.
+/// The text of the table, for a rule without a page.
 std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
     std::string text;
     for (const diagnostics::Rule* rule : rules)
@@ -66,7 +66,7 @@ bool explain(const std::string& written, bool color) {
     return true;
 }
 
-/// The index from its first heading below the title on: the text above is for authors of pages.
+/// The index from the first heading below the title; the text above is for authors of pages.
 std::string_view list_of_rules() {
     std::string_view index = page_text("README");
     const std::size_t first = index.find("\n## ");

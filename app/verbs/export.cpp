@@ -1,4 +1,4 @@
-// `cspm SCRIPT --export FORMAT PROCESS`: all states of a process, for other tools and for FDR.
+// `cspm SCRIPT --export FORMAT PROCESS`: writes all states of a process, for other tools and for FDR.
 #include <fmt/ostream.h>
 
 #include <cerrno>
@@ -19,7 +19,7 @@
 
 namespace robochart::app {
 
-/// On a line of its own the process is all that findings show.
+/// The process is on a line of its own, so that findings show only the process.
 cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
     const auto source = loaded.sources.add(origin, "assert (\n" + process + "\n) :[divergence free]\n");
     cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
@@ -31,7 +31,7 @@ cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, co
 
 namespace {
 
-/// The script's definitions without what it asks and prints.
+/// The definitions of the script, without assertions and print statements.
 cspm::Script definitions(const cspm::Script& script) {
     cspm::Script result;
     for (const cspm::DeclPtr& decl : script.decls)
@@ -40,7 +40,7 @@ cspm::Script definitions(const cspm::Script& script) {
     return result;
 }
 
-/// A name that nothing in the text begins with.
+/// A name with which no word of the text begins.
 std::string fresh_name(const std::string& text, std::string name) {
     while (text.find(name) != std::string::npos) name += "_";
     return name;
@@ -71,7 +71,7 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
     std::size_t known = 0;
     const lts::Graph graph = explored(*system, bounds, known);
     options.run->finish();
-    // For people, who look at what is small, as a whole; else as it is made.
+    // Formatted for people only if it is small; otherwise written as it is made.
     std::ostringstream seen;
     std::ostream& out = output_is_a_terminal() ? seen : std::cout;
     errno = 0;

@@ -1,4 +1,5 @@
-// The verb `format`: files in place, or what would change, or standard input to standard output (docs/format.md).
+// The verb `format`: formats files in place, shows what would change, or formats standard input to standard output
+// (docs/format.md).
 #include "frontend/format/format.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace syntax = frontend::syntax;
 
-/// What a text is written in.
+/// The language of a text.
 enum class Language { model, assertions, rules };
 
 std::optional<Language> language_of(const fs::path& path) {
@@ -50,7 +51,7 @@ private:
     void standard_input();
     void changed(const fs::path& path, std::string_view before, const std::string& after);
     void report(const diagnostics::Rule& rule, std::vector<std::string> arguments);
-    /// The formatted text; nothing, after its errors are shown, if it has syntax errors.
+    /// The formatted text. If it has syntax errors, they are shown and there is no value.
     std::optional<std::string> format(diagnostics::SourceId source, Language language);
     void show(const diagnostics::Diagnostics& diagnostics) const;
     [[nodiscard]] std::string closing() const;
@@ -150,7 +151,7 @@ std::string Formatting::closing() const {
 Exit Formatting::run() {
     for (const std::string& path : options_.inputs) input(path);
     const bool filters = options_.inputs == std::vector<std::string>{"-"};
-    finish_output();  // where both streams are one, the sum comes last
+    finish_output();  // so that the summary comes last if both streams are the same
     if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing());
     if (failed_) return Exit::bad_input;
     return options_.check && changed_ > 0 ? Exit::failed : Exit::success;

@@ -1,4 +1,4 @@
-// The verb `init`: a new project that verifies as it stands. A model that is there already is never touched.
+// The verb `init`: creates a project that verifies without changes. An existing model is never changed.
 #include "app/verbs/init.hpp"
 
 #include <fmt/format.h>
@@ -24,10 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of files are made of it, so it ends long before what file systems take.
+/// File names are made from it, so it is much shorter than the limit of file systems.
 constexpr std::size_t longest_name = 64;
 
-/// A file to be written, and whether one that is there already is left as it is.
+/// A file to write, and whether an existing file is kept.
 struct NewFile {
     std::string name;
     std::string text;
@@ -39,13 +39,13 @@ bool is_plain(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Claims in CSP begin with the name of the package.
+/// True for a reserved word of CSPM. A package must not have such a name, because claims in CSP begin with it.
 bool is_word_of_cspm(const std::string& name) {
     diagnostics::Diagnostics ignored;
     return cspm::lex(name, diagnostics::SourceId::none, ignored).front().kind != cspm::Tok::identifier;
 }
 
-/// Why it cannot be the name of a package; "" if it can.
+/// The reason why it cannot be the name of a package; "" if it can.
 std::string unfit(const std::string& name) {
     const auto fits = [](char c) { return is_plain(c) || c == '_'; };
     if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
@@ -59,7 +59,7 @@ std::string unfit(const std::string& name) {
     return is_block ? "the csp block of a new project is called so" : "";
 }
 
-/// A name that is fit, made of what is written; "" if nothing of that is left.
+/// A valid name made from the given text; "" if no character is left.
 std::string made_fit(const std::string& name) {
     const fs::path file(name);
     std::string fit;
@@ -94,7 +94,7 @@ std::vector<NewFile> files_of(const std::string& name, const Options& options) {
     return files;
 }
 
-/// What the folder has already that a new project would mix with; "" if there is nothing.
+/// Existing files in the folder that conflict with a new project; "" if there are none.
 std::string in_the_way(const fs::path& folder, const std::vector<NewFile>& files) {
     std::error_code code;
     if (fs::exists(folder, code) && !fs::is_directory(folder, code))
@@ -112,7 +112,7 @@ Exit refused(const std::string& why) {
     return Exit::bad_input;
 }
 
-/// False, with a message, if a file cannot be written.
+/// Returns false, with a message, if a file cannot be written.
 bool write(const fs::path& folder, const std::vector<NewFile>& files, const Options& options) {
     for (const NewFile& file : files) {
         options.run->budget().poll();
@@ -133,7 +133,8 @@ bool write(const fs::path& folder, const std::vector<NewFile>& files, const Opti
     return true;
 }
 
-/// The project's name, by the last part of its folder's path. Where no name was given it is made of the folder's.
+/// The project's name from the last part of its folder's path. If no name was given, it is made from the name of the
+/// folder.
 std::string name_of(const std::string& last, const fs::path& folder, const Options& options) {
     const std::string why = unfit(last);
     if (why.empty()) return last;

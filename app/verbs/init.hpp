@@ -1,4 +1,4 @@
-// The files of a new project as they are built into the program (app/templates), for the verb `init`.
+// The built-in files of a new project (app/templates), for the verb `init`.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace robochart::app {
 
-/// The text of app/templates/`path`, in which `@NAME@` stands for the project's name.
+/// The text of app/templates/`path`; in it, `@NAME@` is the placeholder for the project's name.
 [[nodiscard]] std::string template_text(std::string_view path);
 
 }  // namespace robochart::app

@@ -6,7 +6,7 @@
 
 namespace robochart::app {
 
-/// The protocol knows two exit codes: 0 after `shutdown`, 1 otherwise.
+/// The protocol defines two exit codes: 0 after `shutdown`, 1 otherwise.
 Exit run_lsp() {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);

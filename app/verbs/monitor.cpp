@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// What terminated says so in every cycle from then on.
+    /// A terminated robot reports this in every later cycle.
     bool ended_before(std::size_t robot) {
         ended_.resize(monitors_.size());
         return std::exchange(ended_[robot], std::uint8_t{1}) != 0;
@@ -103,7 +103,7 @@ private:
     std::unique_ptr<simulation::Trace> other_;
     std::unique_ptr<conformance::CycleCache> cycles_;
     std::vector<Monitor> monitors_;
-    std::vector<std::uint8_t> ended_;  ///< of each robot; as long as that once one did
+    std::vector<std::uint8_t> ended_;  ///< by robot; filled when the first robot terminates
     simulation::Objection objection_;
 };
 
@@ -145,7 +145,7 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
 
 namespace {
 
-/// Each kind of robots has a guard of its own; nothing guards the environment.
+/// Each kind of robots has its own guard; the environment has none.
 class KindGuards final : public simulation::Guard {
 public:
     KindGuards(const simulation::Scenario& scenario, std::vector<std::unique_ptr<Guard>> guards)
@@ -168,7 +168,7 @@ private:
     std::vector<std::unique_ptr<Guard>> guards_;
 };
 
-/// Of one component. What is wrong is said in the simulation's project.
+/// The guard of one component. Errors are reported in the simulation's project.
 std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, Project& project,
                                             const cpp_emit::DriveEmission& emission, const std::string& component,
                                             const Options& options) {
@@ -211,7 +211,7 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
 
 namespace {
 
-/// Monitors of one file of rules; false, with what is wrong printed, where there are none.
+/// Writes the monitor of one rule file. Returns false, after printing the error, if there is none.
 bool write_rule_monitor(const std::string& file, Project& output, const Options& options, Report& report) {
     LoadedRules loaded;
     loaded.diagnostics.within(&options.run->budget());

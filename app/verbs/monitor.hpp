@@ -1,4 +1,4 @@
-// Monitors beside the controllers of a simulation (`simulate --monitor`).
+// Monitors for the controllers of a simulation (`simulate --monitor`).
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace robochart::app {
 
-/// Said where a guard did not see all that it asks for, before what is said of the trials.
+/// Printed before the results of the trials if a guard could not observe everything that it checks.
 inline constexpr const char* not_all_watched = "--monitor could not follow all that it asks for: not decided\n";
 
 class Monitors final : public simulation::Guard {
@@ -33,15 +33,15 @@ private:
     const cpp_emit::DriveEmission& emission_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<conformance::CycleCache>>
-        idle_;  ///< of trials that are over: later ones need not learn again
+        idle_;  ///< caches of finished trials, so that later trials need not learn again
     std::atomic<std::uint64_t> robots_ = 0;
-    std::atomic<std::uint64_t> lost_ = 0;  ///< left the finite instantiation where that matters
+    std::atomic<std::uint64_t> lost_ = 0;  ///< monitors that left the finite instantiation in a relevant way
 };
 
-/// Of the robots of the first kind. Null, with a diagnostic, where the model has none.
+/// Monitors for the robots of the first kind. Null, with a diagnostic, if the model has none.
 [[nodiscard]] std::unique_ptr<Monitors> make_monitors(Simulation&, const Options&);
-/// What `--monitor` asks for: the model's monitors, or those of a file of rules. Null without it, and, with a
-/// diagnostic, where there are none.
+/// The guard that `--monitor` selects: the model's monitors, or those of a rule file. Null without the option and, with
+/// a diagnostic, if there is none.
 [[nodiscard]] std::unique_ptr<simulation::Guard> make_guard(Simulation&, const Options&);
 
 }  // namespace robochart::app

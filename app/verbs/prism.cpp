@@ -1,5 +1,4 @@
-// The verb `prism`: models of PRISM explored or sampled, their properties decided, for one set of constants or for
-// many.
+// The verb `prism`: explores or samples PRISM models and decides their properties, for one or more sets of constants.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -44,18 +43,18 @@ NamedValues named(const prism::Values& values) {
     return result;
 }
 
-/// The model is wrong for one set of constants; its findings say why.
+/// Thrown if the model is wrong for a set of constants; the findings state why.
 class WrongModel : public std::exception {
 public:
     explicit WrongModel(std::size_t number) : number_(number) {}
-    /// Of the set.
+    /// The number of the set.
     [[nodiscard]] std::size_t number() const { return number_; }
 
 private:
     std::size_t number_;
 };
 
-/// Decides everything, and keeps the report up to date for the last word.
+/// Decides all properties, and keeps the report up to date for the last word.
 class PrismVerb {
 public:
     PrismVerb(const Options& options, std::shared_ptr<PrismReport> report)
@@ -120,7 +119,7 @@ private:
             report_->properties.push_back({each.name.text, prism::print(each.expression)});
     }
 
-    /// The sets of constants of the model at once; of one set, its answers.
+    /// Processes several sets of the model's constants in parallel, or the answers of a single set.
     void run_all(const Experiment& wanted) {
         const std::size_t count = wanted.of_model.size();
         {
@@ -147,7 +146,7 @@ private:
         for (std::size_t i = 0; i < done; ++i) loaded_.diagnostics.add(findings[i]);
     }
 
-    /// False where the model is wrong.
+    /// Returns false if the model is wrong.
     bool run(std::size_t number, const Experiment& wanted, diagnostics::Diagnostics& findings) {
         findings.within(&options_.run->budget());
         for (const std::string& code : options_.allowed) findings.allow(code);
@@ -177,7 +176,7 @@ private:
         return true;
     }
 
-    /// By random paths: `threads` of them at once, one property after the other.
+    /// Answers by random paths: `threads` paths at once, one property after another.
     void sample(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
                 diagnostics::Diagnostics& findings, unsigned threads) {
         const prism::SamplingOptions sampling{*options_.sampling, options_.seed.value_or(0), threads,
@@ -203,8 +202,8 @@ private:
     using Decide = std::function<prism::Result(std::size_t property, const prism::Values&)>;
     using Explain = std::function<std::optional<prism::Counterexample>(std::size_t property, const prism::Values&)>;
 
-    /// Every property with all values of its constants. The report has those answers that all before are known of;
-    /// what is false is reported before the evidence is looked for.
+    /// Answers every property with all values of its constants. The report contains an answer when all earlier ones are
+    /// known. A false property is reported before its counterexample is searched.
     void answer_all(std::size_t number, const Experiment& wanted, unsigned threads, diagnostics::Diagnostics& findings,
                     const Decide& decide, const Explain& explain) {
         const std::size_t sets = wanted.of_properties.size();
@@ -243,7 +242,7 @@ private:
             if (each) report(*each, findings);
     }
 
-    /// A value outside its range, in a model of `emit prism`: with what sets the range.
+    /// Reports a value outside its range. For a model of `emit prism`, adds how the range is set.
     void report(const prism::EvaluationError& error, diagnostics::Diagnostics& findings) const {
         diagnostics::Diagnostic& finding = error.report(findings);
         const bool of_robochart = (error.is(prism::rules::out_of_range) || error.is(prism::rules::left_out)) &&
@@ -275,7 +274,7 @@ private:
         return {options_.epsilon, options_.exact, &options_.run->budget()};
     }
 
-    /// One state space, or what follows from it for one property.
+    /// Exports the state space, or the result for one property.
     Exit export_result(const Experiment& wanted) {
         if (options_.sampling) throw UsageError("--export explores the model, --sim does not: give one of them");
         const std::string& format = options_.exported_space;
@@ -309,7 +308,7 @@ private:
         return Exit::inconclusive;
     }
 
-    /// Why there is nothing to write; "" where there is.
+    /// Returns the reason if there is nothing to write; otherwise "".
     std::string export_answer(const prism::StateSpace& space, const prism::Values& values,
                               const prism::TextSink& sink) {
         const prism::Session session(space, loaded_.properties, session_options());

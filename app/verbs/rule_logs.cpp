@@ -1,4 +1,4 @@
-// `conform RULES.sleec --traces LOG`: logs of runs against rules in SLEEC (docs/traces.md, "Logs and rules").
+// `conform RULES.sleec --traces LOG`: checks logs of runs against SLEEC rules (docs/traces.md, "Logs and rules").
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,7 +27,7 @@ namespace {
 
 using conformance::TraceToken;
 
-/// A run in which a rule is broken, or of which it is not known.
+/// A run that breaks a rule, or for which this is unknown.
 struct LoggedRun {
     std::string log, run;
     std::uint64_t line = 0;
@@ -37,12 +37,12 @@ struct LoggedRun {
 
 struct RuleLogReport {
     std::uint64_t logs = 0, runs = 0, seconds = 0, accepted = 0, broken = 0, open = 0;
-    std::vector<LoggedRun> reported;  ///< the first of those that are not accepted
+    std::vector<LoggedRun> reported;  ///< the first of the runs that are not accepted
     std::vector<std::string> errors;
 };
 constexpr std::size_t most_reported = 100;
 
-/// One log and one file of rules.
+/// One log and one rule file.
 class RuleLog {
 public:
     RuleLog(const LoadedRules& of, std::string path, RuleLogReport& report, const Options& options)
@@ -133,7 +133,7 @@ private:
     std::optional<RuleRun> run_;
     std::string name_;
     std::uint64_t begun_ = 0;
-    std::string hidden_;  ///< an event of the rules that the log does not show; "": it shows all
+    std::string hidden_;  ///< an event of the rules that is not in the log; "": there is none
 };
 
 std::vector<std::string> log_files(const Options& options, RuleLogReport& report) {

@@ -1,4 +1,4 @@
-// The verb `rules`: conflicts and redundancies of rules in SLEEC, and whether a model obeys them.
+// The verb `rules`: finds conflicts and redundancies of SLEEC rules, and decides whether a model obeys them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -72,7 +72,7 @@ private:
             report_->rules.push_back({each.written->name.text, loaded_.sources.place(each.written->span)});
     }
 
-    // by default
+    // The default analysis
 
     void analyse() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules");
@@ -88,7 +88,7 @@ private:
         for (const sleec::CheckedProperty& each : rules().purposes) ask(each, false, analysis);
     }
 
-    /// A concern must be impossible while the rules are kept, a purpose possible.
+    /// A concern must be impossible if the rules are satisfied; a purpose must be possible.
     void ask(const sleec::CheckedProperty& property, bool concern, const sleec::AnalysisOptions& analysis) {
         const sleec::PropertyAnswer answer = sleec::possible(rules(), property, analysis);
         const sleec::Answer wanted = concern ? sleec::Answer::no : sleec::Answer::yes;
@@ -129,12 +129,12 @@ private:
                     continue;
                 }
                 if (!rules().rules[i].assumed) redundancies_of(i, analysis);
-            } catch (const sleec::NotDecided&) {  // the question about conflicts of this rule has said so
+            } catch (const sleec::NotDecided&) {  // reported already by the check of this rule's conflicts
             }
         }
     }
 
-    /// Each rule that implies it alone; if there is none, whether the others together do.
+    /// Reports each rule that implies it alone. If there is none, checks whether the other rules imply it together.
     void redundancies_of(std::size_t rule, const sleec::AnalysisOptions& analysis) {
         bool alone = false;
         for (std::size_t by = 0; by < rules().rules.size(); ++by) {
@@ -151,7 +151,7 @@ private:
 
     // as SLEEC-TK has it
 
-    /// Rules that the published encoding has; the others are named.
+    /// The rules that the published encoding supports; the others are reported by name.
     std::vector<std::size_t> encoded(const sleec::Encoding& encoding) {
         std::vector<std::size_t> result;
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
@@ -219,7 +219,7 @@ private:
 
     // whether a model obeys
 
-    /// False where the model is wrong; its findings are printed.
+    /// Returns false if the model is wrong; its findings are printed.
     bool conform() {
         Options of_model = options_;
         of_model.inputs.erase(of_model.inputs.begin());

@@ -1,4 +1,5 @@
-// The verb `simulate`: a scenario, its model's generated controllers, trials, measures against bands, pictures.
+// The verb `simulate`: runs a scenario with generated controllers of its model in trials, compares measures with bands,
+// and writes pictures.
 #include "app/verbs/simulate.hpp"
 
 #include <fmt/format.h>
@@ -61,7 +62,7 @@ std::string name_in(const std::string& constant) {
     return constant.substr(0, constant.find('='));
 }
 
-/// What `--const` names and is no controller of the scenario.
+/// Reports names in `--const` that are not controllers of the scenario.
 void check_addresses(Project& project, const simulation::Scenario& scenario, const Options& options) {
     for (const std::string& each : options.constants) {
         if (simulation::addressed(scenario, name_in(each))) continue;
@@ -112,7 +113,7 @@ std::string controllers_text(const simulation::Scenario& scenario) {
     return text;
 }
 
-/// Of one component. What is wrong is said in the project of the scenario.
+/// The emission of one component. Errors are reported in the scenario's project.
 cpp_emit::DriveEmission emitted(Simulation& simulation, Project& project, const Name& component,
                                 const std::string& model) {
     const auto components = code_components(project.system, component.text);
@@ -128,8 +129,8 @@ cpp_emit::DriveEmission emitted(Simulation& simulation, Project& project, const 
                                 project.diagnostics);
 }
 
-/// The project of another controller takes the place of the simulation's where it is not acceptable, so that what is
-/// wrong with it is shown.
+/// If the project of another controller is not acceptable, it replaces the simulation's project, so that its findings
+/// are shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
     const Options wanted = options_for(simulation.scenario, options, number);
@@ -156,7 +157,7 @@ void emit(Simulation& simulation, const std::string& model, const Options& optio
     if (scenario.environment) emissions.environment = &simulation.others.back().emission;
     Project& project = *simulation.project;
     simulation.plan = simulation::bind(simulation.scenario, emissions, project.diagnostics);
-    // A look at the first start finds robots that do not fit before anything is compiled.
+    // Computing the first start finds robots that do not fit, before anything is compiled.
     if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
 }
 
@@ -330,7 +331,7 @@ std::unique_ptr<simulation::Controller> build_controller(Simulation& simulation,
 void show_all_diagnostics(const Simulation& simulation, const Options& options) {
     (void)show_diagnostics(*simulation.project, options);
     std::set<std::string> shown;
-    // What two kinds of one model have in common is shown once.
+    // Findings that two kinds of one model share are shown once.
     const auto is_new = [&](const Project& project) {
         bool found = false;
         for (const diagnostics::Diagnostic& each : project.diagnostics.sorted()) {
@@ -364,7 +365,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
 
 namespace {
 
-/// `--html`; where it cannot be written, that is among the project's diagnostics.
+/// Writes the page of `--html`. A write error is reported in the project's diagnostics.
 void write_page(Simulation& simulation, const simulation::RunResult& result, const simulation::Machines& machines,
                 const std::string& simulator, const std::string& monitors, const std::string& notes,
                 const std::vector<std::string>& files, const Options& options) {
@@ -411,7 +412,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
         write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->note(), notes, files,
                    options);
     options.run->finish();
-    // Errors by now are trials that stopped and files that could not be written.
+    // The only errors at this point are stopped trials and files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.stopped();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (unwritable && options.format == Format::json) return show_diagnostics(project, options), exit;
@@ -427,7 +428,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     return exit;
 }
 
-/// A file of rules among the inputs is what guards the trials.
+/// A rule file among the inputs defines the guard of the trials.
 Options with_guarding_rules(Options options) {
     const auto is_rules = [](const std::string& input) { return input.ends_with(".sleec"); };
     for (const std::string& input : options.inputs) {

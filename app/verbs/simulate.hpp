@@ -1,5 +1,5 @@
-// A scenario with its model and controller, ready to run: what the verb `simulate` and the adapters of other simulators
-// share.
+// A scenario with its model and controllers, ready to run. The verb `simulate` and the adapters of other simulators use
+// it.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace robochart::app {
 
-/// The model and the controller of another kind of robots, or of the environment.
+/// The model and controller of another kind of robots, or of the environment.
 struct OtherController {
     std::unique_ptr<Project> project;
     std::string model;  ///< its path
@@ -25,82 +25,81 @@ struct OtherController {
 };
 
 struct Simulation {
-    std::unique_ptr<Project> project;  ///< the model; its sources hold the scenario too
+    std::unique_ptr<Project> project;  ///< the model; its sources also contain the scenario
     simulation::Scenario scenario;
     cpp_emit::DriveEmission emission;
-    std::vector<OtherController> others;  ///< of the scenario's other kinds, and of its environment
+    std::vector<OtherController> others;  ///< for the scenario's other kinds and its environment
     simulation::Plan plan;                ///< refers to the scenario
 
-    /// The model of a controller (Scenario::controller_at).
+    /// The model of a controller (see Scenario::controller_at).
     [[nodiscard]] const Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project : *others[controller - 1].project;
     }
-    /// What drives robots of a kind (Scenario::kind_at).
+    /// The emission that drives the robots of a kind (see Scenario::kind_at).
     [[nodiscard]] const cpp_emit::DriveEmission& emission_of(std::size_t kind) const {
         return kind == 0 ? emission : others[kind - 1].emission;
     }
 };
 
-/// Reads the scenario and its model and binds them. Never null; the project's diagnostics tell whether it can run.
+/// Reads the scenario and its model and binds them. Never null; the project's diagnostics show whether it can run.
 [[nodiscard]] std::unique_ptr<Simulation> load_simulation(const Options&);
 
-/// The scenario's text into the project's sources; its scenario.
+/// Reads the scenario; its text is added to the project's sources.
 [[nodiscard]] simulation::Scenario read_scenario_of(Project&, const Options&);
-/// Builds the controllers: returns that of the first kind of robots, and keeps the others. On failure null, and what is
-/// wrong is among the project's diagnostics.
+/// Builds the controllers. Returns that of the first kind of robots and stores the others. On failure the result is
+/// null, and the project's diagnostics contain the reason.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
 
-/// All of them, once built.
+/// All controllers, after they are built.
 [[nodiscard]] simulation::Drives drives_of(const Simulation&, const simulation::Controller&);
 
-/// Adds what a trial depends on but for its seed: the texts of scenario and drawings, and the generated code. The
-/// program itself is in the cache's own keys.
+/// Adds to a hash everything that a trial depends on except its seed: the texts of the scenario and drawings, and the
+/// generated code. The cache's own keys contain the program.
 void add_trials(const Simulation&, diagnostics::Hasher&);
 
-/// The path of the model of one of a scenario's controllers (Scenario::controller_at), where the scenario has this
-/// path.
+/// The path of the model of one of a scenario's controllers (see Scenario::controller_at); `path` is that of the
+/// scenario.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
-/// The options for the model of one controller: its path, the constants of `--const` that are its, and where these
-/// leave one open those of the scenario (`const ...` in `robots` and `environment`). The robots are simulated with
-/// them, so all that is said of the models is decided with them.
+/// The options for the model of one controller: its path, and its constants. These are the constants of `--const` for
+/// this controller and, if they leave one open, those of the scenario (`const ...` in `robots` and `environment`). The
+/// robots are simulated with these constants, so all claims about the models are decided with them.
 [[nodiscard]] Options options_for(const simulation::Scenario&, Options, std::size_t controller);
-/// "NAME=VALUE" of all constants that the model was given.
+/// "NAME=VALUE" for all constants that were given to the model.
 [[nodiscard]] std::vector<std::string> constants_of(const Project&);
 
-/// What was found in the scenario and its model, and what in the models of the other controllers.
+/// Shows the findings about the scenario and its model, and those about the models of the other controllers.
 void show_all_diagnostics(const Simulation&, const Options&);
 
-/// What is decided with the constants of options_for, added to the evidence: the assertions of the scenario's models
-/// and the digests of their files; whether the code of each controller conforms; the scenario's claims, of which
-/// false is returned where the scenario cannot be run: the diagnostics of the simulation's project say why. In what is
-/// said of other controllers than the first its name stands in front, "leaders: A1"; two with one model and the same
-/// constants are decided once. Throw diagnostics::LimitReached.
+/// Add to the evidence what is decided with the constants of options_for. The first: the assertions of the scenario's
+/// models and the digests of their files. The second: whether the code of each controller conforms. The third: the
+/// scenario's claims; it returns false if the scenario cannot be run, and the simulation's project contains the reason.
+/// Results about controllers other than the first have the controller's name in front, "leaders: A1". Two controllers
+/// with the same model and constants are decided once. Throw diagnostics::LimitReached.
 void decide_assertions(const Options&, const simulation::Scenario&, Evidence&);
 void decide_conformance(const Options&, const simulation::Scenario&, Evidence&);
 [[nodiscard]] bool decide_claims(const Options&, Evidence&, std::unique_ptr<Simulation>&);
 
-/// Another simulator in place of the embedded world.
+/// A simulator that replaces the built-in world.
 struct OtherStage {
-    std::string name;  ///< "" for the embedded world
+    std::string name;  ///< "" for the built-in world
     simulation::StageMaker make;
-    bool parallel = true;  ///< may trials run at the same time?
+    bool parallel = true;  ///< trials may run at the same time
 };
 Exit run_simulate(const Options&, const OtherStage&);
-/// Of a scenario in which something varies.
+/// For a scenario in which something varies.
 Exit sweep(const Options&, const OtherStage&);
-/// Of a scenario with a chain; its project has no errors so far.
+/// For a scenario with a chain. Its project must have no errors.
 Exit study_chain(Simulation&, const Options&, const OtherStage&);
-/// Whether trials are to end: a limit is reached, or a signal has come.
+/// Returns true if trials must end because of a limit or a signal.
 [[nodiscard]] std::function<bool()> when_a_limit_is_reached(const Options&);
-/// The progress of trials as `--progress` asks for; empty: not at all.
+/// The progress reports of trials that `--progress` selects; empty: none.
 [[nodiscard]] std::function<void(const simulation::RunProgress&)> progress_reports(const Options&,
                                                                                    const std::string& subject);
-/// The whole of a program that simulates in another simulator: its arguments are those of the verb. Returns its exit
-/// code.
+/// The whole program that simulates in another simulator, with the arguments of the verb. Returns its exit code.
 int simulate_program(const char* program, int argc, char** argv, const OtherStage&);
 
-/// Tables and pictures of a run below the output folder. Returns the paths; problems are reported.
+/// Writes tables and pictures of a run below the output folder. Returns the paths; problems are reported.
 [[nodiscard]] std::vector<std::string> write_simulation_files(Simulation&, const simulation::RunResult&,
                                                               const simulation::Machines&, const Options&,
                                                               std::string& notes);

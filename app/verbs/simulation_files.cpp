@@ -1,5 +1,5 @@
-// What a simulation leaves behind: a table of positions for each trial, pictures of the first; PNG, GIF and MP4 where
-// the programs that make them are on PATH.
+// Writes the files of a simulation: a table of positions for each trial and pictures of the first one; PNG, GIF and MP4
+// if the programs that make them are on PATH.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace robochart::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// How much faster than the world an animation runs: about half a minute for a trial.
+/// How much faster than real time an animation runs; a trial takes about half a minute.
 double animation_speed(double duration) {
     return std::max(1.0, std::round(duration / 30));
 }
@@ -91,7 +91,7 @@ private:
         return true;
     }
 
-    /// Runs a program that makes a file of this name in the work folder, and puts the file beside the others.
+    /// Runs a program that makes a file with this name in the work folder, and moves the file to the others.
     bool make(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
         std::string error;
         const std::string log = work_->path() + "/log";
@@ -107,7 +107,7 @@ private:
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
-    /// A limit ends them; the drawings are there.
+    /// If a limit ends the conversions, the drawings still exist.
     void images_and_films(const std::vector<simulation::Frame>& frames, std::string& notes) try {
         images(notes);
         video(frames, notes);
@@ -127,7 +127,7 @@ private:
         }
     }
 
-    /// Frames as raw video in a file, which ffmpeg turns into MP4 and GIF.
+    /// Writes the frames as raw video to a file, which ffmpeg converts to MP4 and GIF.
     void video(const std::vector<simulation::Frame>& frames, std::string& notes) {
         if (!on_path("ffmpeg")) {
             notes += "  no MP4 and GIF: ffmpeg is not on PATH (Debian: ffmpeg)\n";

@@ -1,5 +1,5 @@
-// The verb `step`: a component, or a process of a script, animated by hand in the terminal. Commands are read from
-// standard input, a line each; docs/step.md has them.
+// The verb `step`: steps through a component, or a process of a script, by hand in the terminal. Commands are read from
+// standard input, one per line; docs/step.md describes them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -34,9 +34,9 @@
 namespace robochart::app {
 namespace {
 
-/// Hidden steps that are taken in one go where nothing else can happen.
+/// The number of hidden steps that are taken at once while nothing else is possible.
 constexpr std::size_t most_settled = 10'000;
-/// Steps that `until` looks for what it waits for.
+/// The number of steps in which `until` searches for its condition.
 constexpr std::size_t most_until = 100'000;
 
 std::string place_of(const std::optional<runs::Place>& place) {
@@ -52,7 +52,7 @@ public:
     Console(runs::Stepper& stepper, const Options& options, Stepped stepped)
         : stepper_(stepper), options_(options), stepped_(std::move(stepped)) {}
 
-    /// Until the input ends. The exit code: wrong commands of a file fail.
+    /// Runs until the input ends. Returns the exit code: wrong commands in a file are a failure.
     Exit run();
 
 private:
@@ -63,7 +63,7 @@ private:
         const char* help;
         void (Console::*obey)(const std::string& argument);  ///< null for numbers
     };
-    /// Any beginning of a name is understood as the first here that has it.
+    /// A prefix of a name selects the first command in this list that has it.
     static const std::vector<Command>& commands();
 
     void obey(const std::string& line);
@@ -75,7 +75,7 @@ private:
     void why(const std::string& text);
     void find(const std::string& text);
     [[nodiscard]] std::string leads_to(std::size_t offer);
-    bool list_offers(const std::string& text);  ///< those with this text; false if there is none
+    bool list_offers(const std::string& text);  ///< those with this text; false if there are none
     void watch(const std::string& name);
     void way(const std::string&);
     void tree(const std::string&);
@@ -88,16 +88,16 @@ private:
     void show();
     void wrong(const std::string& text);
     [[nodiscard]] bool chance();
-    /// Since the way had so many steps.
+    /// True if the text occurred after this number of steps.
     [[nodiscard]] bool has(const std::string& text, std::size_t steps);
     std::optional<std::size_t> number(const std::string& word, std::size_t otherwise);
 
     runs::Stepper& stepper_;
     const Options& options_;
     Stepped stepped_;
-    std::vector<std::size_t> choices_;  ///< how long the way was in front of each
+    std::vector<std::size_t> choices_;  ///< the number of steps before each choice
     std::string watched_;
-    std::uint64_t chance_ = 1;  ///< state of the generator: the same choices in every run
+    std::uint64_t chance_ = 1;  ///< state of the generator; every run makes the same choices
     bool internal_ = false;
     bool failed_ = false, quits_ = false;
     bool person_ = isatty(STDIN_FILENO) == 1;
@@ -141,7 +141,7 @@ void Console::show() {
     if (offers.empty()) print("      nothing can happen any more\n");
 }
 
-/// Of a process of a script, where several offers have the same text: "   to STOP".
+/// For a process of a script in which several offers have the same text: "   to STOP".
 std::string Console::leads_to(std::size_t offer) {
     const std::vector<runs::Offer>& offers = stepper_.offers();
     const auto same = [&](const runs::Offer& each) {
@@ -198,7 +198,7 @@ void Console::tock(const std::string& word) {
     show();
 }
 
-/// False where nothing can happen.
+/// Returns false if no step is possible.
 bool Console::chance() {
     options_.run->budget().poll();
     const std::size_t offers = stepper_.offers().size();
@@ -366,7 +366,8 @@ Exit Console::run() {
     return failed_ && !person_ ? Exit::failed : Exit::success;
 }
 
-/// `--html`. A limit of the run that is reached while the states are explored leaves a page with those before.
+/// Writes the page of `--html`. If a limit is reached while the states are explored, the page contains the states found
+/// so far.
 Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& stepped,
                 const std::vector<Part>& parts) {
     diagnostics::Budget& budget = options.run->budget();
@@ -394,7 +395,7 @@ Exit animate(runs::Stepper& stepper, const Options& options, const Stepped& step
                                 : write_page(stepper, options, stepped, parts);
 }
 
-/// The components that can be animated, each with its part.
+/// The components that can be stepped through, each with its part.
 using Candidates = std::vector<std::pair<Project*, ir::ComponentRef>>;
 
 Candidates candidates(const std::vector<Part>& parts, const std::string& wanted) {
@@ -406,7 +407,7 @@ Candidates candidates(const std::vector<Part>& parts, const std::string& wanted)
     return result;
 }
 
-/// The one that is meant. Throws UsageError where that is none, or several.
+/// The selected component. Throws UsageError if there is none, or several.
 std::pair<Project*, ir::ComponentRef> meant(const std::vector<Part>& parts, const std::string& wanted) {
     const Candidates found = candidates(parts, wanted);
     if (found.size() == 1) return found.front();

@@ -1,5 +1,5 @@
-// `simulate` with a scenario in which something varies: its claims at every point, one after the other. What is known
-// of a point is kept with what earlier runs have worked out, so a run that was stopped goes on where it was.
+// `simulate` with a scenario in which something varies: decides its claims at every point, one after another. The
+// results of a point are stored in the cache, so a run that was stopped continues where it ended.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t most_points = 2000;
 
-/// The controllers of the points that share the constants of the model.
+/// The controllers of the points with the same constants of the model.
 struct Prepared {
     std::vector<std::string> constants;
     std::unique_ptr<Simulation> simulation;
@@ -75,7 +75,7 @@ private:
                                          {fmt::format("{} points are more than {}", points, most_points)});
     }
 
-    /// `--compare`: what it has is kept, what is wrong with it reported.
+    /// Reads the table of `--compare`; its errors are reported in the table's text.
     void read_table() {
         std::string error;
         const auto source = project_->sources.load(options_.compare, error);
@@ -91,7 +91,7 @@ private:
                 rules::bad_option, {}, {fmt::format("--compare {}: {}", diagnostics::shown(options_.compare), error)});
     }
 
-    /// What is wrong with the file is said where it is used.
+    /// Errors of the file are reported when it is used.
     void read_rules() {
         std::string error;
         if (const auto source = project_->sources.load(options_.guarding_rules, error))
@@ -102,7 +102,7 @@ private:
 
     [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
 
-    /// Where values are tried until one is proved: can the point still change what is said of the least value?
+    /// If values are tried until one is proved: true if this point can still change the least value.
     [[nodiscard]] bool wanted(const simulation::PointResult& point) const {
         if (!until_proved()) return true;
         const std::optional<double> second = point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
@@ -111,7 +111,7 @@ private:
         return false;
     }
 
-    /// The exit code where the point cannot be looked at.
+    /// Computes a point; returns an exit code if this is impossible.
     std::optional<Exit> look_at(simulation::PointResult& point) {
         if (const auto refusal = prepare(simulation::constants_at(scenario_, point.point))) return refusal;
         const simulation::Scenario scenario = simulation::scenario_at(prepared_.simulation->scenario, point.point);
@@ -136,12 +136,12 @@ private:
         result_.interrupted = found.interrupted;
         if (result_.watched && !found.watched) unwatched_ = prepared_.monitors->note();
         result_.watched = result_.watched && found.watched;
-        // What was not watched is to be said again.
+        // A point that was not completely monitored is computed again next time, to repeat the message.
         if (!found.interrupted && found.watched && cache != nullptr) cache->keep(key, simulation::stored(found.claims));
         return std::nullopt;
     }
 
-    /// A constant that varies and that the model does not have is the scenario's mistake, at its place.
+    /// If the model does not have a constant that varies, this is an error of the scenario, reported at its place.
     void find_unknown(const Project& refused) {
         for (const simulation::Variation& each : scenario_.variations) {
             if (each.what != simulation::Varied::constant) continue;
@@ -172,7 +172,7 @@ private:
         return std::nullopt;
     }
 
-    /// All that an answer depends on.
+    /// The hash of everything that an answer depends on.
     [[nodiscard]] diagnostics::Digest key_of(const simulation::Point& point) const {
         const Simulation& simulation = *prepared_.simulation;
         diagnostics::Hasher hasher;
@@ -242,8 +242,8 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// Success where all that `--monitor` asks for was watched, and every point is decided, or where values are tried
-    /// until one is proved every least value.
+    /// Success if everything that `--monitor` checks was observed, and every point is decided or, if values are tried
+    /// until one is proved, every least value is.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
         if (std::any_of(compared_.begin(), compared_.end(),
@@ -283,13 +283,13 @@ private:
 
     const Options& options_;
     const OtherStage& stage_;
-    std::unique_ptr<Project> project_;  ///< of the scenario's text alone
+    std::unique_ptr<Project> project_;  ///< contains only the scenario's text
     simulation::Scenario scenario_;
     Prepared prepared_;
     bool shown_ = false;
-    std::string rules_text_;                   ///< of `--monitor RULES.sleec`
-    std::string unwatched_;                    ///< the guard's note where it first did not see all
-    std::vector<simulation::TableRow> table_;  ///< of `--compare`
+    std::string rules_text_;                   ///< for `--monitor RULES.sleec`
+    std::string unwatched_;                    ///< the guard's note about the first incomplete observation
+    std::vector<simulation::TableRow> table_;  ///< from `--compare`
     std::vector<simulation::Compared> compared_;
     simulation::SweepResult result_;
     const Clock::time_point start_ = Clock::now();

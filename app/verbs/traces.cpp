@@ -1,4 +1,4 @@
-// `conform MODEL --traces FILE`: logs of runs against the model (docs/traces.md).
+// `conform MODEL --traces FILE`: checks logs of runs against the model (docs/traces.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ namespace {
 
 using conformance::RunVerdict;
 
-/// A run worth telling, and the log it is in.
+/// A run to report, and its log.
 struct ReportedRun {
     std::string path;
     conformance::RunReport run;
@@ -45,9 +45,9 @@ struct ReportedRun {
 struct Totals {
     std::size_t logs = 0;
     std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
-    std::vector<ReportedRun> reported;  ///< the first of those that are not accepted
+    std::vector<ReportedRun> reported;  ///< the first of the runs that are not accepted
     std::vector<ComparedLog> compared;  ///< for a page
-    std::string limit;                  ///< why not everything was looked at
+    std::string limit;                  ///< why not everything was checked
     double seconds = 0;
 };
 constexpr std::size_t max_reported = 100;
@@ -75,13 +75,13 @@ std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& 
     return result;
 }
 
-/// Checkers by component and cycle length; made when the first log needs one.
+/// The checkers by component and cycle length, made when the first log needs one.
 class Checkers {
 public:
     Checkers(const std::vector<Part>& parts, const Options& options)
         : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
 
-    /// A component with what compares logs with it.
+    /// A component and the checker that compares logs with it.
     struct Found {
         Project* project = nullptr;
         std::string component;  ///< qualified
@@ -90,7 +90,7 @@ public:
 
     [[nodiscard]] diagnostics::Budget& budget() const { return options_.run->budget(); }
 
-    /// Nothing, with a finding, where there is none.
+    /// No value, with a finding, if there is no such component.
     std::optional<Found> of(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
         const std::vector<Part>* const parts = with(header.constants);
@@ -122,8 +122,8 @@ private:
         std::string error;
     };
 
-    /// The model with these constants where the options leave them open: as `--component` and `--cycle`, `--const` is
-    /// stronger than the log. Null, with a finding, where it cannot be read with them.
+    /// The model with the log's constants, unless the options set them: like `--component` and `--cycle`, `--const` has
+    /// priority over the log. Null, with a finding, if the model cannot be read with them.
     const std::vector<Part>* with(const std::vector<std::string>& constants) {
         if (constants.empty()) return &parts_;
         auto [known, fresh] = others_.try_emplace(constants);
@@ -168,11 +168,11 @@ private:
     const std::vector<Part>& parts_;
     const Options& options_;
     refine::Limits limits_;
-    std::map<std::vector<std::string>, std::vector<Part>> others_;  ///< the model with constants of logs
+    std::map<std::vector<std::string>, std::vector<Part>> others_;  ///< the model with the constants of logs
     std::map<std::tuple<const Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 
-/// The header alone, as far as it is in order: which component the log is of, with which constants. Throws
+/// Reads only the header, up to its first fault: the component and the constants of the log. Throws
 /// diagnostics::LimitReached.
 conformance::TraceHeader peek(const std::string& path, diagnostics::Budget& budget) {
     std::ifstream in(path, std::ios::binary);
@@ -188,12 +188,12 @@ conformance::TraceHeader peek(const std::string& path, diagnostics::Budget& budg
             (void)conformance::read_header_line(tokens, header, lines.number());
         }
     } catch (const conformance::TraceFault&) {
-        // The reader proper finds it again and tells it.
+        // The main reader will find and report the fault.
     }
     return header;
 }
 
-/// The fault as a finding in a text that has the line in its place and nothing before it.
+/// Reports the fault in a text that contains only this line, at its line number.
 void report_fault(Project& project, const std::string& path, const conformance::LogFault& found) {
     const std::uint64_t above = std::min<std::uint64_t>(found.line > 0 ? found.line - 1 : 0, 50'000'000);
     const auto source = project.sources.add(path, std::string(above, '\n') + found.text + "\n");
@@ -206,7 +206,7 @@ void report_fault(Project& project, const std::string& path, const conformance::
 void check_log(const std::string& path, Project& project, Checkers& checkers, Totals& totals) {
     std::error_code error;
     std::ifstream in;
-    // A log is read twice: what is no regular file cannot be.
+    // A log is read twice, so it must be a regular file.
     if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
     if (!in.is_open()) {
         project.diagnostics.report(frontend::syntax::unreadable, {},
@@ -304,12 +304,12 @@ std::string totals_json(const Totals& totals, Exit exit) {
 
 namespace {
 
-/// What the logs are of, where only the command line knows.
+/// The component of the logs, if only the command line names it.
 std::string subject(const Options& options) {
     return options.component.empty() ? "the model" : options.component;
 }
 
-/// The part that a place is in; the first where none is known.
+/// The part that contains a place; the first part if the place is unknown.
 const Project& part_at(const std::vector<Part>& parts, diagnostics::Span place) {
     for (const Part& part : parts)
         if (!ir::element_at(part.project->system, place).empty()) return *part.project;
@@ -320,7 +320,7 @@ const Project& part_at(const std::vector<Part>& parts, diagnostics::Span place) 
 
 Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    Project& project = *parts.front().project;  // takes what is found of the logs; texts are those of all parts
+    Project& project = *parts.front().project;  // receives the findings about logs; the texts are shared by all parts
     Totals totals;
     options.run->last_word([options](const std::string& why) {
         Totals none;

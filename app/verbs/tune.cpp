@@ -1,5 +1,6 @@
-// The verb `tune`: constants of a model for which a scenario's claims do best, by iterated racing; the best of them
-// checked, conforming, and judged on seeds that the search has not seen; and the certificate of that, decided again.
+// The verb `tune`: finds constants of a model with which a scenario's claims do best, by iterated racing. The best ones
+// are checked, compared with their code, and judged on seeds that the search has not used. The result is a certificate,
+// which can be verified again.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,7 +32,7 @@ using simulation::Candidate;
 using simulation::Parameter;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-/// NAME and VALUE of `--const`; without `=` all of it is the name.
+/// The NAME and VALUE of `--const`; without `=`, the whole text is the name.
 std::pair<std::string, std::string> split(const std::string& option) {
     const std::size_t equal = option.find('=');
     return {option.substr(0, equal), equal == std::string::npos ? "" : option.substr(equal + 1)};
@@ -56,7 +57,7 @@ bool any(const std::vector<DecidedItem>& items, std::initializer_list<const char
     });
 }
 
-/// Whether everything that was decided is as it should be: 1 where something fails, 3 where something is open.
+/// The exit code for the decisions: 1 if something fails, otherwise 3 if something is open.
 Exit exit_of(const Evidence& evidence) {
     const bool fails = any(evidence.assertions, {"fails", "error"}) ||
                        any(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
@@ -69,7 +70,7 @@ Exit exit_of(const Evidence& evidence) {
     return open || claim("open") ? Exit::inconclusive : Exit::success;
 }
 
-/// What is decided, line by line.
+/// The decisions, line by line.
 std::string evidence_text(const Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
     for (const DecidedItem& each : evidence.assertions)
@@ -105,7 +106,7 @@ public:
         if (!good) note(candidate, project);
         if (good) built.digest = digest_of(*built.simulation);
         if (good) built.drives.emplace(drives_of(*built.simulation, *built.controller));
-        // All that is needed from now on is the plan: models would take much memory.
+        // From now on only the plan is needed; the models would use much memory.
         if (good) built.simulation->project.reset();
         for (OtherController& other : built.simulation->others)
             if (good) other.project.reset();
@@ -139,7 +140,7 @@ public:
             missing.push_back(t);
             trials.push_back({&built.simulation->plan, &*built.drives, seed_of(wanted[t])});
         }
-        // In portions, so that an interrupted search keeps what it has.
+        // In portions, so that an interrupted search keeps its results so far.
         constexpr std::size_t portion = 64;
         for (std::size_t begin = 0; begin < trials.size(); begin += portion) {
             const std::size_t end = std::min(trials.size(), begin + portion);
@@ -158,9 +159,9 @@ public:
         return result;
     }
 
-    /// Why a candidate could not be used; "" if all could.
+    /// Why a candidate could not be used; "" if all could be used.
     [[nodiscard]] const std::string& unusable() const { return unusable_; }
-    /// Why one was refused though it was among the best; "".
+    /// Why a candidate was refused although it was among the best; "" if none was.
     [[nodiscard]] const std::string& refused() const { return refusal_; }
     [[nodiscard]] std::uint64_t earlier_trials() const { return earlier_; }
 
@@ -186,7 +187,7 @@ private:
                 unusable_ = fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), each.message());
     }
 
-    /// All that a trial's cost depends on but its seed.
+    /// The hash of everything that a trial's cost depends on except its seed.
     static diagnostics::Digest digest_of(const Simulation& simulation) {
         diagnostics::Hasher hasher;
         hasher.add("trial of a search");
@@ -279,9 +280,9 @@ private:
 
     void report(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
 
-    /// Reads everything but the candidates; false with diagnostics where something is wrong.
+    /// Reads everything except the candidates; returns false with diagnostics if there is an error.
     bool begin() {
-        // With a first value for each, the model itself says what is wrong with names and values.
+        // Reading the model with the first value of each constant reports wrong names and values.
         Options first = options_;
         for (const auto& [name, value] : varied_) {
             const std::size_t end = std::min(value.find(".."), value.find(','));
@@ -310,12 +311,12 @@ private:
             report(fmt::format("--const {}={}: {}", diagnostics::shown(name), diagnostics::shown(value), error));
     }
 
-    /// The model of a controller, as it was read first.
+    /// The model of a controller, as first read.
     [[nodiscard]] const Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project_ : *others_.at(controller - 1).project;
     }
 
-    /// The constants that do not vary: those of `--const`, and of the scenario what it leaves open.
+    /// The constants that do not vary: those of `--const`, and those that the scenario leaves open.
     [[nodiscard]] Pairs fixed_constants() const {
         Pairs result;
         for (const std::string& each : options_.constants) result.push_back(split(each));
@@ -394,7 +395,7 @@ private:
         decide_all(options);
     }
 
-    /// The evidence of the certificate.
+    /// Decides everything for the certificate.
     void decide_all(const Options& options) {
         Evidence& evidence = certificate_.evidence;
         decide_assertions(options, scenario_, evidence);
@@ -403,7 +404,7 @@ private:
         if (!decide_claims(options, evidence, simulation)) project_ = std::move(simulation->project);
     }
 
-    /// What is known of a search that did not end.
+    /// The results of a search that was interrupted.
     Exit interrupted(const simulation::Race& race) const {
         print_json(race, "", Exit::inconclusive);
         if (options_.format == Format::json) return Exit::inconclusive;
@@ -457,7 +458,7 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// A row for each candidate, in the order in which they were drawn.
+    /// One row per candidate, in the order in which they were drawn.
     [[nodiscard]] std::string candidates_csv(const simulation::Race& race) const {
         std::string out = "candidate";
         for (const Parameter& each : parameters_) out += "," + each.name;
@@ -533,7 +534,7 @@ private:
         return print_comparison(*certified);
     }
 
-    /// A certificate that says truly that something fails is no success either.
+    /// A correct certificate that states a failure is not a success.
     Exit print_comparison(const Certificate& certified) const {
         const std::vector<std::string> lines = differences(certified.evidence, certificate_.evidence);
         const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
@@ -572,7 +573,7 @@ private:
     Options options_;  ///< without the constants that vary
     Pairs varied_;
     std::unique_ptr<Project> project_;
-    std::vector<OtherController> others_;  ///< of the scenario's other controllers
+    std::vector<OtherController> others_;  ///< for the scenario's other controllers
     simulation::Scenario scenario_;
     std::vector<Parameter> parameters_;
     Certificate certificate_;

@@ -1,4 +1,4 @@
-// The verb `validate`: read, resolve and report; with --fix, certain fixes are applied to the files first.
+// The verb `validate`: reads, resolves and reports. With --fix, certain fixes are applied to the files first.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -26,7 +26,7 @@ bool is_syntax(const diagnostics::Rule& rule) {
            std::ranges::any_of(cspm::rules::all(), [&](const diagnostics::Rule* each) { return each == &rule; });
 }
 
-/// The parts, with what is wrong in their CSP blocks.
+/// The parts, including the findings in their CSP blocks.
 std::vector<Part> read_with_blocks(const Options& options) {
     std::vector<Part> parts = read_parts(options);
     for (const Part& part : parts)
@@ -34,8 +34,8 @@ std::vector<Part> read_with_blocks(const Options& options) {
     return parts;
 }
 
-/// Repairs the texts of a part (diagnostics/repair/repair.hpp) and writes those that changed, each file as a whole or
-/// not at all. Returns why one could not be written; "" if all could.
+/// Repairs the texts of a part (diagnostics/repair/repair.hpp) and writes the changed ones; each file is written
+/// completely or not at all. Returns why one could not be written; "" if all were.
 std::string repair(const Part& part, const Options& options, diagnostics::Repaired& sum) {
     const Project& project = *part.project;
     diagnostics::Texts texts;
@@ -60,7 +60,7 @@ std::string repair(const Part& part, const Options& options, diagnostics::Repair
     return {};
 }
 
-/// Says how many fixes were made, and which were not.
+/// Prints how many fixes were applied, and which were not.
 void report_repair(const diagnostics::Repaired& sum) {
     print_error("{} place{} fixed\n", sum.made, sum.made == 1 ? "" : "s");
     for (const diagnostics::RefusedFix& each : sum.refused)
@@ -68,7 +68,7 @@ void report_repair(const diagnostics::Repaired& sum) {
                     diagnostics::shown(each.replacement), each.code);
 }
 
-/// The findings of all parts, which have their texts in common.
+/// The findings of all parts, which share their texts.
 diagnostics::Diagnostics together(const std::vector<Part>& parts) {
     diagnostics::Diagnostics all;
     for (const Part& part : parts) all.add(part.project->diagnostics);
@@ -80,7 +80,7 @@ bool valid(const diagnostics::Diagnostics& findings, const Options& options) {
     return findings.ok() && !(options.deny_warnings && findings.warnings() > 0);
 }
 
-/// `limit`: why not everything was looked at; "" if it was.
+/// `limit`: why not everything was checked; "" if everything was.
 void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings, const std::string& limit,
           const Options& options) {
     answer(options, [&](Format format) {
@@ -95,7 +95,7 @@ void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnost
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
 
-/// Reads, applies fixes if asked to, and reports.
+/// Reads, applies fixes if requested, and reports.
 Exit validate(const Options& options) {
     std::vector<Part> parts = read_with_blocks(options);
     if (options.fix) {

@@ -1,4 +1,4 @@
-// One function for each verb, using only the public headers of the components. Each returns the exit code.
+// One function for each verb; each uses only the public headers of the components and returns the exit code.
 #pragma once
 
 #include <memory>
@@ -13,32 +13,32 @@
 
 namespace robochart::app {
 
-/// Whichever verb the options name.
+/// Runs the verb of the options.
 Exit run_verb(const Options&);
 
 Exit run_model(const Options&);  ///< verify, check, emit, conform
 Exit run_cspm(const Options&);
 Exit export_process(const Options&);  ///< cspm --export
 Exit run_prism(const Options&);
-Exit run_rules(const Options&);  ///< of SLEEC
+Exit run_rules(const Options&);  ///< SLEEC rules
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
 Exit run_draw(const Options&);
 Exit run_format(const Options&);
 Exit run_init(const Options&);
-Exit run_simulate(const Options&);  ///< in the embedded world
+Exit run_simulate(const Options&);  ///< in the built-in world
 Exit run_tune(const Options&);
-Exit run_step(const Options&);  ///< reads its commands from standard input
-Exit run_lsp();                 ///< serves an editor on stdin and stdout until it leaves
+Exit run_step(const Options&);  ///< reads commands from standard input
+Exit run_lsp();                 ///< serves an editor on stdin and stdout until it exits
 
-/// Decides the model's assertions in the times asked for.
+/// Decides the model's assertions in the selected semantics.
 void check_assertions(Project&, const Options&, Report&);
-/// A span with its end; nothing where it is unknown.
+/// The region of a span with its end; no value if it is unknown.
 [[nodiscard]] std::optional<runs::Place> region_of(const Project&, diagnostics::Span);
-/// The probabilistic claims of a model, on the Markov models that the options ask for.
+/// The probabilistic claims of a model, decided on the Markov models that the options select.
 class ProbabilityClaims {
 public:
-    /// Lists them in the report. Refers to all that it is given.
+    /// Lists the claims in the report. Refers to its arguments.
     ProbabilityClaims(Project&, const Options&, Report&);
     ~ProbabilityClaims();
     ProbabilityClaims(const ProbabilityClaims&) = delete;
@@ -52,9 +52,9 @@ private:
     Report& report_;
 };
 
-/// Sets the place of what is claimed there.
+/// Sets the place of a claim.
 void set_place(const Project&, diagnostics::Span, AssertionReport&);
-/// The ranges of RoboTool's encoding; nothing, with a finding, where they cannot be read.
+/// The ranges of RoboTool's encoding; no value, with a finding, if they cannot be read.
 [[nodiscard]] std::optional<prism_emit::Preferences> read_preferences(Project&, const Options&);
 /// Writes csp-gen/… below the output folder.
 [[nodiscard]] bool write_csp(Project&, const Options&, Report&);
@@ -67,11 +67,11 @@ void check_conformance(Project&, const Options&, Report&);
 [[nodiscard]] bool write_monitors(Project&, const Options&, Report&);
 /// Writes tests/COMPONENT/… below the output folder.
 [[nodiscard]] bool write_tests(Project&, const Options&, Report&);
-/// conform --traces: logs of runs against the models.
+/// conform --traces: checks logs of runs against the models.
 Exit conform_traces(const std::vector<Part>&, const Options&);
-/// conform RULES.sleec --traces: logs of runs against rules.
+/// conform RULES.sleec --traces: checks logs of runs against rules.
 Exit conform_rules(const Options&);
-/// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; false where a file is wrong.
+/// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; returns false if a file is wrong.
 [[nodiscard]] bool write_rule_monitors(const Options&, Report&);
 
 }  // namespace robochart::app

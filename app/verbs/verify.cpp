@@ -1,4 +1,4 @@
-// The verbs over models: read, then check, write and conform as asked, one report.
+// The verbs over models: read, then check, write and conform as the verb requires, with one report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -77,7 +77,7 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     return result;
 }
 
-/// The finite instantiation, once where all parts that have one have the same.
+/// The finite instantiation; printed once if all parts with one have the same.
 std::vector<std::string> notes(const std::vector<Part>& parts) {
     std::vector<const Project*> finite;
     for (const Part& part : parts)
@@ -103,7 +103,7 @@ std::vector<std::string> notes(const std::vector<Part>& parts) {
     return result;
 }
 
-/// The normal form as a script for FDR: it includes the timed semantics that the other files hold.
+/// Writes the normal form as a script for FDR, which includes the timed semantics of the other files.
 bool write_normal_form(Project& project, const Options& options, const ir::ComponentRef& component,
                        const std::string& text, Report& report) {
     struct Script {
@@ -115,7 +115,7 @@ bool write_normal_form(Project& project, const Options& options, const ir::Compo
     return write_all("", std::vector<Script>{script}, report.csp_files, options, project);
 }
 
-/// .aut, .dot or .csp.
+/// The format by the extension .aut, .dot or .csp.
 conformance::Export export_format(const std::string& path) {
     using conformance::Export;
     const auto dot = path.rfind('.');
@@ -125,7 +125,7 @@ conformance::Export export_format(const std::string& path) {
     return ending == ".csp" ? Export::csp : Export::none;
 }
 
-/// All states of the code, where they are known.
+/// Writes all states of the code, if they are known.
 bool write_code_graph(Project& project, const Options& options, conformance::Result& result, Report& report) {
     std::string error =
         result.exported.empty()
@@ -141,7 +141,7 @@ bool write_code_graph(Project& project, const Options& options, conformance::Res
     return false;
 }
 
-/// What --export asks for can be had, of one component.
+/// True if --export can be satisfied, which requires one component.
 bool export_fits(Project& project, const Options& options, std::size_t components) {
     if (options.exported_code.empty()) return true;
     const bool named = export_format(options.exported_code) != conformance::Export::none;
@@ -153,7 +153,7 @@ bool export_fits(Project& project, const Options& options, std::size_t component
     return false;
 }
 
-/// Where the files of a component go: "cpp/C/", of a project "ros2/C/".
+/// The folder for the files of a component: "cpp/C/", or "ros2/C/" for a project.
 std::string cpp_folder(const Project& project, const Options& options, const ir::ComponentRef& component) {
     return fmt::format("{}/{}{}/", options.target.empty() ? "cpp" : options.target, project.folder,
                        file_name(project, component));
@@ -173,7 +173,7 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
                              : cpp_emit::Strategy::automatic;
 }
 
-/// The path of the first text that is no library; "" if there is none.
+/// The path of the first text that is not a library; "" if there is none.
 std::string first_file(const Part& part) {
     if (!part.project->model) return "";
     const auto& files = part.project->model->files;
@@ -181,17 +181,18 @@ std::string first_file(const Part& part) {
     return file == files.end() ? "" : part.project->sources.path((*file)->source);
 }
 
-/// What the report begins with: of parts that are all refused, which may not have been lowered, the model's name alone.
+/// Fills in the beginning of the report. If all parts are rejected, they may not have been lowered, so it contains only
+/// the model's name.
 void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto edit = options.run->edit();
     const auto accepted = [](const Part& part) { return part.project->diagnostics.ok(); };
     if (std::ranges::any_of(parts, accepted)) report.summary = summary(parts);
     report.file = first_file(parts.front());
     report.load_seconds = parts.front().project->seconds;
-    if (options.preferences.empty()) report.notes = notes(parts);  // else the ranges are those of the file
+    if (options.preferences.empty()) report.notes = notes(parts);  // otherwise the file gives the ranges
 }
 
-/// The report so far.
+/// Prints the report so far.
 Exit print_report(const Report& report, const Options& options) {
     answer(options, [&](Format format) {
         if (format == Format::json) return render_json(report);
@@ -202,7 +203,7 @@ Exit print_report(const Report& report, const Options& options) {
     return report.exit();
 }
 
-/// `code`: whether code is made of its components, and they are not in a part before it.
+/// `code`: code is generated from its components, and no earlier part has them.
 bool run_phases(Project& project, const Options& options, bool code, Report& report) {
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, options, report);
@@ -235,7 +236,7 @@ bool write_csp(Project& project, const Options& options, Report& report) {
 
 namespace {
 
-/// The mapping that --mapping names; nothing, with findings, if it cannot be read.
+/// The mapping of --mapping; no value, with findings, if it cannot be read.
 std::optional<cpp_emit::ros2::Mapping> read_mapping(Project& project, const Options& options) {
     std::string error;
     const auto source = project.sources.load(options.mapping, error);
@@ -248,7 +249,7 @@ std::optional<cpp_emit::ros2::Mapping> read_mapping(Project& project, const Opti
     return std::nullopt;
 }
 
-/// The component that the mapping is for, which is the only one written; empty, with a finding, if there is none.
+/// The only component to write: that of the mapping; empty, with a finding, if it does not exist.
 std::vector<ir::ComponentRef> mapped_component(Project& project, const std::vector<ir::ComponentRef>& components,
                                                const cpp_emit::ros2::Mapping& mapping) {
     const auto& [wanted, span] = mapping.component;
@@ -300,7 +301,7 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
 
 namespace {
 
-/// Once, however many claims the file is read for.
+/// Warns about ignored entries of the preferences file; only once, although the file may be read for several claims.
 void warn_of_ignored(Project& project, const Options& options, const std::vector<std::string>& ignored) {
     const auto reported = [](const diagnostics::Diagnostic& each) {
         return each.rule == &prism_emit::rules::ignored_preferences;
@@ -328,7 +329,7 @@ std::optional<prism_emit::Preferences> read_preferences(Project& project, const 
         warn_of_ignored(project, options, result.ignored);
         return result;
     }
-    diagnostics::Span place;  // a file that cannot be read has none
+    diagnostics::Span place;  // unknown for a file that cannot be read
     if (source) {
         const std::string_view text = project.sources.text(*source);
         const std::string_view wrong = project.sources.line(*source, static_cast<std::uint32_t>(line));
@@ -341,7 +342,7 @@ std::optional<prism_emit::Preferences> read_preferences(Project& project, const 
 
 namespace {
 
-/// The module that a component is.
+/// The module, if the component is one.
 const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& component) {
     return component.kind == ir::ComponentKind::module ? &system.modules[component.definition] : nullptr;
 }
@@ -374,7 +375,7 @@ bool write_prism(Project& project, const Options& options, Report& report) {
 
 namespace {
 
-/// Where a component is declared.
+/// The place where a component is declared.
 std::optional<runs::Place> declared(const Project& project, const ir::ComponentRef& component) {
     const ir::System& system = project.system;
     const ir::Origin& origin = component.kind == ir::ComponentKind::module ? system.modules[component.definition].origin
@@ -401,7 +402,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
             report.conformance.back().result.reason = undecided_at_limit;
         }
     }
-    std::optional<conformance::TimedModel> model;  // made for the first, for all
+    std::optional<conformance::TimedModel> model;  // made for the first component, used for all
     std::string unlike_blocks;
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ir::ComponentRef& component = components[i];
@@ -440,7 +441,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
 
 namespace {
 
-/// A run that was to check something and had nothing to check does not pass for one that found everything in order.
+/// A run that found nothing to check must not look like a successful check.
 void note_nothing(const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
     const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
@@ -450,7 +451,8 @@ void note_nothing(const Options& options, Report& report) {
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
 }
 
-/// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
+/// True if a part has components for the verb. One of several parts may contain only types; no code is generated for
+/// it.
 bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
@@ -459,13 +461,13 @@ bool concerns(const Part& part, const std::vector<Part>& parts, const Options& o
     return some || (options.component.empty() && (!code || parts.size() == 1));
 }
 
-/// Whether a report says of each claim of a refused part that it is not decided: nothing but claims is wrong.
+/// True if the report lists every claim of a rejected part as undecided, because only claims have errors.
 bool reports_refused(const Part& part, const Options& options) {
     return part.again || (decides_assertions(options.verb) && only_claims_broken(*part.project));
 }
 
-/// The diagnostics of all parts. A program gets those of one part as the answer; those of several, and of claims alone,
-/// are part of the report.
+/// Shows the diagnostics of all parts. In formats for programs, those of a single part are the answer; those of several
+/// parts, and of claims, are part of the report.
 bool show_all(const std::vector<Part>& parts, const Options& options) {
     const bool alone = parts.size() == 1 && !reports_refused(parts.front(), options);
     if (alone) return show_diagnostics(*parts.front().project, options);
@@ -477,7 +479,7 @@ bool show_all(const std::vector<Part>& parts, const Options& options) {
     return good;
 }
 
-/// The first part that is refused because the command line is wrong; else, of a single part, because its model is.
+/// The first part that is rejected because the command line is wrong; for a single part, also if its model is wrong.
 const Project* hopeless(const std::vector<Part>& parts, const Options& options) {
     for (const Part& part : parts) {
         if (acceptable(*part.project, options)) continue;
@@ -497,7 +499,7 @@ void note_refused(const std::vector<Part>& parts, const Options& options, Report
                                       diagnostics::render_text(part.project->sources, part.project->diagnostics)});
 }
 
-/// The claims of assertion files that have errors, or that may depend on those: none of them is decided.
+/// Adds the claims of assertion files that have errors, or that may depend on errors, to the report as undecided.
 void report_broken_claims(const Project& project, const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
     for (const auto& file : project.model->files) {
@@ -516,12 +518,12 @@ void report_broken_claims(const Project& project, const Options& options, Report
     }
 }
 
-/// `--html`.
+/// Stores the page of `--html`.
 void keep_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
     if (!options.html.empty()) options.run->keep_for(options.html, render_html(report, parts, options.run->budget()));
 }
 
-/// `--html` of a run that has ended early.
+/// Stores the page of `--html` for a run that ended early.
 void keep_last_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
     if (options.html.empty()) return;
     options.run->keep_for(options.html, last_page(parts, !options.run->is_watching(),
@@ -530,7 +532,8 @@ void keep_last_page(const std::vector<Part>& parts, const Options& options, cons
                                                   }));
 }
 
-/// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
+/// Runs a verb whose answer is a report over all parts. A part with errors is rejected, and the others are still
+/// processed.
 Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
     begin(parts, options, report);
     note_refused(parts, options, report);
@@ -564,7 +567,7 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
     return accepted ? exit : Exit::bad_input;
 }
 
-/// The phase asked for by --print, added to the text.
+/// Appends the phase that --print selects to the text.
 Exit take_phase(Project& project, const Options& options, std::string& text) {
     show_diagnostics(project, options);
     if (options.print == "ast" || options.print == "model") {
@@ -583,7 +586,7 @@ Exit take_phase(Project& project, const Options& options, std::string& text) {
     return Exit::success;
 }
 
-/// Part by part, each under its name where there are several, to stdout.
+/// Prints the phases to stdout, part by part; if there are several parts, each under its name.
 Exit print_phases(const std::vector<Part>& parts, const Options& options) {
     Exit exit = Exit::success;
     std::string text;
@@ -597,7 +600,7 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
     return exit;
 }
 
-/// Logs are of any of the parts, so all have to be in order.
+/// A log may be of any part, so all parts must be correct.
 Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto refused =
         std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });
@@ -609,7 +612,7 @@ Exit compare_traces(const std::vector<Part>& parts, const Options& options, Repo
     return conform_traces(parts, options);
 }
 
-/// The encoding in PRISM has buffers between machines: that they are left out is not to be said.
+/// PRISM models contain buffers between machines, so the warning that they are ignored is suppressed.
 Options with_buffers(Options options) {
     options.allowed.emplace_back("Cn11");
     return options;
@@ -641,7 +644,7 @@ Exit run_model(const Options& given) {
     const auto report = std::make_shared<Report>();
     const auto parts = std::make_shared<std::vector<Part>>();
     report->model = fmt::format("{}", fmt::join(options.inputs, " "));
-    // It outlives this function: what it says may be asked for by whoever called it.
+    // The last word may be called after this function has returned, so it owns its data.
     options.run->last_word([report, parts, options](const std::string& why) {
         report->limit = why;
         for (AssertionReport& each : report->assertions)

@@ -1,4 +1,4 @@
-// Files that a verb writes below the output folder, each in the report once it is there.
+// Writes the files of a verb below the output folder and lists each in the report.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 
 namespace robochart::app {
 
-/// Writes files (with a `path` and a `text`) to a folder of the output folder, as "cpp/C/". False, with a diagnostic,
-/// if one cannot be written. A file that says `keep` is left as it is where there is one already.
+/// Writes files (with a `path` and a `text`) to a folder below the output folder, such as "cpp/C/". Returns false, with
+/// a diagnostic, if one cannot be written. An existing file is not overwritten if `keep` is set.
 bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options,
                Project& project) {
     for (const auto& file : files) {
