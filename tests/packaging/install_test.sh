@@ -28,7 +28,8 @@ expected="$(
     (cd "$sources/corpus" && find . -type f | sed 's|^\.|share/doc/robochart-verify/examples|')
     echo share/doc/robochart-verify/README.md
     echo share/doc/robochart-verify/CHANGELOG.md
-    (cd "$sources/docs" && find . -maxdepth 1 -name '*.md' | sed 's|^\.|share/doc/robochart-verify|')
+    echo share/doc/robochart-verify/DOCUMENTS.md
+    (cd "$sources/docs" && find . -maxdepth 1 -name '*.md' ! -name README.md | sed 's|^\.|share/doc/robochart-verify|')
     (cd "$sources/docs" && find pictures -type f | sed 's|^|share/doc/robochart-verify/|')
     (cd "$sources/docs/rules" && find . -name '*.md' | sed 's|^\.|share/doc/robochart-verify/rules|')
     (cd "$sources/frontend/toolkits/library" && find . -name '*.rct' | sed 's|^\.|share/robochart-verify/library|')
