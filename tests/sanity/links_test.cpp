@@ -86,9 +86,11 @@ TEST(Links, LeadToFilesAndHeadings) {
     EXPECT_GT(found, 500U);
 }
 
-/// A link to one of two would lead to the first; and a merge that keeps both sides gives a document some parts twice.
+/// A link to a repeated heading would lead to the first one; a merge that keeps both sides repeats parts of a document.
+/// Every release in a changelog repeats Added, Changed and Fixed.
 TEST(Links, HeadingsOfADocumentDiffer) {
     for (const fs::path& document : files(root(), {".md"})) {
+        if (document.filename() == "CHANGELOG.md") continue;
         std::vector<std::string> there = anchors(contents(document));
         std::ranges::sort(there);
         const auto twice = std::ranges::adjacent_find(there);
