@@ -13,9 +13,9 @@ constexpr std::size_t page_width = 80;
 constexpr std::size_t text_column = 26;
 
 constexpr const char* about_models =
-    "MODEL is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its "
-    "folder that it needs, or, for assertions in a folder without models, of the folder above); independent projects "
-    "are processed separately.";
+    "MODEL is a folder (a project: every .rct and .assertions file below it) or a file (together with the .rct files "
+    "of its folder that it needs; for assertions in a folder without models, those of the parent folder). Independent "
+    "projects are processed separately.";
 
 /// Breaks the text into lines that begin at this column; `lead` is written before the first.
 std::string paragraph(const std::string& lead, std::string_view text, std::size_t column) {
@@ -103,7 +103,8 @@ std::string program_help() {
     return "usage: robochart-verify [OPTIONS] MODEL...\n       robochart-verify VERB [OPTIONS] ...\n\n" +
            paragraph("", "Verifies RoboChart models: semantics, assertions, C++ controllers, conformance.", 0) +
            verbs_text(false) + options_text(no_verb) +
-           "\nrobochart-verify help VERB lists the options of a verb; those of `verify` hold\nwithout a verb.\n\n" +
+           "\nrobochart-verify help VERB lists the options of a verb; without a verb,\nthe options of `verify` "
+           "apply.\n\n" +
            paragraph("", about_models, 0) + exit_text();
 }
 

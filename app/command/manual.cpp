@@ -88,8 +88,9 @@ std::string option_paragraph(const OptionRow& row) {
 }
 
 std::string options_section() {
-    std::string out = section("OPTIONS") + "The verbs that take an option are named behind it; those of\n" +
-                      bold("verify") + "\nhold without a verb.\n";
+    std::string out = section("OPTIONS") +
+                      "The verbs that take an option are in brackets after it. Without a verb, the options of\n" +
+                      bold("verify") + "\napply.\n";
     for (const Group group : groups()) {
         out += fmt::format(".SS {}\n", heading(group));
         for (const OptionRow& row : option_table())
@@ -107,27 +108,27 @@ std::string exit_section() {
 
 constexpr std::string_view description = R"(.SH DESCRIPTION
 .B robochart\-verify
-reads RoboChart models, reports what is wrong with them, decides their assertions in the CSP semantics, generates C++
+reads RoboChart models, reports errors, decides assertions in the CSP semantics, generates C++
 controllers, and checks that this code refines the semantics.
 .PP
 .I MODEL
-is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its folder that it
-needs, or, for assertions in a folder without models, of the folder above).
+is a folder (a project: every .rct and .assertions file below it) or a file (together with the .rct files of its folder
+that it needs; for assertions in a folder without models, those of the parent folder).
 Independent projects are processed separately.
 Results go to standard output, diagnostics and progress to standard error.
 )";
 
 constexpr std::string_view ranks = R"(.SH "SEVERAL PROCESSES"
 .B robochart\-verify\-mpi
-takes the same verbs and options; it is there where it was built with MPI.
+takes the same verbs and options. It exists if the command was built with MPI.
 .B mpirun
 or
 .B srun
-starts it so many times, and the
-.I ranks
-of these programs, one in each or as many as
-.B \-\-threads
-says, share the states of each search:
+starts several of these programs. Each has one
+.I rank
+or, with
+.BR \-\-threads ,
+several; all ranks share the states of each search:
 .PP
 .RS
 .nf
@@ -139,45 +140,44 @@ srun \-\-ntasks=4 \-\-cpus\-per\-task=16 robochart\-verify\-mpi cspm model.csp \
 .PP
 Rank 0 reads, compiles and prints. Verdicts, counterexamples and exit status do not depend on the number of ranks.
 .B \-\-memory
-is that of each program,
+limits each program,
 .B \-\-max\-states
-those of all together.
+all programs together.
 All ranks must see the folder of
 .BR \-\-checkpoint ,
 .B \-\-resume
 or
 .BR \-\-disk ;
-another number of ranks may go on from it, or
+another number of ranks may continue from it, or
 .B robochart\-verify
-of the same build. Where a rank fails, all end, with the exit status of its error. Where
+of the same build. If a rank fails, all end with the exit status of its error. If
 .B mpirun
-itself gets a signal, the results so far are printed, and its exit status is its own.
+itself gets a signal, the results so far are printed, and mpirun decides the exit status.
 )";
 
 constexpr std::string_view closing = R"(.SH ENVIRONMENT
 .TP
 .B NO_COLOR
-Where it is set and not empty, text has no colours unless
+If it is set and not empty, text has no colours unless
 .B \-\-color always
-asks for them.
+is given.
 .TP
 .B PATH
-Where
+The folders that are searched for
 .BR c++ ,
 the compiler of generated code
 .RB ( conform ,
 .BR simulate ),
-and the programs that convert pictures
+and for programs that convert pictures
 .RB ( rsvg\-convert ,
-.BR ffmpeg )
-are looked for.
+.BR ffmpeg ).
 .TP
 .BR XDG_CACHE_HOME ", " HOME
-What runs keep for later ones is in
+Results for later runs are stored in the folder
 .I robochart\-verify
 below the former, or below
 .I .cache
-of the latter.
+in the latter.
 .TP
 .B TMPDIR
 The folder for temporary files;
@@ -202,12 +202,12 @@ Logs of runs, for
 .I ~/.cache/robochart\-verify/
 Answers and compiled code of earlier runs, unless
 .B \-\-no\-cache
-is given. It may be removed at any time.
+is given. You may remove it at any time.
 .TP
 .I out/
-What is written goes below this folder unless
+The default output folder;
 .B \-\-out
-names another:
+sets another one:
 .I csp\-gen/
 for FDR,
 .I cpp/
@@ -218,13 +218,13 @@ for the controllers,
 .SH EXAMPLES
 .TP
 .B robochart\-verify corpus/aggregation
-Everything about a project.
+Run all steps on a project.
 .TP
 .B robochart\-verify check model.rct \-\-assertion A1
-One assertion.
+Check one assertion.
 .TP
 .B robochart\-verify help conform
-The options of a verb.
+Show the options of a verb.
 .SH "SEE ALSO"
 .BR c++ (1)
 )";
