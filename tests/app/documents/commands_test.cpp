@@ -35,7 +35,6 @@ constexpr std::array not_run = {
     NotRun{"", "ctest ", "runs the tests of a build tree"},
     NotRun{"", "build/", "a program of a build tree that is not built for these tests"},
     NotRun{"", "setarch -R build/", "needs ARGoS"},
-    NotRun{"docs/cli.md", "robochart-verify ", "how each verb is called, with what it does behind it"},
     NotRun{"docs/emergence.md", "robochart-verify simulate corpus/", "hundreds of trials"},
     NotRun{"docs/emergence.md", "robochart-verify tune ", "hundreds of trials"},
     NotRun{"docs/scale.md", "apt install ", "installs packages"},
