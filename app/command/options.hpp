@@ -81,7 +81,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The command line as data; docs/cli.md explains each option.
+/// The command line as data; `robochart-verify help VERB` explains each option.
 struct Options {
     Verb verb = Verb::verify;
     std::vector<std::string> inputs;  ///< models (files or folders), scripts, or rule codes
