@@ -21,7 +21,7 @@ constexpr const char* not_said =
     "the states of the chain do not say whether it holds: it is about measures that are not "
     "distinguished, or values between levels";
 
-/// Of the last state in a trial, that after 0 s is the first.
+/// The index of the last state in a trial; the state at 0 s has index 0.
 std::uint64_t last_step(const Scenario& scenario) {
     return scenario.steps() / scenario.steps_apart();
 }
@@ -183,7 +183,7 @@ public:
             average();
         else
             reach();
-        answer_.low = std::max(0.0, answer_.low);  // rounding may have left it at -0
+        answer_.low = std::max(0.0, answer_.low);  // rounding may have produced -0
         return std::move(answer_);
     }
 
@@ -191,7 +191,7 @@ private:
     [[nodiscard]] std::size_t fresh() const { return sequences_.size() - first_fresh_; }
     [[nodiscard]] double error_of_check() const { return error_ / static_cast<double>(last_step(scenario_) + 1); }
 
-    /// A step of the chain is behind the start.
+    /// The first state of the swarm is one step after the start state, so steps are counted from there.
     void reach() {
         const std::uint64_t steps = last_step(scenario_) + 1;
         const auto& goal = answer_.asked.goal;
@@ -211,7 +211,7 @@ private:
         answer_.high = markov::cost_bounds(chain_, goal, cost, Direction::maximum, rounds, budget_)[ChainStates::start];
     }
 
-    /// Fewer for chains with more transitions: a bound that has not settled is a bound.
+    /// Chains with more transitions get fewer rounds; a bound is correct even if it has not converged.
     [[nodiscard]] std::uint64_t most_rounds() const {
         std::uint64_t transitions = 0;
         for (const markov::UncertainRow& row : chain_) transitions += row.branches.size();
@@ -235,7 +235,7 @@ private:
         return static_cast<double>(step - 1) * scenario_.abstraction->every;
     }
 
-    /// In how many fresh trials the goal had come by then.
+    /// Compares the fraction of fresh trials that have reached the goal with the prediction.
     void check_share(std::uint64_t step, const Interval& predicted) {
         std::uint64_t there = 0;
         for (std::size_t i = first_fresh_; i < sequences_.size(); ++i) {
@@ -249,7 +249,7 @@ private:
                                   by_trials, statistics::contradicts(there, fresh(), error, predicted)});
     }
 
-    /// The mean of a share over the fresh trials, by the inequality of Hoeffding.
+    /// Compares the mean of a fraction over the fresh trials with the prediction, by Hoeffding's inequality.
     void check_mean(std::uint64_t step, const Interval& predicted) {
         double sum = 0;
         for (std::size_t i = first_fresh_; i < trials_.size(); ++i)
@@ -265,7 +265,7 @@ private:
     const std::vector<statistics::StateSequence>& sequences_;
     const std::vector<TrialResult>& trials_;
     const std::size_t first_fresh_;
-    const double error_;  ///< of the intervals, and of all checks together
+    const double error_;  ///< for the intervals, and again for all checks together
     diagnostics::Budget* budget_;
     markov::UncertainChain chain_;
     ChainAnswer answer_;

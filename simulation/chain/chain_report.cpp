@@ -38,7 +38,7 @@ std::string answer_word(const ChainAnswer& answer) {
 
 namespace {
 
-/// Rounded down, and up.
+/// Probabilities rounded down and up.
 std::string below(const ChainAnswer& answer) {
     if (answer.asked.kind != ChainAsked::Kind::time) return percent_below(answer.low);
     return fmt::format("{:.1f} s", std::floor(answer.low * 10) / 10);
@@ -58,7 +58,7 @@ std::string interval(const statistics::Interval& each) {
     return fmt::format("between {} and {}", percent_below(each.low), percent_above(each.high));
 }
 
-/// The first check that contradicts.
+/// The first check that contradicts the prediction.
 std::string contradiction(const ChainAnswer& answer) {
     const auto found = std::find_if(answer.checks.begin(), answer.checks.end(),
                                     [](const ChainCheck& each) { return each.contradicts; });
@@ -171,7 +171,7 @@ std::string answer_svg(const ChainAnswer& answer) {
 
 namespace {
 
-/// Six significant digits; null where there is no number.
+/// Six significant digits; null if the value is not a number.
 Json chain_number(double value) {
     if (!std::isfinite(value)) return nullptr;
     return Json::parse(fmt::format("{:.6g}", value));
@@ -203,7 +203,7 @@ Json answer_json(const ChainAnswer& answer) {
 
 namespace {
 
-/// Null where nothing contradicts.
+/// Null if there is no contradiction.
 Json order_json(const ChainStates& states, const ChainResult& result) {
     if (!result.order) return nullptr;
     const statistics::OrderContradiction& found = result.order->found;

@@ -185,7 +185,7 @@ std::optional<MeasureClass> ChainStates::measure(std::size_t state, std::size_t 
 
 namespace {
 
-/// Whether all values of a class lie in the band, or none does.
+/// True if all values of a class are in the band, false if none is; otherwise no value.
 std::optional<bool> within(const MeasureClass& values, double low, double high, std::uint32_t robots) {
     if (!values.share) {
         if (low <= values.low && values.high <= high) return true;
@@ -201,7 +201,7 @@ std::optional<bool> within(const MeasureClass& values, double low, double high, 
 
 }  // namespace
 
-/// Kleene's three values.
+/// Three-valued logic (Kleene).
 std::optional<bool> ChainStates::holds(const Formula& formula, std::size_t state) const {
     switch (formula.kind) {
         case Formula::Kind::compare: {
@@ -224,7 +224,7 @@ std::optional<bool> ChainStates::holds(const Formula& formula, std::size_t state
             return result;
         }
         default:
-            return std::nullopt;  // it looks back
+            return std::nullopt;  // it refers to the past
     }
 }
 

@@ -1,6 +1,6 @@
-// The states of a chain over a swarm, and which of them may follow each other. A state says of each measure that the
-// scenario tells apart in which of its classes it is. Robots are taken for exchangeable: of their own states only
-// numbers are kept (counter abstraction: Lomuscio and Pirovano, AAMAS 2019).
+// The states of a chain over a swarm, and the permitted transitions. A state contains the class of each measure that
+// the scenario distinguishes. Robots are treated as exchangeable: only the numbers of robots in each robot state are
+// stored (counter abstraction: Lomuscio and Pirovano, AAMAS 2019).
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,25 @@
 
 namespace robochart::simulation {
 
-/// Which states of a robot may follow which between two states of the chain. A class is a set of bits: bit i, whether
+/// Which states of a robot can follow which between two states of the chain. A class is a set of bits: bit i is set if
 /// the robot is in the state of the i-th distinction by `in_state`.
 struct RobotSteps {
     std::vector<std::uint32_t> classes;    ///< ascending
-    std::vector<bool> first;               ///< of each class: a robot may begin in it
+    std::vector<bool> first;               ///< for each class: a robot can start in it
     std::vector<std::vector<bool>> after;  ///< [from][to]
 };
 
-/// More states, or ways to distribute the robots, than a chain is made of.
+/// Thrown if there are more states, or distributions of robots, than a chain may have.
 class TooManyStates : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A class of a measure: a share of so many robots, or values above `low` up to `high`.
+/// A class of a measure: a fraction of the robots, or values above `low` up to `high`.
 struct MeasureClass {
     bool share = false;
     std::uint32_t least = 0, most = 0;
-    double low = 0, high = 0;  ///< of a share, its least and its greatest value
+    double low = 0, high = 0;  ///< for a fraction, its least and greatest value
 
     friend bool operator==(const MeasureClass&, const MeasureClass&) = default;
 };
@@ -42,42 +42,43 @@ class ChainStates {
 public:
     static constexpr std::size_t most_states = 500;
     static constexpr std::size_t most_distributions = 1000;  ///< of robots over their classes
-    /// Not a state.
+    /// Represents no state.
     static constexpr std::size_t none = ~std::size_t{0};
 
-    /// Of a scenario with an abstraction, whose measures know the numbers of their states. With the steps of a robot
-    /// only those that its classes admit. Throws TooManyStates.
+    /// The states for a scenario with an abstraction. Its measures must know the numbers of their states. If the steps
+    /// of a robot are given, only states that its classes permit. Throws TooManyStates.
     ChainStates(const Scenario&, std::optional<RobotSteps>);
 
-    /// The state in which every trial begins, before the first one of the swarm.
+    /// The state in which every trial begins, before the first state of the swarm.
     static constexpr std::size_t start = 0;
-    /// With the start.
+    /// The number of states, including the start state.
     [[nodiscard]] std::size_t size() const { return states_.size() + 1; }
-    /// Of the values of a sample; `none`: of no state.
+    /// The state for the values of a sample; `none` if there is none.
     [[nodiscard]] std::size_t of(const std::vector<double>& sample) const;
     /// "searching 3 of 10, way 50 to 100 cm".
     [[nodiscard]] std::string text(std::size_t state) const;
-    /// The class of a measure in a state; nothing where it is not distinguished, or at the start.
+    /// The class of a measure in a state; no value if it is not distinguished, or in the start state.
     [[nodiscard]] std::optional<MeasureClass> measure(std::size_t state, std::size_t measure) const;
-    /// Of each state, whether the condition holds in it, false at the start; nothing where a state does not tell.
+    /// For each state, whether the condition is true in it (false in the start state); no value if a state does not
+    /// determine it.
     [[nodiscard]] std::optional<std::vector<bool>> holding(const Formula& condition) const;
-    /// The transitions that may be: those of robots as their steps say, everything else of measures. A robot's steps
-    /// admit a change of the numbers exactly if for every set of classes no more robots are in it than in its
-    /// successors afterwards (Hall's theorem for transports). Where they admit nothing behind a state, everything may
-    /// be: a proof that time stops says nothing of code that goes on.
+    /// The permitted transitions: those of robot numbers as the robots' steps allow, those of other measures without
+    /// restriction. A robot's steps allow a change of the numbers exactly if, for every set of classes, at most as many
+    /// robots are in it as are in its successors afterwards (Hall's theorem for transports). If they allow no successor
+    /// of a state, all are permitted: a proof that time stops says nothing about code that continues.
     [[nodiscard]] statistics::Permitted permitted(diagnostics::Budget* = nullptr) const;
 
 private:
-    /// A class of each distinction.
+    /// One class for each distinction.
     using Tuple = std::vector<std::size_t>;
-    /// Robots in each class of a robot.
+    /// The number of robots in each class of a robot.
     using Distribution = std::vector<std::uint32_t>;
 
     void find_classes(const Distinction&);
     void find_distributions(const std::vector<std::uint32_t>& classes);
     void distribute(Distribution& so_far, std::size_t at, std::uint32_t left);
     void find_states(std::size_t at, Tuple& so_far);
-    /// The classes of the distinctions by `in_state` with these robots; of the others 0.
+    /// The classes of the distinctions by `in_state` for these robots; 0 for the others.
     [[nodiscard]] Tuple projected(const Distribution&, const std::vector<std::uint32_t>& classes) const;
     [[nodiscard]] bool fits(const Tuple&) const;
     [[nodiscard]] Tuple robots_in(const Tuple&) const;
@@ -87,15 +88,15 @@ private:
 
     const Scenario& scenario_;
     std::optional<RobotSteps> steps_;
-    std::vector<std::vector<MeasureClass>> classes_;  ///< of each distinction
+    std::vector<std::vector<MeasureClass>> classes_;  ///< for each distinction
     std::vector<Distribution> distributions_;
-    std::vector<Tuple> distributed_;  ///< of each distribution, its projection
-    std::vector<Tuple> admitted_;     ///< these, each once, ascending
+    std::vector<Tuple> distributed_;  ///< for each distribution, its projection
+    std::vector<Tuple> admitted_;     ///< the same, ascending, without duplicates
     std::vector<Tuple> states_;       ///< ascending
 };
 
-/// The classes of a robot whose states the scenario tells apart, where nothing is known of the model: of every state of
-/// the machine, and between states.
+/// The classes of a robot if nothing is known about the model: those of all states of the machine, and of the time
+/// between states.
 [[nodiscard]] std::vector<std::uint32_t> robot_classes(const Scenario&);
 
 }  // namespace robochart::simulation

@@ -149,7 +149,7 @@ std::string placement_text(const Placement& place) {
     }
 }
 
-/// " of leaders", where a scenario has several kinds.
+/// " of leaders", if a scenario has several kinds.
 std::string of_whom(const Scenario& scenario, const RobotKind& kind) {
     return scenario.others.empty() ? "" : kind.kind.text.empty() ? " of the first kind" : " of " + kind.kind.text;
 }
@@ -204,7 +204,7 @@ std::string act_text(const Scenario& scenario, const WorldAct& act) {
     return "";
 }
 
-/// What is assumed of the machine that acts on the world.
+/// The assumptions about the machine that acts on the world.
 std::string environment_line(const Scenario& scenario) {
     const Environment& environment = *scenario.environment;
     std::vector<std::string> parts;
@@ -216,7 +216,7 @@ std::string environment_line(const Scenario& scenario) {
         environment.component.text, fmt::join(parts, "; "));
 }
 
-/// What robots of a kind have that those of the first have not: ", axle of 8 cm, wheels to 6 cm/s, without noise".
+/// The differences of a kind from the first kind: ", axle of 8 cm, wheels to 6 cm/s, without noise".
 std::string own_drive(const Scenario& scenario, std::size_t kind) {
     const OwnDrive& own = scenario.kind_at(kind).own;
     std::string text;

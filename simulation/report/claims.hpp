@@ -1,5 +1,5 @@
-// Claims about probabilities, judged on the answers of trials in the order of their seeds: whichever trial ends first,
-// the verdict and the trials that it rests on are the same.
+// Claims about probabilities, judged on the answers of trials in the order of their seeds. So the verdict and the
+// trials that it is based on do not depend on which trial ends first.
 #pragma once
 
 #include <cstdint>
@@ -11,40 +11,40 @@
 
 namespace robochart::simulation {
 
-/// `estimated`: of an estimate after all its trials.
+/// `estimated`: the result of an estimate after all its trials.
 enum class ClaimVerdict { holds, fails, open, estimated };
 
-/// What one trial says of a claim.
+/// The answer of one trial to a claim.
 struct ClaimOutcome {
     bool holds = false;
-    double time = 0;       ///< s, when it was known
-    bool stopped = false;  ///< its controller could not go on, and the answer was not known by then
+    double time = 0;       ///< s, at which the answer was known
+    bool stopped = false;  ///< its controller stopped before the answer was known
 };
 
-/// What the trials say of a claim.
+/// The answers of the trials to a claim.
 struct ClaimResult {
     ClaimVerdict verdict = ClaimVerdict::open;
-    std::uint64_t successes = 0;  ///< trials whose property holds
+    std::uint64_t successes = 0;  ///< trials in which the property is true
     double error = 0;             ///< of the interval, or of each answer of the test
-    /// By intervals: that of the last look.
+    /// For claims decided by intervals: the interval of the last look.
     statistics::Interval interval;
-    std::uint64_t looked = 0;            ///< trials of the last look
-    std::uint64_t steps = 0;             ///< control steps until the property was known, of all its trials
-    std::vector<ClaimOutcome> outcomes;  ///< of the trials that it rests on, in the order of seeds
+    std::uint64_t looked = 0;            ///< number of trials at the last look
+    std::uint64_t steps = 0;             ///< control steps until the property was known, over all its trials
+    std::vector<ClaimOutcome> outcomes;  ///< of the trials that it is based on, in the order of seeds
 
     [[nodiscard]] std::uint64_t trials() const { return outcomes.size(); }
     [[nodiscard]] std::uint64_t stopped() const;
 };
 
-/// Takes the trials of a claim one after the other until it is decided.
+/// Receives the trials of a claim one after another until it is decided.
 class ClaimJudge {
 public:
-    /// `comparisons`: that share the error. Keeps a reference to the claim.
+    /// `comparisons`: how many tests share the error. Keeps a reference to the claim.
     ClaimJudge(const Claim&, std::uint32_t comparisons);
 
-    /// Needs no more trials: decided, or as many as there may be.
+    /// True if no more trials are needed, because the claim is decided or the maximum is reached.
     [[nodiscard]] bool done() const { return done_; }
-    /// The next trial, one that gave an answer.
+    /// Adds the next trial, which must have an answer.
     void add(const ClaimOutcome&, std::uint64_t steps);
     [[nodiscard]] const ClaimResult& result() const { return result_; }
 
@@ -63,11 +63,11 @@ private:
 
 /// "holds", "fails", "open", "estimated".
 [[nodiscard]] std::string verdict_word(ClaimVerdict);
-/// What the verdict rests on: "183 of 183 trials; between 95.032 % and 100 %".
+/// The basis of the verdict: "183 of 183 trials; between 95.032 % and 100 %".
 [[nodiscard]] std::string evidence_text(const Claim&, const ClaimResult&);
-/// A line for each claim: verdict, the claim as written, what it rests on.
+/// One line per claim: verdict, the claim as written, and its basis.
 [[nodiscard]] std::string claims_text(const Scenario&, const std::vector<ClaimResult>&);
-/// The world that probabilities are about, line by line: what a reader has to know to believe or to doubt them.
+/// The world that the probabilities are about, line by line, so that a reader can judge the results.
 [[nodiscard]] std::vector<std::string> world_lines(const Scenario&);
 /// The same, indented.
 [[nodiscard]] std::string world_text(const Scenario&);

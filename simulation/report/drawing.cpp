@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::array<const char*, 8> palette = {"#009e73", "#0072b2", "#d55e00", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#f0e442", "#999999"};
-/// Of the marks on them: what stands out more.
+/// The colours of the marks on them, chosen for contrast.
 constexpr std::array<const char*, 8> mark_colours = {"#000000", "#ffffff", "#000000", "#000000",
                                                      "#000000", "#000000", "#000000", "#000000"};
-/// Marks for a robot of radius one that looks to the right.
+/// Marks for a robot of radius 1 that points to the right.
 constexpr std::array<const char*, 5> marks = {"M0 0H1", "M.85 0L-.3 .55V-.55Z", "M0 .35H.9M0 -.35H.9",
                                               "M-.2 0H1M.25 -.55V.55", "M.05 -.6L.7 0L.05 .6"};
 
@@ -41,7 +41,7 @@ std::string rules_of(const Scheme& s) {
         s.ink, s.soft, s.paper, s.floor, s.grid, s.frame);
 }
 
-/// What is seen of a name; the whole of a long one is its title.
+/// The displayed part of a name; the title contains a long name in full.
 std::string short_text(const std::string& name) {
     constexpr std::size_t most = 40;
     if (name.size() <= most) return diagnostics::xml_text(name);

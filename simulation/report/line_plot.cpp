@@ -88,7 +88,7 @@ private:
             left, top_, bottom, left + width, left + width / 2, bottom + 38, xml_text(plot_.parameter));
     }
 
-    /// Points with their intervals, joined.
+    /// Points with their intervals, connected by lines.
     void line(std::size_t number) {
         std::string joined;
         for (const PlotPoint& point : plot_.lines[number].points) {

@@ -1,4 +1,4 @@
-// Lines over a parameter as SVG: what was computed or estimated for each of its values, with intervals as bars.
+// Line plots as SVG: computed or estimated values against a parameter, with intervals as bars.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@ namespace robochart::simulation {
 
 struct PlotPoint {
     double x = 0, y = 0;
-    double low = 0, high = 0;  ///< an interval around y; equal to it: none
+    double low = 0, high = 0;  ///< an interval around y; equal to y: no interval
 };
 
 struct PlotLine {
     std::string name;
-    std::vector<PlotPoint> points;  ///< by ascending x; only finite numbers
+    std::vector<PlotPoint> points;  ///< ascending x; finite numbers only
 };
 
 struct LinePlot {
     std::string title;
-    std::string parameter;  ///< the name of the horizontal axis
+    std::string parameter;  ///< label of the horizontal axis
     std::vector<PlotLine> lines;
 };
 

@@ -1,5 +1,4 @@
-// Probabilities as text. What is said of a bound is true of the text too: a lower bound is rounded down, an upper one
-// up.
+// Probabilities as text. Bounds stay correct when rounded: a lower bound is rounded down, an upper bound up.
 #pragma once
 
 #include <string>
@@ -8,7 +7,7 @@ namespace robochart::simulation {
 
 /// "95 %", "0.25 %": at most six digits.
 [[nodiscard]] std::string percent(double probability);
-/// Three decimals, rounded down, and up.
+/// Three decimals, rounded down or up.
 [[nodiscard]] std::string percent_below(double probability);
 [[nodiscard]] std::string percent_above(double probability);
 

@@ -15,7 +15,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Dots around what is seen.
+/// Margins around the drawing, in dots.
 constexpr double left_margin = 54, lower_margin = 46, margin = 12;
 
 const MachineStates& first(const Machines& machines) {
@@ -23,7 +23,7 @@ const MachineStates& first(const Machines& machines) {
     return machines.empty() ? none : machines.front();
 }
 
-/// A picture of one world: legend above, axes, scale bar; `inside` is between the floor and the end.
+/// A picture of one world: legend above, axes, scale bar. `inside` is drawn after the floor.
 std::string framed(const WorldDrawing& world, const Legend& legend, const std::string& head,
                    const std::string& surroundings, const std::string& inside) {
     const View& view = world.view();
@@ -32,7 +32,7 @@ std::string framed(const WorldDrawing& world, const Legend& legend, const std::s
            world.scale_bar(view.left + view.width, view.top + view.height + world.dots(30)) + inside + "</svg>\n";
 }
 
-/// With the margins of such a picture.
+/// The view including the margins of such a picture.
 View around(const WorldDrawing& world, double above) {
     const View& view = world.view();
     return {view.left - world.dots(left_margin), view.top - above - world.dots(2 * margin),
@@ -40,7 +40,7 @@ View around(const WorldDrawing& world, double above) {
             view.height + above + world.dots(lower_margin + 2 * margin)};
 }
 
-/// Values that change only now and then: equal neighbours are left out of key frames.
+/// Key frames of values that change rarely: repeated values are omitted.
 std::string changes(const char* attribute, const std::vector<std::string>& values,
                     const std::vector<std::string>& times, double seconds) {
     std::vector<std::string> kept, at;
@@ -64,7 +64,7 @@ std::string transforms(const char* type, const std::vector<std::string>& values,
         type, seconds, fmt::join(times, ";"), fmt::join(values, ";"));
 }
 
-/// The key frames of an animation: about 240; a browser draws what lies in between.
+/// The key frames of an animation, about 240; a browser interpolates between them.
 class Animation {
 public:
     Animation(const std::vector<Frame>& frames, double speed) {
@@ -84,7 +84,7 @@ public:
         double heading = keys_.front()->poses[robot].heading;
         for (const Frame* key : keys_) {
             const Pose& pose = key->poses[robot];
-            // The shorter way round.
+            // Turns in the shorter direction.
             heading += normal_angle(pose.heading - heading);
             places.push_back(fmt::format("{:.1f} {:.1f}", pose.at.x, -pose.at.y));
             turns.push_back(fmt::format("{:.0f}", -heading * 180 / std::numbers::pi));
@@ -95,7 +95,7 @@ public:
             transforms("rotate", turns, times_, seconds_), symbols.front(), changes("href", symbols, times_, seconds_));
     }
 
-    /// Some light is elsewhere, or off, at another time.
+    /// True if a light moves or is switched during the trial.
     [[nodiscard]] bool moves_lights() const {
         const auto differs = [&](const Frame* key) {
             for (std::size_t l = 0; l < key->lights.size(); ++l)
@@ -126,7 +126,7 @@ private:
     double seconds_ = 1;
 };
 
-/// How far the animation has come: a mark that moves along the seconds.
+/// The progress of the animation: a mark that moves along a time axis.
 std::string time_axis(const WorldDrawing& world, const Animation& animation, double y) {
     const View& view = world.view();
     const auto x = [&](double time) { return view.left + view.width * time / animation.end(); };

@@ -1,4 +1,4 @@
-// Pictures and tables of a trial, as text: SVG needs no library and is shown by browsers. CSV for other tools.
+// Pictures and tables of a trial as text: SVG, which browsers show without a library, and CSV for other tools.
 #pragma once
 
 #include <string>
@@ -13,22 +13,23 @@ namespace robochart::simulation {
 /// The frame nearest to a time.
 [[nodiscard]] const Frame& frame_at(const std::vector<Frame>&, double time);
 
-/// The trial at the scenario's picture times side by side, as in the founding paper's figures.
+/// The trial at the scenario's picture times, side by side, as in the founding paper's figures.
 [[nodiscard]] std::string snapshots_svg(const Scenario&, const std::vector<Frame>&, const Machines&);
-/// Every robot's path, faint at the start and strong at the end, and where the robots came to.
+/// Every robot's path, faint at the start and strong at the end, and the final positions.
 [[nodiscard]] std::string trajectories_svg(const Scenario&, const std::vector<Frame>&);
-/// The trial as an animation (SMIL), `speed` times as fast as in the world; readers who prefer less motion see its end.
+/// The trial as an animation (SMIL), `speed` times as fast as real time. For readers who prefer reduced motion, it
+/// shows the end.
 [[nodiscard]] std::string animation_svg(const Scenario&, const std::vector<Frame>&, const Machines&, double speed);
 
 /// The world of a page.
 [[nodiscard]] WorldDrawing page_world(const Scenario&, const View&, const std::string& prefix);
-/// A trial's last frame for a page whose script moves the robots: each is a `use` of the symbol of its state with the
-/// class `sim-robot` and `data-robot`. Ids begin with `prefix`; the rules of style are the page's to have.
+/// A trial's last frame for a page whose script moves the robots. Each robot is a `use` element of the symbol of its
+/// state, with the class `sim-robot` and `data-robot`. Ids begin with `prefix`. The page must contain the style rules.
 [[nodiscard]] std::string world_svg(const Scenario&, const View&, const Frame& last, const Machines&,
                                     const std::string& prefix);
 
-/// `t,id,x,y,theta,state` with a head line; seconds, centimetres, radians. Where there are several machines, their
-/// names follow `state:`, each in a column.
+/// `t,id,x,y,theta,state` with a header line; seconds, centimetres, radians. If there are several machines, each has a
+/// column whose name contains the machine after `state:`.
 [[nodiscard]] std::string positions_csv(const std::vector<Frame>&, const Machines&);
 
 }  // namespace robochart::simulation

@@ -50,7 +50,7 @@ public:
 private:
     [[nodiscard]] std::size_t trials() const { return chart_.series.empty() ? 0 : chart_.series.front().trials.size(); }
 
-    /// Bands of all trials would hide each other where there are several series.
+    /// The band of all trials is only drawn for a single series; several would hide each other.
     [[nodiscard]] bool everything() const { return chart_.series.size() == 1; }
 
     [[nodiscard]] std::vector<LegendEntry> entries() const {
@@ -85,7 +85,7 @@ private:
                            colour(0), opacity);
     }
 
-    /// From 0 (or below) to what there is, targets that are near included.
+    /// From 0 (or below) to the greatest value, including targets that are near.
     [[nodiscard]] Range range() const {
         Range found{0, 0};
         for (const Series& each : chart_.series)
@@ -173,7 +173,7 @@ private:
                 trial, dashes.at(series % dashes.size()), points(each.trials[trial]));
     }
 
-    /// A bracket: along values at a time, or along times at a level.
+    /// A bracket along values at a time, or along times at a level.
     void mark(const Target& target) {
         const char* const dash = target.mean ? " stroke-dasharray=\"3 2\"" : "";
         if (target.low == target.high && target.from != target.to) {

@@ -1,4 +1,5 @@
-// Charts as SVG: the median of the trials, the middle half and all of them as bands, what the scenario accepts.
+// Charts as SVG: the median of the trials, the middle half and the range as bands, and the values that the scenario
+// accepts.
 #pragma once
 
 #include <string>
@@ -7,18 +8,18 @@
 
 namespace robochart::simulation {
 
-/// How a chart is written.
+/// Options for writing a chart.
 struct PlotOptions {
-    bool trials = false;  ///< a line for each trial too, hidden, with the class `sim-trial` and `data-trial`
-    bool now = false;     ///< a line for a time, with the class `sim-now`
+    bool trials = false;  ///< also a hidden line per trial, with the class `sim-trial` and `data-trial`
+    bool now = false;     ///< also a line for the current time, with the class `sim-now`
 };
 
-/// The place of the plotted area in every plot, in the units of its view box.
+/// The plotted area in every plot, in the units of its view box.
 struct PlotArea {
     double left = 62, top = 0, width = 440, height = 180;
 };
 
-/// A group for a chart whose upper left corner is the origin, and its height.
+/// A group for a chart with its upper left corner at the origin, and its height.
 struct Plot {
     std::string svg;
     double width = 520;

@@ -11,7 +11,7 @@ namespace robochart::simulation {
 Raster rasterise(const Scenario& scenario, const Frame& frame, std::size_t states, std::size_t width) {
     const View view = view_of(scenario, {frame});
     const double scale = static_cast<double>(width) / view.width;
-    // Video codecs want even sizes.
+    // Video codecs require even sizes.
     const auto height = std::max<std::size_t>(2, static_cast<std::size_t>(view.height * scale) / 2 * 2);
     Raster raster{width, height, std::vector<unsigned char>(3 * width * height, 255)};
     const auto disk = [&](Vector at, double radius, const char* hex) {

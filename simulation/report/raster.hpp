@@ -1,4 +1,4 @@
-// A time of a trial in dots, for films.
+// A time of a trial as pixels, for videos.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace robochart::simulation {
 
-/// A frame in dots: three bytes each, rows from the top.
+/// A frame as pixels: three bytes each, rows from the top.
 struct Raster {
     std::size_t width = 0;
     std::size_t height = 0;
     std::vector<unsigned char> dots;
 };
-/// `states`: how many the first machine of a controller has.
+/// `states`: the number of states of a controller's first machine.
 [[nodiscard]] Raster rasterise(const Scenario&, const Frame&, std::size_t states, std::size_t width);
 
 }  // namespace robochart::simulation

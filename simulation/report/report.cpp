@@ -23,7 +23,7 @@ Dimension dimension_of(const Scenario& scenario, const Band& band) {
     return dimension_of(scenario.measures[band.statistic.measure].kind);
 }
 
-/// Six significant digits; null where there is no number.
+/// Six significant digits; null if the value is not a number.
 Json number(double value) {
     if (!std::isfinite(value)) return nullptr;
     return Json::parse(fmt::format("{:.6g}", value));
@@ -104,7 +104,7 @@ std::string value_text(const Scenario& scenario, const Band& band, double value)
     const Dimension dimension = dimension_of(scenario, band);
     const double factor = dimension == Dimension::share ? 100 : 1;
     const auto inside = [&](double each) { return band.low <= each && each <= band.high; };
-    // A value outside is not rounded to one inside.
+    // Enough digits that a value outside of a band is not rounded to one inside.
     constexpr int most_digits = 15;
     int digits = 1;
     std::string number = fmt::format("{:.{}f}", factor * value, digits);

@@ -1,4 +1,4 @@
-// The result of a simulation in words and as JSON.
+// The result of a simulation as text and JSON.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ namespace robochart::simulation {
 
 /// "64.3 s", "97.5 %", "13.9 cm", "never".
 [[nodiscard]] std::string value_text(const Scenario&, const Band&, double value);
-/// A line for each band: verdict, the band as written, the value.
+/// One line per band: verdict, the band as written, the value.
 [[nodiscard]] std::string bands_text(const Scenario&, const RunResult&);
 /// "7 of 7 bands hold", "1 of 2 claims holds, 1 is open".
 [[nodiscard]] std::string summary(const RunResult&);
 /// The run itself: trials, seconds simulated, speed.
 [[nodiscard]] std::string run_text(const Scenario&, const RunResult&);
-/// What a guard says of a run, for JSON: `complete`, `notes`; null without one. `complete`: all was watched.
+/// The guard's result for JSON: `complete`, `notes`; null without a guard. `complete`: everything was observed.
 [[nodiscard]] diagnostics::Json guard_json(const Guard*, bool complete);
-/// Schema "robochart-verify/simulation/1" (docs/cli.md). `guard`: what one says of the run.
+/// Schema "robochart-verify/simulation/1" (docs/cli.md). `guard`: see guard_json.
 [[nodiscard]] std::string result_json(const Scenario&, const RunResult&, diagnostics::Json guard,
                                       const std::vector<std::string>& files, int exit);
 

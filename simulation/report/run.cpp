@@ -73,7 +73,7 @@ private:
         TrialResult trial;
         diagnostics::Diagnostics found;
         bool ended = false;
-        std::uint64_t needed = 0;  ///< steps until the claims that rest on it had their answers
+        std::uint64_t needed = 0;  ///< steps until the claims that are based on it had their answers
     };
 
     void work() {
@@ -86,7 +86,7 @@ private:
         }
     }
 
-    /// Claims that are not decided by the trials judged so far, so none that a later trial decides is missing.
+    /// The claims that are not decided by the trials judged so far. A later trial must answer at least these.
     std::vector<bool> still_awaited() {
         const std::lock_guard lock(mutex_);
         std::vector<bool> awaited;
@@ -98,7 +98,7 @@ private:
         Done& done = trials_[trial];
         const auto stage = options_.stage(scenario_, trial, done.found);
         if (stage == nullptr) {
-            stop_ = true;  // what one trial lacks the others lack as well
+            stop_ = true;  // the problem is the same in all trials
             return;
         }
         TrialOptions options;
@@ -113,7 +113,7 @@ private:
         done.trial.watched = trace == nullptr || trace->decided();
     }
 
-    /// Judges the claims on the trials that have ended without a gap.
+    /// Judges the claims on the finished trials, in order, up to the first unfinished one.
     void ended(std::uint32_t trial) {
         const TrialResult& result = trials_[trial].trial;
         trials_[trial].ended = result.complete || result.stop;
@@ -134,14 +134,14 @@ private:
         }
     }
 
-    /// While the workers are at work: asks and tells.
+    /// Called while the workers run: checks for interruption and reports progress.
     void watch() {
         if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
         const std::lock_guard lock(mutex_);
         if (options_.progress) options_.progress(progress());
     }
 
-    /// Of trials beyond those that the claims rest on, which threads may have begun, nothing is asked.
+    /// Trials beyond those that the claims are based on, which threads may have started, are ignored.
     [[nodiscard]] bool watched() const {
         std::uint64_t asked = whole_;
         for (const ClaimResult& each : result_.claims) asked = std::max<std::uint64_t>(asked, each.trials());
@@ -160,7 +160,7 @@ private:
     }
 
     void report(diagnostics::Diagnostics& diagnostics) const {
-        // What one trial lacks the others lack as well.
+        // All trials have the same problem, so one report is enough.
         const auto bad =
             std::find_if(trials_.begin(), trials_.end(), [](const Done& done) { return !done.found.ok(); });
         if (bad != trials_.end())
@@ -181,21 +181,21 @@ private:
     const Drives& drives_;
     const RunOptions& options_;
     const Clock::time_point start_ = Clock::now();
-    const std::uint32_t whole_;  ///< trials that go on to their end
+    const std::uint32_t whole_;  ///< trials that run to their end
     std::uint32_t most_;
     std::vector<Done> trials_;
     RunResult result_;
     std::atomic<std::uint32_t> next_ = 0;
     std::atomic<std::uint64_t> steps_ = 0;
     std::atomic<bool> stop_ = false;    ///< interrupted, or no trial can run
-    std::atomic<bool> enough_ = false;  ///< or all claims are decided: trials that are only for them may end
-    std::mutex mutex_;                  ///< of what follows
+    std::atomic<bool> enough_ = false;  ///< stop_, or all claims are decided: trials that are only for claims may end
+    std::mutex mutex_;                  ///< protects the members below
     std::vector<ClaimJudge> judges_;
-    std::uint32_t judged_ = 0;  ///< trials
+    std::uint32_t judged_ = 0;  ///< number of trials
     std::uint32_t done_ = 0;
 };
 
-/// How far a value is outside of a band; infinite for a time that never came.
+/// The distance of a value from a band; infinite for a time that was never reached.
 double outside(const Band& band, double value) {
     if (std::isnan(value)) return std::numeric_limits<double>::infinity();
     return std::max({0.0, band.low - value, value - band.high});

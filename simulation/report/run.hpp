@@ -1,5 +1,5 @@
-// All trials of a scenario on the threads that are there, their measures against the bands, and their answers to
-// claims. Results depend on the scenario alone, not on the number of threads: claims are judged in the order of seeds.
+// Runs all trials of a scenario on several threads, compares their measures with the bands, and answers claims. Results
+// depend only on the scenario, not on the number of threads: claims are judged in the order of seeds.
 #pragma once
 
 #include <functional>
@@ -11,66 +11,68 @@
 
 namespace robochart::simulation {
 
-/// How far the trials of a scenario have come.
+/// The progress of the trials of a scenario.
 struct RunProgress {
-    std::uint32_t trials = 0;  ///< with claims, at most so many
+    std::uint32_t trials = 0;  ///< with claims: the maximum
     std::uint32_t trials_done = 0;
-    double simulated_seconds = 0;  ///< of all trials so far
-    double total_seconds = 0;      ///< of all trials in the end, none of them shortened
-    double seconds = 0;            ///< of this run
+    double simulated_seconds = 0;  ///< over all trials so far
+    double total_seconds = 0;      ///< over all trials at the end, if none is shortened
+    double seconds = 0;            ///< elapsed time of this run
 };
 
-/// How the trials of a scenario are run.
+/// Options for the trials of a scenario.
 struct RunOptions {
-    unsigned threads = 0;  ///< 0: one a core
+    unsigned threads = 0;  ///< 0: one per core
     StageMaker stage = embedded_stage;
-    bool record = true;  ///< keep positions, of the first `recorded_trials`
-    /// The errors of claims are divided by this: they are about so many values of a sweep and hold together.
+    bool record = true;  ///< stores positions of the first `recorded_trials`
+    /// The errors of claims are divided by this, so that the claims about this number of values of a sweep hold
+    /// jointly.
     std::uint32_t comparisons = 1;
-    /// Makes what sees a trial's cycles; called from the trial's thread. Empty: nothing does.
+    /// Makes the observer of a trial's cycles; called from the trial's thread. Empty: no observer.
     std::function<std::unique_ptr<Trace>(std::uint32_t trial)> trace;
-    std::function<bool()> interrupted;                 ///< asked a few times a second
-    std::function<void(const RunProgress&)> progress;  ///< called a few times a second, from the caller's thread
+    std::function<bool()> interrupted;                 ///< called a few times per second
+    std::function<void(const RunProgress&)> progress;  ///< called a few times per second, in the caller's thread
 };
 
-/// Whether the trials lie in one band.
+/// Whether the trials are in one band.
 struct BandResult {
     bool holds = false;
-    double value = 0;                ///< of `mean`: the mean; of `each`: the worst trial; NaN: a time that never came
-    std::size_t trials_outside = 0;  ///< of `each`
+    double value = 0;                ///< `mean`: the mean; `each`: the worst trial; NaN: a time that was never reached
+    std::size_t trials_outside = 0;  ///< for `each`
 };
 
-/// All trials of a scenario and what the bands and claims say of them.
+/// All trials of a scenario and the results for bands and claims.
 struct RunResult {
-    std::vector<TrialResult> trials;  ///< those of the scenario's `trials`, for bands and pictures
+    std::vector<TrialResult> trials;  ///< the scenario's `trials`, for bands and pictures
     std::vector<BandResult> bands;
     std::vector<ClaimResult> claims;
     bool interrupted = false;
-    bool watched = true;           ///< TrialResult::watched of all trials that bands and claims rest on
-    bool stops_are_errors = true;  ///< else, where only claims are asked, a trial that stops is one against them
-    std::uint64_t steps = 0;       ///< control steps of these trials, and of those that were only for claims
-    double seconds = 0;            ///< on the clock
+    bool watched = true;           ///< TrialResult::watched of all trials that bands and claims are based on
+    bool stops_are_errors = true;  ///< false if there are only claims: a stopped trial then counts against them
+    std::uint64_t steps = 0;       ///< control steps of these trials, and of those only for claims
+    double seconds = 0;            ///< elapsed time
     double cpu_seconds = 0;        ///< of all threads
 
-    /// A controller stopped a trial, and that is an error.
+    /// True if a controller stopped a trial and this is an error.
     [[nodiscard]] bool stopped() const;
-    /// A band or a claim fails, or a controller stopped.
+    /// True if a band or a claim fails, or a controller stopped.
     [[nodiscard]] bool fails() const;
-    /// All trials complete and watched, all bands and all claims hold. Neither holds nor fails: a claim is open, or not
-    /// all was watched.
+    /// True if all trials are complete and observed, and all bands and claims hold. If neither holds() nor fails(), a
+    /// claim is open, or not everything was observed.
     [[nodiscard]] bool holds() const;
 };
 
-/// The trials that go on to their ends: those of the scenario, but where only claims are asked and nothing is kept.
+/// The number of trials that run to their end: those of the scenario, unless there are only claims and nothing is
+/// stored.
 [[nodiscard]] std::uint32_t whole_trials(const Scenario&, bool record);
 
-/// How many trials keep their positions: all, but at most a hundred, and no more than memory bears.
+/// The number of trials whose positions are stored: all, but at most a hundred, and limited by memory.
 [[nodiscard]] std::uint32_t recorded_trials(const Scenario&);
 
-/// Runs them. Diagnostics: robots that do not fit, controllers that stopped.
+/// Runs the trials. Reports robots that do not fit, and controllers that stopped.
 [[nodiscard]] RunResult run(const Plan&, const Drives&, const RunOptions&, diagnostics::Diagnostics&);
 
-/// The bands of a scenario on finished trials.
+/// The results of a scenario's bands for finished trials.
 [[nodiscard]] std::vector<BandResult> judge(const Scenario&, const std::vector<TrialResult>&);
 
 }  // namespace robochart::simulation

@@ -13,7 +13,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// A value of all robots at one time.
+/// A value of the whole swarm at one time.
 using SwarmValue = std::function<double(const Frame&)>;
 
 constexpr const char* gauci =
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Looking at all pairs of robots at all times of all trials shall take about a second at most.
+    /// Limits the number of times, so that examining all pairs of robots in all trials takes at most about a second.
     void choose_times(std::size_t most_times) {
         constexpr double most_pairs = 2e8;
         constexpr std::size_t least_times = 20;
@@ -92,7 +92,7 @@ private:
         result_.charts.push_back(std::move(chart));
     }
 
-    /// Of the scenario's measures of clusters, shortest first.
+    /// The links of the scenario's measures of clusters, shortest first.
     [[nodiscard]] std::set<double> links() const {
         std::set<double> lengths;
         for (const Measure& measure : scenario_.measures)
@@ -115,7 +115,7 @@ private:
                 add_targets(m, 100, largest_.targets);
     }
 
-    /// What the scenario accepts of a measure, where it is about times.
+    /// Adds the accepted values of a measure, if they refer to times.
     void add_targets(std::size_t measure, double factor, std::vector<Target>& targets) const {
         for (const Band& band : scenario_.bands) {
             const Statistic& statistic = band.statistic;
@@ -221,7 +221,7 @@ private:
     const Scenario& scenario_;
     const Machines& machines_;
     std::vector<const TrialResult*> trials_;
-    std::vector<std::size_t> kept_;  ///< numbers of frames
+    std::vector<std::size_t> kept_;  ///< indices of frames
     Chart largest_{"Largest cluster", "%",
                    fmt::format("The share of robots in the largest group of those linked, directly or by others, by at "
                                "most the given length between centres ({}).",
@@ -240,7 +240,7 @@ Quartiles quartiles_of(std::vector<double> values) {
 }
 
 std::size_t thinning(std::size_t count, std::size_t most) {
-    // From the first to the last are count - 1 gaps, in at most most - 1 steps.
+    // There are count - 1 gaps between the first and the last time, divided into at most most - 1 steps.
     const std::size_t steps = std::max<std::size_t>(most, 2) - 1;
     return count < 2 ? 1 : (count - 1 + steps - 1) / steps;
 }

@@ -1,5 +1,5 @@
 // The world of a scenario as SVG: the arena with walls and lights, axes, a scale bar, robots. The unit is a centimetre,
-// the y axis points down; sizes of letters and lines are multiples of a dot.
+// and the y axis points down. Sizes of letters and lines are multiples of a dot.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace robochart::simulation {
 
-/// What is seen: a rectangle in the units of the picture.
+/// The visible rectangle, in the units of the picture.
 struct View {
     double left, top, width, height;
 };
 
-/// The arena, or all the robots' paths where it has no walls.
+/// The arena, or the bounding box of all robots' paths if it has no walls.
 [[nodiscard]] View view_of(const Scenario&, const std::vector<Frame>&);
 
 class WorldDrawing {
@@ -25,30 +25,30 @@ public:
 
     [[nodiscard]] const View& view() const { return view_; }
     [[nodiscard]] double dot() const { return dot_; }
-    /// Of so many dots, in centimetres.
+    /// The length of `count` dots, in centimetres.
     [[nodiscard]] double dots(double count) const { return count * dot_; }
 
-    /// The head of a picture that shows this rectangle, with title, style and background.
+    /// The head of a picture of this rectangle, with title, style and background.
     [[nodiscard]] std::string head(const View& shown, const std::string& what) const;
     /// The arena with its walls.
     [[nodiscard]] std::string floor() const;
-    /// Obstacles that come and go, as far as they are there then.
+    /// The named obstacles that are present in this frame.
     [[nodiscard]] std::string obstacles(const Frame&) const;
-    /// Lights where they are, faint if they are off.
+    /// The lights at their positions; faint if they are off.
     [[nodiscard]] std::string lights(const Frame&) const;
     [[nodiscard]] std::string lower_axis() const;
     [[nodiscard]] std::string left_axis() const;
-    /// A bar of a round length, with its right end here.
+    /// A scale bar of a round length, with its right end at this point.
     [[nodiscard]] std::string scale_bar(double right, double y) const;
-    /// What the signs mean: states, lights and walls as far as there are.
+    /// The legend: states, and lights and walls if there are any.
     [[nodiscard]] Legend legend(const MachineStates&, double width) const;
     [[nodiscard]] std::string symbols(const MachineStates&) const;
     [[nodiscard]] std::string robot(const Pose&, std::size_t state) const;
-    /// Of a robot as it is drawn: at least two dots, so that it is seen.
+    /// The drawn radius of a robot: at least two dots, so that it is visible.
     [[nodiscard]] double radius() const;
-    /// Of the outline of a robot, in radii.
+    /// The outline of a robot, in radii.
     [[nodiscard]] double outline() const;
-    /// Lights and walls as far as there are.
+    /// Legend entries for lights and walls, if there are any.
     [[nodiscard]] std::vector<LegendEntry> things() const;
     /// "translate(...) rotate(...)".
     [[nodiscard]] static std::string place(const Pose&);
@@ -58,7 +58,7 @@ private:
     View view_;
     double dot_;
     std::string prefix_;
-    bool metres_;  ///< axes are in metres
+    bool metres_;  ///< the axes are in metres
 };
 
 }  // namespace robochart::simulation

@@ -1,4 +1,4 @@
-// See drawn_obstacles.hpp. Expat reports elements one after the other; nothing is kept of them but corners.
+// See drawn_obstacles.hpp. Expat reports elements one after another; only the corners are stored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 
 #include <expat.h>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_drawn_corners = 10'000;
 constexpr double largest_number = 1e6;
 
-/// What is wrong with a drawing.
+/// Thrown if a drawing is not supported.
 class BadDrawing : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -31,7 +31,7 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// Numbers, and in paths commands, one after the other.
+/// Reads numbers and, in paths, commands, one after another.
 class Coordinates {
 public:
     explicit Coordinates(std::string_view text) : rest_(text) { skip(); }
@@ -68,7 +68,7 @@ private:
     std::string_view rest_;
 };
 
-/// A number alone; `px` behind it is the unit of the drawing.
+/// A single number; `px` after it is the unit of the drawing.
 double length_of(std::string_view text) {
     if (text.ends_with("px")) text.remove_suffix(2);
     Coordinates numbers(text);
@@ -96,7 +96,7 @@ public:
                 continue;
             }
             step(command, in);
-            // More points behind a move are lines.
+            // Further points after a move are lines.
             if (command == 'M') command = 'L';
             if (command == 'm') command = 'l';
         }
@@ -147,12 +147,12 @@ private:
     std::vector<Polygon> polygons_;
 };
 
-/// What is read of a drawing.
+/// The data read from a drawing.
 class Drawing {
 public:
     void begin(std::string_view name, const XML_Char** attributes) {
         constexpr std::string_view space = "http://www.w3.org/2000/svg|";
-        // Elements of other namespaces are notes of editors.
+        // Elements of other namespaces are editors' metadata.
         if (!name.starts_with(space) && name.find('|') != std::string_view::npos) return;
         const std::string_view element = name.starts_with(space) ? name.substr(space.size()) : name;
         if (in_definitions_) throw BadDrawing("what stands in `defs` is not read");
@@ -237,7 +237,7 @@ private:
     std::vector<Polygon> polygons_;
 };
 
-/// Expat's callbacks must not throw.
+/// Wraps the builder, because Expat's callbacks must not throw.
 struct DrawingReader {
     XML_Parser parser = nullptr;
     Drawing drawing;

@@ -1,4 +1,4 @@
-// Binding names of the scenario to ports of the controller, with the checks of types; see plan.hpp.
+// Binds names of the scenario to ports of the controller and checks types; see plan.hpp.
 #include "simulation/scenario/plan.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,8 @@ std::string described(const Port& port) {
     return fmt::format("a literal of {} ({})", port.types.front(), fmt::join(literals, ", "));
 }
 
-/// Whether a name as it is written means this one: it is its end, `P::Zone::NEAR` by `NEAR` and by `Zone::NEAR`.
+/// True if a written name refers to this full name, which ends with it: `NEAR` and `Zone::NEAR` refer to
+/// `P::Zone::NEAR`.
 bool means(const std::string& written, const std::string& full) {
     return full == written || full.ends_with("::" + written);
 }
@@ -100,7 +101,7 @@ public:
         return plan;
     }
 
-    /// None, with a finding, where the component has no such event.
+    /// No value, with a finding, if the component has no such event.
     std::optional<BoundStimulus> raise(const Stimulus& stimulus) {
         const auto found = input(stimulus.event);
         if (!found) return std::nullopt;
@@ -120,7 +121,8 @@ public:
     }
 
 private:
-    /// Robots of this kind send nothing by the sensor. That none of any kind could is reported with the first.
+    /// True if robots of this kind send nothing for this sensor. If no kind could send it, this is reported for the
+    /// first kind only.
     [[nodiscard]] bool is_silent(const Sensor& sensor, const Emissions& all) const {
         if (sensor.message.text.empty()) return true;
         const auto sends = [&](const cpp_emit::DriveEmission* emission) {
@@ -132,7 +134,8 @@ private:
                (&emission_ != all.kinds.front() || std::any_of(all.kinds.begin(), all.kinds.end(), sends));
     }
 
-    /// Events that nothing feeds, and operations that nothing answers to; `effects` has what each output does.
+    /// Reports events that nothing feeds, and operations without an effect. `effects` contains the effects of each
+    /// output.
     template <class Effects>
     void report_unused(const Controlled& controlled, const std::vector<Effects>& effects) {
         std::vector<Name> ignored = controlled.ignored;
@@ -185,7 +188,8 @@ private:
         return std::nullopt;
     }
 
-    /// For every kind of robots that has the event. What carries a value and is given none takes the command's.
+    /// Binds the event for every kind of robots that has it. An event with a value but without a given one takes the
+    /// value of the command.
     void bind_raised(const WorldAct& act, const Port& from, const Emissions& all, BoundAct& bound) {
         const Stimulus& stimulus = act.stimulus;
         const bool valued = stimulus.value || stimulus.truth || stimulus.named;
@@ -253,7 +257,7 @@ private:
         plan_.feeds.push_back(bound);
     }
 
-    /// The slot that holds what the controller last wrote to a shared variable.
+    /// The slot with the value that the controller last wrote to a shared variable.
     std::optional<std::uint32_t> variable(const Name& name, Carries carries = Carries::real) {
         const auto found = output(name, Port::Kind::variable, "shared variable that it writes named");
         if (!found) return std::nullopt;
@@ -282,7 +286,7 @@ private:
         return bits_[*found];
     }
 
-    /// False if the event carries something else.
+    /// Returns false if the event carries another type.
     static bool take_value(const Stimulus& stimulus, const Port& port, double& value) {
         value = stimulus.value ? stimulus.value->value : stimulus.truth.value_or(false) ? 1 : 0;
         if (stimulus.value && port.arguments == std::vector{Carried::whole}) return value == std::floor(value);
@@ -292,8 +296,8 @@ private:
                     port.arguments);
     }
 
-    /// A literal of the event's enumeration, or a constant of the model. False if it is of another type; what is not
-    /// there is reported.
+    /// A literal of the event's enumeration, or a constant of the model. Returns false if the type differs; a missing
+    /// name is reported.
     bool take_named(const Name& name, const Port& port, double& value) {
         if (port.arguments.size() != 1) return false;
         const std::string& type = port.types.front();
@@ -311,7 +315,7 @@ private:
         return found->carried == wanted && (wanted != Carried::enumeration || found->type == type);
     }
 
-    /// Null, with a finding, if there is none of the name or machines have different ones.
+    /// Null, with a finding, if there is no such constant, or if machines have different ones.
     const cpp_emit::DriveConstant* constant(const Name& name, const Port& port) {
         const cpp_emit::DriveConstant* found = nullptr;
         std::vector<std::string> known = port.literals.front();
@@ -356,8 +360,8 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     Plan plan_;
     std::vector<bool> fed_;
-    std::vector<std::uint32_t> slots_;  ///< of outputs that are variables
-    std::vector<std::uint32_t> bits_;   ///< of outputs that are operations
+    std::vector<std::uint32_t> slots_;  ///< for outputs that are variables
+    std::vector<std::uint32_t> bits_;   ///< for outputs that are operations
 };
 
 }  // namespace

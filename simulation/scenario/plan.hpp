@@ -1,4 +1,4 @@
-// A scenario bound to a controller: which input each feed fills, what each output drives.
+// A scenario bound to a controller: the input that each feed fills, and the effects of each output.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@ namespace robochart::simulation {
 
 inline constexpr std::uint32_t no_slot = 0xffffffffU;
 
-/// A feed with places instead of names.
+/// A feed with indices instead of names.
 struct BoundFeed {
     const Feed* feed = nullptr;
     std::uint32_t input = 0;
-    std::uint32_t sensor = no_slot;    ///< in Scenario::sensors; none: the drive
-    std::uint32_t request = no_slot;   ///< bit that the operation sets
-    std::uint32_t variable = no_slot;  ///< slot of the argument; none: the literal
+    std::uint32_t sensor = no_slot;    ///< index in Scenario::sensors; none: the drive
+    std::uint32_t request = no_slot;   ///< the bit that the operation sets
+    std::uint32_t variable = no_slot;  ///< slot of the argument; none: the literal is used
 };
 
-/// What an output of the controller does, one after the other.
+/// One effect of an output of the controller; effects are executed in order.
 struct Effect {
     enum class Kind { store, request, drive };
     Kind kind = Kind::store;
-    bool whole = false;      ///< store: of a whole number
-    std::uint32_t slot = 0;  ///< of the variable, the bit, or the place in Scenario::drives
+    bool whole = false;      ///< store: the value is a whole number
+    std::uint32_t slot = 0;  ///< of the variable, the bit, or the index in Scenario::drives
 };
 
 struct BoundStimulus {
     const Stimulus* stimulus = nullptr;
     std::uint32_t input = 0;
     bool real = false;
-    double value = 0;       ///< a number; truth values: 0, 1; literals: the place in their enumeration
+    double value = 0;       ///< a number; truth values: 0, 1; literals: the index in their enumeration
     bool argument = false;  ///< raised by the environment: the value is the argument of its command
 };
 
@@ -46,50 +46,50 @@ struct BoundSpeeds {
 
 struct BoundWorldFeed {
     const WorldFeed* feed = nullptr;
-    std::uint32_t number = 0;  ///< in Environment::feeds
+    std::uint32_t number = 0;  ///< index in Environment::feeds
     std::uint32_t input = 0;
-    bool boolean = false;  ///< of a condition: its truth value; else it is there while it holds
+    bool boolean = false;  ///< for a condition: its truth value; otherwise the event is present while it is true
 };
 
-/// What a command of the environment does.
+/// The effect of a command of the environment.
 struct BoundAct {
     const WorldAct* act = nullptr;
-    std::vector<std::optional<BoundStimulus>> raised;  ///< stimulus: of each kind of robots that has the event
+    std::vector<std::optional<BoundStimulus>> raised;  ///< stimulus: for each kind of robots that has the event
 };
 
 /// The environment's controller.
 struct WorldPlan {
     std::uint32_t inputs = 0;
     std::vector<BoundWorldFeed> feeds;
-    std::vector<std::vector<BoundAct>> acts;  ///< of each output
+    std::vector<std::vector<BoundAct>> acts;  ///< for each output
 };
 
-/// Of the first kind of robots; the others beside it.
+/// The plan of the first kind of robots, with those of the other kinds.
 struct Plan {
     const Scenario* scenario = nullptr;
     std::uint32_t inputs = 0;
     std::vector<BoundFeed> feeds;
     std::vector<BoundStimulus> stimuli;
-    std::vector<std::vector<Effect>> effects;  ///< of each output
+    std::vector<std::vector<Effect>> effects;  ///< for each output
     std::vector<double> variables;             ///< initial values of the slots
-    std::vector<std::uint32_t> messages;       ///< of each sensor: the slot that robots send, or `no_slot`
+    std::vector<std::uint32_t> messages;       ///< for each sensor: the slot that robots send, or `no_slot`
     std::optional<BoundSpeeds> speeds;         ///< the drive follows two variables
     std::uint32_t requests = 0;
-    std::vector<Plan> others;  ///< of each kind in Scenario::others; they have none themselves
+    std::vector<Plan> others;  ///< for each kind in Scenario::others; these plans have no others
     std::optional<WorldPlan> environment;
 
     [[nodiscard]] const Plan& of_kind(std::size_t kind) const { return kind == 0 ? *this : others[kind - 1]; }
 };
 
-/// What a scenario is bound to: the controllers of its kinds of robots in their order, and that of its environment.
+/// The controllers that a scenario is bound to: those of its kinds of robots, in order, and that of its environment.
 struct Emissions {
     std::vector<const cpp_emit::DriveEmission*> kinds;
-    const cpp_emit::DriveEmission* environment = nullptr;  ///< null: there is none
+    const cpp_emit::DriveEmission* environment = nullptr;  ///< null: no environment
 };
 
-/// Binds; what does not fit is reported. The plan refers to the scenario.
+/// Binds the scenario and reports mismatches. The plan refers to the scenario.
 [[nodiscard]] Plan bind(const Scenario&, const Emissions&, diagnostics::Diagnostics&);
-/// Of a scenario with one kind of robots and nothing else.
+/// For a scenario with one kind of robots and no environment.
 [[nodiscard]] Plan bind(const Scenario&, const cpp_emit::DriveEmission&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::simulation

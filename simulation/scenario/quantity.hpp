@@ -1,4 +1,5 @@
-// Numbers with units. Inside, lengths are centimetres, times seconds, angles radians, shares and counts plain numbers.
+// Numbers with units. Internally, lengths are in centimetres, times in seconds, angles in radians; fractions and counts
+// are plain numbers.
 #pragma once
 
 #include <optional>
@@ -13,21 +14,21 @@ enum class Dimension { number, share, length, area, time, angle, speed, turn_rat
 /// "a length (mm, cm, m)".
 [[nodiscard]] std::string_view described(Dimension);
 
-/// What is printed behind a number of a result: " s", " cm", " %"; "" of other dimensions.
+/// The unit printed after a number in results: " s", " cm", " %"; "" for other dimensions.
 [[nodiscard]] std::string_view printed_unit(Dimension);
 
 struct Unit {
     Dimension dimension = Dimension::number;
-    double factor = 1;  ///< to the unit used inside
+    double factor = 1;  ///< to the internal unit
 };
 
-/// "cm", "s", "cm/s", "%"; nothing for other words.
+/// "cm", "s", "cm/s", "%"; no value for other words.
 [[nodiscard]] std::optional<Unit> unit_named(std::string_view);
 
-/// As written, in the unit used inside.
+/// A written number in the internal unit.
 struct Quantity {
     double value = 0;
-    Dimension dimension = Dimension::number;  ///< of the unit that is written
+    Dimension dimension = Dimension::number;  ///< of the written unit
     diagnostics::Span span;
 };
 

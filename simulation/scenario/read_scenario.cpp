@@ -1,4 +1,4 @@
-// Reads a scenario and checks it against the component that it is for.
+// Parses a scenario and checks it against its component.
 #include "simulation/scenario/read_scenario.hpp"
 
 #include "simulation/scenario/scenario_reader.hpp"

@@ -1,4 +1,4 @@
-// From the text of a scenario to the scenario (docs/scenarios.md).
+// Converts the text of a scenario (docs/scenarios.md).
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace robochart::simulation {
 
-/// Reads a scenario and checks everything that needs no model. Wrong text becomes diagnostics.
+/// Parses a scenario and checks everything that does not need the model. Mistakes become diagnostics.
 [[nodiscard]] Scenario read_scenario(const diagnostics::SourceManager&, diagnostics::SourceId,
                                      diagnostics::Diagnostics&);
 
-/// The robots at the start of a trial; reports those that do not fit.
+/// The robots at the start of a trial. Reports robots that do not fit.
 [[nodiscard]] std::optional<World> start(const Scenario&, std::uint32_t trial, diagnostics::Diagnostics&);
 
-/// Reports what only the embedded world has (RC-M15); for the adapters of other simulators.
+/// Reports features that only the built-in world has (RC-M15); for the adapters of other simulators.
 void refuse_beyond(const Scenario&, const char* simulator, diagnostics::Diagnostics&);
 
 }  // namespace robochart::simulation

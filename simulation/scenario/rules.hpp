@@ -1,4 +1,4 @@
-// What can be wrong with a scenario, and what stops a simulation.
+// Mistakes in scenarios, and reasons for stopping a simulation.
 #pragma once
 
 #include <span>
@@ -27,7 +27,7 @@ extern const diagnostics::Rule not_in_chain;   ///< RC-M17
 extern const diagnostics::Rule excluded;       ///< RC-M18
 extern const diagnostics::Rule not_done;       ///< RC-M19
 
-/// Every rule, for `explain` and for the tests.
+/// All rules, for `explain` and for tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
 
 }  // namespace robochart::simulation::rules

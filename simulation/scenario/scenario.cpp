@@ -1,4 +1,4 @@
-// What follows from a scenario's parts.
+// Derived values of a scenario.
 #include "simulation/scenario/scenario.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Reading scenarios: `abstract`, the states of a chain, and the questions that only a chain answers.
+// Parses scenarios: `abstract`, the states of a chain, and the questions that only a chain answers.
 #include <fmt/format.h>
 
 #include <algorithm>

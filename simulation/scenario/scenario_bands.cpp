@@ -1,4 +1,4 @@
-// Reading scenarios: measures and bands.
+// Parses scenarios: measures and bands.
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What belongs together in a scenario, and whether its robots fit.
+// Checks the consistency of a scenario, and whether its robots fit.
 #include "simulation/scenario/read_scenario.hpp"
 #include "simulation/scenario/scenario_reader.hpp"
 
@@ -43,7 +43,7 @@ void ScenarioReader::check() {
                        {fmt::format("{} s is after the end, {} s", time, scenario_.duration)});
 }
 
-/// No more robots fail than there are; where their number varies, each point takes what it has.
+/// At most as many robots may fail as exist. If the number of robots varies, each point uses its own number.
 void ScenarioReader::check_failures() {
     const auto varied = [&](Varied what) {
         return std::find_if(scenario_.variations.begin(), scenario_.variations.end(),
@@ -95,7 +95,7 @@ void ScenarioReader::check_steps() {
 void ScenarioReader::check_places() {
     const Arena& arena = scenario_.world.arena;
     if (!said_.contains("arena")) return;
-    diagnostics::Span last;  // corners of one obstacle are reported once
+    diagnostics::Span last;  // several corners of one obstacle are reported once
     for (const Inside& place : inside_) {
         const bool outside = std::abs(place.at.x) > arena.width / 2 || std::abs(place.at.y) > arena.height / 2;
         if (!arena.walled || !outside || place.span == last) continue;
@@ -116,7 +116,7 @@ Region around(Vector centre, double width, double height) {
     return {centre - half, centre + half};
 }
 
-/// Where so many robots are placed at random.
+/// The region in which this number of robots is placed at random.
 Region region_of(const Placement& placement, std::size_t robots, const Arena& arena) {
     switch (placement.kind) {
         case Placement::Kind::square: {
@@ -162,8 +162,8 @@ void refuse_beyond(const Scenario& scenario, const char* simulator, diagnostics:
 
 namespace {
 
-/// Places the robots of a kind: of several regions each takes an equal part, the first ones one more. False, with a
-/// finding, if they do not fit.
+/// Places the robots of a kind. If there are several regions, each gets an equal part; the first ones get one robot
+/// more. Returns false, with a finding, if they do not fit.
 bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagnostics::Diagnostics& diagnostics) {
     const auto fixed = static_cast<std::size_t>(
         std::count_if(kind.placements.begin(), kind.placements.end(),

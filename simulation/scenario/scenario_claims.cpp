@@ -1,5 +1,5 @@
-// Reading scenarios: claims about probabilities, and the formulas that they and `first` are about. The operators are
-// those of bounded linear temporal logic over one run (Younes and Simmons, CAV 2002), `stays for` looks back.
+// Parses scenarios: claims about probabilities, and the formulas in them and in `first`. The operators are those of
+// bounded linear temporal logic over one run (Younes and Simmons, CAV 2002); `stays for` refers to the past.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ Formula ScenarioReader::joined(Formula::Kind kind, std::string_view word, Formul
                    {fmt::format("'{}' joins a condition at an instant and a property of a trial", word)});
         return left;
     }
-    // A chain is one formula: its depth is what parentheses make it.
+    // A chain of operators is one formula; only parentheses increase the depth.
     Formula formula;
     if (left.kind == kind) {
         formula = std::move(left);
@@ -115,7 +115,7 @@ double ScenarioReader::time_limit(std::string_view what) {
     return time;
 }
 
-/// What binds more closely than `and`.
+/// The operators that bind more tightly than `and`.
 Formula ScenarioReader::timed() {
     const bool negated = in_.at("not");
     Formula formula = simple();

@@ -1,4 +1,4 @@
-// Reading scenarios; see scenario.hpp and docs/scenarios.md: the items in a table, times, the arena and who is in it.
+// Parses scenarios (scenario.hpp, docs/scenarios.md): the table of items, times, the arena and its contents.
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Reading scenarios: kinds of robots, and the machine of the environment.
+// Parses scenarios: kinds of robots, and the machine of the environment.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void ScenarioReader::robot_option() {
     }
 }
 
-/// The world's disks are of one size.
+/// All robots of the world have the same radius.
 void ScenarioReader::other_radius() {
     const diagnostics::Span begin = in_.last_span();
     (void)in_.positive(Dimension::length, "the radius");
@@ -183,7 +183,7 @@ void ScenarioReader::world_feed() {
     }
     feed.span = diagnostics::join(begin, in_.last_span());
     if (!in_.failed()) feed.text = in_.text_since(begin);
-    // Measures that are not there are reported.
+    // Unknown measures have been reported.
     if (feed.condition || feed.measure < scenario_.measures.size())
         scenario_.environment->feeds.push_back(std::move(feed));
 }
@@ -230,7 +230,7 @@ void ScenarioReader::world_drive() {
     add_act(std::move(act), begin);
 }
 
-/// What it does is passed over, for its form is not known.
+/// The rest is skipped, because its form depends on the unknown subject.
 void ScenarioReader::unknown_subject(const Name& name) {
     std::vector<std::string> known;
     for (const Light& each : scenario_.lights) known.push_back(each.name.text);

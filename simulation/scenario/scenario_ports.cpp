@@ -1,4 +1,4 @@
-// Reading scenarios: sensors, actuators, and what they have to do with the controller.
+// Parses scenarios: sensors, actuators, and their connections to the controller.
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace robochart::simulation {
 
-/// Reported with those that there are; the nearest is suggested.
+/// Reports an unknown name with the existing ones, and suggests the nearest.
 void ScenarioReader::unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known) {
     diagnostics::Diagnostic* const finding = in_.report(rules::unknown_part, name.span, {what, name.text});
     if (finding == nullptr) return;

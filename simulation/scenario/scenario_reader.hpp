@@ -1,5 +1,5 @@
-// The reader of scenarios: private to this component. One method for each item; the files of its definitions are named
-// below.
+// The parser of scenarios (private to this component). It has one method for each item; the files with the definitions
+// are named below.
 #pragma once
 
 #include <array>
@@ -32,14 +32,14 @@ private:
         bool once;
         Item read;
     };
-    /// A place that must lie in the arena.
+    /// A place that must be in the arena.
     struct Inside {
         Vector at;
         const char* what;
         diagnostics::Span span;
     };
 
-    // scenario.cpp: times, the arena and who is in it
+    // scenario.cpp: times, the arena and its contents
     static const std::array<ItemRow, 28>& items();
     void item();
     void model();
@@ -66,7 +66,7 @@ private:
     /// `axle`, `wheel` or `noise`; false if it is none of these.
     bool drive_option(OwnDrive&);
     void other_radius();
-    /// `for COMPONENT { ... }`, behind the name of a further kind.
+    /// `for COMPONENT { ... }`, after the name of a further kind.
     void other_kind(RobotKind kind, diagnostics::Span begin);
     void constant(Controlled& controlled);
     void ignore() { ignore_in(*kind_); }
@@ -77,20 +77,20 @@ private:
     void unknown_subject(const Name& name);
     void world_stimulus();
     void world_failure();
-    /// `on COMMAND`, at the end of what an environment does.
+    /// `on COMMAND`, at the end of an effect of the environment.
     void add_act(WorldAct act, diagnostics::Span begin);
     [[nodiscard]] std::size_t kind_of_measure(const Name& name);
 
-    // scenario_ports.cpp: sensors, actuators, and what they have to do with the controller
+    // scenario_ports.cpp: sensors, actuators, and their connections to the controller
     void sensor();
     void option(Sensor& sensor, bool known);
     void actuator();
     void feed();
-    /// After an unknown sensor or reading the rest of the item is passed over, for its form is not known.
+    /// After an unknown sensor or reading, the rest of the item is skipped, because its form is unknown.
     void skip_feed();
     void skip_word();
     const ReadingRow* find_reading(const Feed& feed, const Name& reading);
-    /// It reads messages of a sensor that sends none.
+    /// True if the feed reads messages of a sensor that sends none.
     [[nodiscard]] bool in_sensor_without_message(const Feed& feed) const;
     [[nodiscard]] bool is_actuator_name(const std::string& name) const;
     void argument(Feed& feed, const ReadingRow& row);
@@ -101,7 +101,7 @@ private:
     /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.
     void turn(Drive& drive);
     void stimulus();
-    /// The event, and its value if it has one.
+    /// Parses the event and its value, if it has one.
     Stimulus raised();
     /// `seek(NAME, SPEED)`, `wander(SPEED)`.
     void seek(Drive& drive);
@@ -120,7 +120,7 @@ private:
     [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
     std::size_t measure_named();
     void accept();
-    /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; what it is measured in.
+    /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; returns its dimension.
     Dimension statistic(Statistic& statistic);
     /// `<= Q`, `>= Q` or `in Q to Q`.
     void range(Dimension dimension, double& low, double& high);
@@ -136,7 +136,7 @@ private:
     Formula simple();
     Formula comparison();
     Formula joined(Formula::Kind kind, std::string_view word, Formula left, Formula right);
-    /// Of a trial, from one of an instant.
+    /// Makes a formula of a trial from one of an instant.
     Formula over(Formula::Kind kind, std::string_view word, Formula part, double time);
     [[nodiscard]] bool at_time_word() const;
     double time_limit(std::string_view what);
@@ -151,17 +151,17 @@ private:
 
     // scenario_abstraction.cpp: the states of a chain and what only it answers
     void abstract();
-    /// Whether another one follows.
+    /// Returns true if another one follows.
     bool distinction(Abstraction& abstraction);
     /// `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
     void chain_question(diagnostics::Span begin);
     void check_abstraction();
     void check_failures();
 
-    // scenario_checks.cpp: what belongs together
+    // scenario_checks.cpp: consistency
     void check();
     [[nodiscard]] diagnostics::Span said(std::string_view word) const;
-    /// How often `part` goes into `whole`; reports if it does not.
+    /// How many times `part` fits into `whole`; reported if it is not a whole number.
     std::uint64_t divide(double whole, const char* whole_name, double part, const char* part_name,
                          std::string_view word);
     void check_steps();
@@ -171,7 +171,7 @@ private:
     std::string path_;  ///< of the scenario
     Reader in_;
     Scenario scenario_;
-    RobotKind* kind_ = &scenario_;  ///< whose feeds, drives, places, stimuli and failures are read
+    RobotKind* kind_ = &scenario_;  ///< the kind whose feeds, drives, places, stimuli and failures are being parsed
     diagnostics::Span whole_;
     diagnostics::Span robots_span_;
     double physics_ = 0;
@@ -179,8 +179,8 @@ private:
     std::map<std::string, diagnostics::Span> names_;
     std::vector<std::string> unknown_sensors_;
     std::vector<Inside> inside_;
-    std::vector<std::pair<double, diagnostics::Span>> times_;  ///< must lie before the end
-    std::size_t depth_ = 0;                                    ///< of the formula that is read
+    std::vector<std::pair<double, diagnostics::Span>> times_;  ///< must be before the end
+    std::size_t depth_ = 0;                                    ///< of the formula being parsed
 };
 
 }  // namespace robochart::simulation

@@ -1,4 +1,4 @@
-// Reading scenarios: `vary`, the values that a sweep goes through.
+// Parses scenarios: `vary`, the values of a sweep.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void ScenarioReader::vary() {
     }
     variation.span = diagnostics::join(begin, in_.last_span());
     if (in_.failed()) return;
-    // `pace` is `leaders.pace` where the first kind of robots is called so.
+    // `pace` is the same as `leaders.pace` if the first kind of robots has this name.
     const auto subject = [&](const Variation& each) {
         const auto address = each.what == Varied::constant ? addressed(scenario_, each.constant) : std::nullopt;
         return address ? std::pair(address->controller, address->constant) : std::pair(std::size_t{0}, each.constant);
@@ -81,7 +81,7 @@ void ScenarioReader::sensor_option(Variation& variation) {
                        {fmt::format("share of '{}' named", variation.constant), option.text});
 }
 
-/// `LOW to HIGH by STEP`, or values with commas.
+/// `LOW to HIGH by STEP`, or values separated by commas.
 void ScenarioReader::values(Variation& variation) {
     const diagnostics::Span begin = in_.token().span;
     std::vector<double>& values = variation.values;

@@ -90,7 +90,8 @@ double Reader::number() {
     return negative ? -value : value;
 }
 
-/// A word is a unit only directly behind its number, so that `5 s` is one and `trials 10 seed 1` is not.
+/// The unit directly after a number, or "". Words that are not units are not taken: `5 s` has a unit, `trials 10 seed
+/// 1` has none.
 std::string Reader::unit_text() {
     if (take("%")) return "%";
     const Token next = token();

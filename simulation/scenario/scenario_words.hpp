@@ -1,5 +1,4 @@
-// The words of a scenario one after the other: private to this component. After the first syntax error nothing more is
-// read.
+// The tokens of a scenario one after another (private to this component). Reading stops at the first syntax error.
 #pragma once
 
 #include <optional>
@@ -12,28 +11,28 @@
 
 namespace robochart::simulation {
 
-/// What is said beside a syntax error about forms that people write: all rows, for the tests.
+/// The advice for syntax errors about common wrong forms: all rows, for tests.
 [[nodiscard]] std::span<const diagnostics::Advice> scenario_advice();
 
 class Reader : public frontend::WordReader {
 public:
     Reader(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
-    /// A quantity of one dimension; `what` is what takes it.
+    /// A quantity of one dimension; `what` names the item in messages.
     Quantity quantity(Dimension, std::string_view what);
-    /// Of one that must be positive, or at least zero.
+    /// A quantity that must be positive, or at least zero.
     double positive(Dimension, std::string_view what);
     double not_negative(Dimension, std::string_view what);
     /// A whole number in a range.
     std::uint64_t count(std::uint64_t low, std::uint64_t high, std::string_view what);
-    /// A unit alone, of the dimension; its factor.
+    /// A unit without a number, of this dimension; returns its factor.
     double unit(Dimension, std::string_view what);
     /// `(x, y)`, lengths.
     Vector point(std::string_view what);
 
 private:
     double number();
-    /// The unit behind a number, "" if none is there.
+    /// The unit after a number; "" if there is none.
     std::string unit_text();
 };
 

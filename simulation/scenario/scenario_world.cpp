@@ -1,4 +1,4 @@
-// Reading scenarios: what goes wrong or stands in the way, failures of robots and obstacles.
+// Parses scenarios: failures of robots, and obstacles.
 #include <fmt/format.h>
 
 #include <filesystem>

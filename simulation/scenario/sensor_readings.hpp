@@ -1,4 +1,4 @@
-// The table of what sensors and actuators report: private to this component.
+// The table of readings of sensors and actuators (private to this component).
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@ namespace robochart::simulation {
 
 struct ReadingRow {
     std::string_view name;
-    std::optional<SensorKind> sensor;  ///< none: of an actuator
+    std::optional<SensorKind> sensor;  ///< no value: of an actuator
     Reading reading;
     Carries carries;
     std::optional<Dimension> argument;
-    Dimension result = Dimension::number;  ///< of real readings
+    Dimension result = Dimension::number;  ///< for real readings
 };
 
 [[nodiscard]] std::span<const ReadingRow> readings();
-/// A kind of sensor by its word in scenarios.
+/// A kind of sensor and its keyword.
 struct SensorName {
     std::string_view name;
     SensorKind kind;

@@ -41,7 +41,7 @@ std::optional<Number> number(const std::string& text) {
     return value;
 }
 
-/// Reads the rows below a heading.
+/// Reads the rows below a header line.
 class TableReader {
 public:
     explicit TableReader(const Scenario& scenario) : scenario_(scenario) {}
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// Where the columns are; what is missing.
+    /// Finds the columns; returns the message about a missing one.
     std::string heading(const Fields& names) {
         const auto find = [&](const std::string& name) {
             return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
@@ -100,7 +100,7 @@ private:
         return row;
     }
 
-    /// Of text that names none: behind all of them.
+    /// The index of the claim; the number of claims if the text names none.
     [[nodiscard]] std::size_t claim_of(const std::string& text) const {
         const auto count = number<std::size_t>(text);
         if (count && *count > 0) return *count - 1;

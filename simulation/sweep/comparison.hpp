@@ -1,4 +1,4 @@
-// A sweep beside a table of earlier trials: do its estimates disagree?
+// Compares the estimates of a sweep with a table of earlier trials.
 #pragma once
 
 #include <optional>
@@ -18,26 +18,26 @@ struct TableRow {
     statistics::Sample sample;
 };
 
-/// Reads a table with a heading: comma-separated, with a column for each variation, `trials` and `successes`, and, with
-/// several claims, `claim`: the number of one, from 1, or its text. Other columns are ignored, so `sweep.csv` is such a
-/// table. Nothing where it is none; `error` says why.
+/// Reads a comma-separated table with a header line. It needs a column for each variation, `trials` and `successes`,
+/// and, if there are several claims, `claim`: the number of a claim, from 1, or its text. Other columns are ignored, so
+/// `sweep.csv` is such a table. No value if the text is not such a table; `error` contains the reason.
 [[nodiscard]] std::optional<std::vector<TableRow>> read_table(std::string_view text, const Scenario&,
                                                               std::string& error);
 
-/// An estimate here and there.
+/// An estimate from both tables.
 struct Compared {
     Point point;
     std::size_t claim = 0;
     statistics::Sample here, there;
-    double chance = 1;    ///< of Fisher's exact test
-    double adjusted = 1;  ///< by Holm, for all points of the claim together
+    double chance = 1;    ///< p-value of Fisher's exact test
+    double adjusted = 1;  ///< adjusted by Holm's method, for all points of the claim together
 };
 
-/// The estimates that both have, tested for each claim at all its points jointly.
+/// The estimates in both tables; each claim is tested jointly at all its points.
 [[nodiscard]] std::vector<Compared> compare(const Scenario&, const SweepResult&, const std::vector<TableRow>&);
-/// Differs at the joint confidence of its claim.
+/// True if the estimates differ at the joint confidence of the claim.
 [[nodiscard]] bool rejected(const Scenario&, const Compared&);
-/// A table of them.
+/// The comparisons as a table.
 [[nodiscard]] std::string comparison_text(const Scenario&, const std::vector<Compared>&);
 /// A list of objects: `values`, `claim`, `here` and `there` (successes, trials), `chance`, `adjusted`, `differs`.
 [[nodiscard]] diagnostics::Json comparison_json(const Scenario&, const std::vector<Compared>&);

@@ -16,7 +16,7 @@ using diagnostics::Json;
 
 std::vector<Point> points_of(const Scenario& scenario) {
     std::vector<Point> points{{}};
-    // The last variation first, so that the first changes fastest.
+    // The last variation is the outermost, so that the first changes fastest.
     for (auto variation = scenario.variations.rbegin(); variation != scenario.variations.rend(); ++variation) {
         std::vector<Point> more;
         for (const Point& rest : points)
@@ -38,7 +38,7 @@ void set_option(Scenario& scenario, const Variation& variation, double value) {
             for (double* const share : shares_of(sensor, variation.option)) *share = value;
 }
 
-/// Its values are shares, written as percentages.
+/// True if its values are fractions, which are written as percentages.
 bool is_share(const Variation& variation) {
     return variation.what == Varied::noise || variation.what == Varied::sensor;
 }

@@ -1,6 +1,5 @@
-// The values that a scenario varies, and what is known of its claims at each of them. Every point uses the same seeds
-// (common random numbers), and the error of a claim is shared by all points (Bonferroni), so that what is said of them
-// holds jointly.
+// The values that a scenario varies, and the results of its claims at each of them. All points use the same seeds
+// (common random numbers), and all points share the error of a claim (Bonferroni), so that the results hold jointly.
 #pragma once
 
 #include <optional>
@@ -14,12 +13,12 @@
 
 namespace robochart::simulation {
 
-/// A value of each variation.
+/// One value for each variation.
 using Point = std::vector<double>;
 
-/// All of them; the first variation changes fastest.
+/// All points; the first variation changes fastest.
 [[nodiscard]] std::vector<Point> points_of(const Scenario&);
-/// The scenario at a point: as many robots, that noise, claims alone.
+/// The scenario at a point: with this number of robots or noise, and only with claims.
 [[nodiscard]] Scenario scenario_at(const Scenario&, const Point&);
 /// `NAME=VALUE` for each constant that varies.
 [[nodiscard]] std::vector<std::string> constants_at(const Scenario&, const Point&);
@@ -31,28 +30,28 @@ using Point = std::vector<double>;
 /// "robots 4, noise 5 %".
 [[nodiscard]] std::string point_text(const Scenario&, const Point&);
 
-/// What is known of the claims at a point.
+/// The results of the claims at a point.
 struct PointResult {
     Point point;
-    std::vector<ClaimResult> claims;  ///< none: not looked at
+    std::vector<ClaimResult> claims;  ///< empty: not computed
 };
 
-/// What the points say of the least value of the first variation at which a claim holds, at one value of the second.
+/// The least value of the first variation at which a claim holds, for one value of the second variation.
 struct Least {
-    std::optional<double> value;  ///< of the first variation: the claim is shown to hold there
-    bool certain = false;         ///< and to fail at every value below
-    bool ended = false;           ///< no more points are needed to say so, or none can
+    std::optional<double> value;  ///< value of the first variation at which the claim is proved
+    bool certain = false;         ///< the claim is refuted at every smaller value
+    bool ended = false;           ///< further points are unnecessary or cannot help
 };
 /// `second`: the value of the second variation, if there is one.
 [[nodiscard]] Least least(const std::vector<PointResult>&, std::size_t claim, std::optional<double> second);
 
-/// The interval of a point by itself, with the whole error of the claim; none for tests, and in between looks.
+/// The interval of a single point, with the whole error of the claim; no value for tests, and between looks.
 [[nodiscard]] std::optional<statistics::Interval> pointwise(const Claim&, const ClaimResult&);
 
-/// How long it took in each trial; a trial that stopped, or in which it did not come, had not come by its time.
+/// The time to success in each trial. If a trial stopped, or had no success, its time is a lower bound.
 [[nodiscard]] std::vector<statistics::Duration> durations_of(const ClaimResult&);
 
-/// Claims of a point as text, exactly, and back; nothing from what was not written so.
+/// Converts the claims of a point to text, exactly, and back; no value if the text was not written by this function.
 [[nodiscard]] std::string stored(const std::vector<ClaimResult>&);
 [[nodiscard]] std::optional<std::vector<ClaimResult>> restored(std::string_view text, std::size_t claims);
 

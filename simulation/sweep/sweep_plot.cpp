@@ -22,7 +22,7 @@ constexpr double area_width = 550;
 constexpr double area_height = 260;
 constexpr std::size_t most_curves = 8;
 
-/// A plotted area with its axes; shares are on the vertical one, from 0 to 100 %.
+/// A plot area with axes; the vertical axis shows fractions, from 0 to 100 %.
 class ShareFrame {
 public:
     ShareFrame(std::string title, std::vector<LegendEntry> entries, double low, double high)
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] double y(double share) const { return top_ + area_height * (1 - share); }
     void add(const std::string& text) { body_ += text; }
 
-    /// With `names` for values on the horizontal axis.
+    /// With `names` at values of the horizontal axis.
     [[nodiscard]] std::string svg(const std::vector<std::pair<double, std::string>>& names,
                                   const std::string& axis) const {
         const double bottom = top_ + area_height;
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// A long title is written smaller, so that it fits.
+    /// A long title gets a smaller font, so that it fits.
     [[nodiscard]] double title_size() const {
         constexpr std::size_t letters = 76;
         return 13 * std::min(1.0, static_cast<double>(letters) / static_cast<double>(std::max(title_.size(), letters)));
@@ -77,7 +77,7 @@ private:
     std::string body_;
 };
 
-/// How a verdict is drawn, so that it is seen without colour too.
+/// The mark of a verdict; its shape also distinguishes it without colour.
 std::string verdict_mark(const std::string& word, double x, double y, const char* hue) {
     if (word == "proved" || word == "estimated")
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"/>", x, y, hue);
@@ -127,7 +127,7 @@ public:
         return frame.svg(axis_names(first), name_of(first));
     }
 
-    /// The share of trials for which it has not come, over time.
+    /// The fraction of trials without success so far, over time.
     [[nodiscard]] std::string times(std::size_t claim) const {
         const std::vector<const PointResult*> points = chosen();
         std::vector<LegendEntry> entries;
@@ -142,7 +142,7 @@ public:
         return frame.svg(names, "time [s]");
     }
 
-    /// A cell for each point, as dark as the share of trials, with its interval as title.
+    /// A cell for each point, with darkness by the fraction of trials; the tooltip shows the interval.
     [[nodiscard]] std::string map(std::size_t claim) const {
         const Variation& first = scenario_.variations[0];
         const Variation& second = scenario_.variations[1];
@@ -209,7 +209,7 @@ private:
                               verdict_mark(point_word(point, claim), x, frame.y(share_of(found)), colour(hue))));
     }
 
-    /// At most eight of the points looked at, spread over all.
+    /// At most eight of the computed points, spread evenly.
     [[nodiscard]] std::vector<const PointResult*> chosen() const {
         std::vector<const PointResult*> known;
         for (const PointResult& point : result_.points)

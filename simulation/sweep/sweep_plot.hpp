@@ -8,15 +8,15 @@
 
 namespace robochart::simulation {
 
-/// A picture and what it is called: "success", "times", "map".
+/// A picture and its name: "success", "times", "map".
 struct SweepPlot {
     std::string name;
     std::string svg;
 };
 
-/// For each claim: the share of trials over the first variation, with bars for the joint and the pointwise interval and
-/// a line for what is claimed; where it is about a time, how many trials it has not come for (Kaplan and Meier); with
-/// two variations a map of them.
+/// For each claim: the fraction of trials against the first variation, with bars for the joint and the pointwise
+/// interval and a line for the claimed value. For claims about a time, also the fraction of trials without success over
+/// time (Kaplan and Meier). With two variations, also a map of the points.
 [[nodiscard]] std::vector<SweepPlot> sweep_plots(const Scenario&, const SweepResult&);
 
 }  // namespace robochart::simulation

@@ -36,7 +36,7 @@ std::string interval_text(const Claim& claim, const ClaimResult& found) {
                : fmt::format("{} to {}", percent_below(found.interval.low), percent_above(found.interval.high));
 }
 
-/// The values of the second variation, or one that says that there is none.
+/// The values of the second variation, or a single empty value if there is none.
 using Seconds = std::vector<std::optional<double>>;
 Seconds seconds_of(const Scenario& scenario) {
     if (scenario.variations.size() < 2) return {std::nullopt};
@@ -44,7 +44,7 @@ Seconds seconds_of(const Scenario& scenario) {
     return {values.begin(), values.end()};
 }
 
-/// "1 to 3, 5": runs of neighbours among the values of the first variation.
+/// "1 to 3, 5": runs of adjacent values of the first variation.
 std::string runs_text(const Scenario& scenario, const SweepResult& result, std::size_t claim,
                       std::optional<double> second, const std::string& word) {
     const Variation& first = scenario.variations.front();

@@ -11,7 +11,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// What the loaded object says must fit what was emitted.
+/// Compares the description in the loaded object with what was emitted.
 std::string fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission) {
     if (drive == nullptr) return "its interface is null";
     if (drive->abi_version != ROBOCHART_DRIVE_ABI_VERSION)
@@ -85,7 +85,7 @@ std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emi
     options.budget = budget;
     options.cache = cache;
     if (!compiler.empty()) options.compiler = compiler;
-    // No multiplication and addition in one rounding: the same bits wherever the controller is built.
+    // Fused multiply-add is disabled, so that results are bitwise equal wherever the controller is built.
     options.flags = "-std=c++20 -O2 -DNDEBUG -ffp-contract=off";
     auto controller = std::make_unique<Controller>();
     controller->library_ = cpp_emit::SharedLibrary::build(emission.files, emission.sources, options, error);

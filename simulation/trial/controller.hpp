@@ -1,4 +1,4 @@
-// The generated controller, built and loaded: the simulation's controllers are values of its state side by side.
+// Builds and loads a generated controller. The controllers of a simulation are state values in one array.
 #pragma once
 
 #include <memory>
@@ -19,49 +19,50 @@ struct MachineStates {
     std::string name;
     std::vector<std::string> states;
 
-    /// Of a state by its number; "" in between.
+    /// The name of a state by its number; "" between states.
     [[nodiscard]] std::string state(std::size_t number) const { return number < states.size() ? states[number] : ""; }
 };
-/// The machines of the controllers; where one is shown it is the first.
+/// The machines of the controllers. If only one is shown, it is the first.
 using Machines = std::vector<MachineStates>;
 [[nodiscard]] Machines machines_of(const rc_drive&);
 
-/// The controllers of a scenario, loaded: those of its kinds of robots, in their order, and that of its environment.
+/// The loaded controllers of a scenario: those of its kinds of robots, in order, and that of its environment.
 struct Drives {
     Drives(const rc_drive& only) : kinds{&only} {}
     Drives(std::vector<const rc_drive*> of_kinds, const rc_drive* of_environment)
         : kinds(std::move(of_kinds)), environment(of_environment) {}
 
     std::vector<const rc_drive*> kinds;
-    const rc_drive* environment = nullptr;  ///< null: there is none
+    const rc_drive* environment = nullptr;  ///< null: no environment
 };
 
-/// The machines of robots of all kinds: as many as the kind with most of them has, each with the states of that machine
-/// of all kinds one after the other. Where there are several kinds, "KIND::STATE" (of kinds with a name).
+/// The machines of robots of all kinds. There are as many as in the kind with the most machines; each has the states of
+/// that machine in all kinds, one after another. If there are several kinds, the states are named "KIND::STATE" (for
+/// kinds with a name).
 [[nodiscard]] Machines machines_of(const Scenario&, const Drives&);
 
-/// Where the states of each kind's machines begin in what machines_of(Scenario, Drives) lists.
+/// The offsets of the states of each kind's machines in the list of machines_of(Scenario, Drives).
 class StateNumbers {
 public:
     explicit StateNumbers(const Drives&);
     [[nodiscard]] std::uint32_t machines() const { return static_cast<std::uint32_t>(total_.size()); }
-    /// Of a machine of a controller of this kind: a state's number, or how many there are where it is in between, or
-    /// has no such machine.
+    /// The state of a machine of a controller of this kind. Between states, or if there is no such machine, the number
+    /// of states.
     [[nodiscard]] std::uint16_t of(std::size_t kind, std::uint32_t machine, const void* controller) const;
 
 private:
     const Drives& drives_;
-    std::vector<std::vector<std::uint32_t>> first_;  ///< kind by kind, machine by machine
+    std::vector<std::vector<std::uint32_t>> first_;  ///< by kind and machine
     std::vector<std::uint32_t> total_;
 };
 
-/// The numbers of a state and of those in it, by its name in the first machine; none: there is no such state.
+/// The numbers of a state and of its inner states, by its name in the first machine; empty if there is no such state.
 [[nodiscard]] std::vector<std::uint16_t> states_named(const Machines&, std::string_view name);
 
 class Controller {
 public:
-    /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
-    /// cpp_emit::NoCompiler, diagnostics::LimitReached. `cache`: of compiled controllers; null: none.
+    /// Compiles and loads the result of emit_drive. On failure returns no value and sets `error`. Throws
+    /// cpp_emit::NoCompiler and diagnostics::LimitReached. `cache`: for compiled controllers; null: none.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
                                              std::string& error, diagnostics::Budget* budget = nullptr,
                                              diagnostics::Cache* cache = nullptr);
@@ -73,10 +74,10 @@ private:
     const rc_drive* drive_ = nullptr;
 };
 
-/// The controllers of all robots of a trial: one aligned block, a value a robot.
+/// The controllers of all robots of a trial: one aligned block, with one value per robot.
 class ControllerArray {
 public:
-    /// `seed`: of what the controllers draw, each from a seed of its own.
+    /// `seed`: for random choices of the controllers; each controller gets its own derived seed.
     ControllerArray(const rc_drive&, std::size_t robots, std::uint64_t seed = 1);
 
     [[nodiscard]] void* operator[](std::size_t robot) { return block_.data() + first_ + robot * stride_; }

@@ -1,4 +1,4 @@
-// The embedded world as a stage.
+// The built-in world as a stage.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

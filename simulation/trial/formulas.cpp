@@ -16,7 +16,7 @@ std::size_t count_stays(const Formula& formula) {
     return count;
 }
 
-/// The step of a time, infinite for the end.
+/// The step for a time; for an infinite time, the end.
 std::uint64_t step_at(double time, double control_step, std::uint64_t end) {
     return std::isinf(time) ? end : static_cast<std::uint64_t>(std::llround(time / control_step));
 }
@@ -31,7 +31,7 @@ bool Condition::holds(std::uint64_t step, const MeasureNow& now) {
     return holds(formula_, step, now, stay);
 }
 
-/// All parts are asked, for a `stays` among them counts from every step.
+/// All parts are evaluated, because a `stays` in them must be updated in every step.
 bool Condition::holds(const Formula& formula, std::uint64_t step, const MeasureNow& now, std::size_t& stay) {
     if (formula.kind == Kind::compare) {
         const double value = now(formula.measure);
@@ -80,7 +80,7 @@ bool Property::due(std::uint64_t step) const {
     if (answer_.holds) return false;
     return std::any_of(timed_.begin(), timed_.end(), [&](const Timed& timed) {
         if (timed.holds) return false;
-        // What looks back has to be asked before.
+        // A formula that refers to the past must also be evaluated before.
         return timed.formula->kind != Kind::at || step == timed.last || count_stays(*timed.formula) > 0;
     });
 }
@@ -94,7 +94,7 @@ void Property::look(std::uint64_t step, const MeasureNow& now) {
     if (answer_.holds) answer_.step = step;
 }
 
-/// One look at what is not known yet.
+/// Evaluates a part that is not decided yet.
 void Property::look(Timed& timed, std::uint64_t step, const MeasureNow& now) {
     if (timed.formula->kind == Kind::at && step != timed.last && count_stays(*timed.formula) == 0) return;
     const bool first = timed.parts.front().holds(step, now);
@@ -116,11 +116,11 @@ void Property::look(Timed& timed, std::uint64_t step, const MeasureNow& now) {
     }
 }
 
-/// Kleene's three values.
+/// Three-valued logic (Kleene).
 std::optional<bool> Property::value(const Formula& formula, std::size_t& timed) const {
     if (formula.kind != Kind::negation && formula.kind != Kind::both && formula.kind != Kind::either)
         return timed_[timed++].holds;
-    const bool decisive = formula.kind == Kind::either;  // `both` is decided by a part that is false
+    const bool decisive = formula.kind == Kind::either;  // one false part decides `both`
     bool open = false;
     bool decided = false;
     std::optional<bool> only;

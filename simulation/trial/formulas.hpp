@@ -1,6 +1,6 @@
-// Formulas along a trial: evaluated at each instant as it comes, so that a trial can end when its answer is known. The
-// three values of bounded temporal logic on a run that goes on (Bauer, Leucker, Schallhart, "Runtime verification for
-// LTL and TLTL", TOSEM 20, 2011): true, false, not yet known.
+// Formulas on a trial, evaluated at each instant as it comes, so that a trial can end when its answer is known. The
+// semantics is that of bounded temporal logic on a run that continues (Bauer, Leucker, Schallhart, "Runtime
+// verification for LTL and TLTL", TOSEM 20, 2011), with three values: true, false, not yet known.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace robochart::simulation {
 
-/// What a measure is now; asked only where it matters.
+/// Returns the current value of a measure; called only if it is needed.
 using MeasureNow = std::function<double(std::size_t measure)>;
 
-/// A formula of an instant.
+/// A formula on an instant.
 class Condition {
 public:
     /// Keeps a reference to the formula.
     Condition(const Formula&, double control_step);
 
-    /// Does it hold after this many steps? To be asked at each, in order.
+    /// True if it is true after this number of steps. Must be called for each step, in order.
     [[nodiscard]] bool holds(std::uint64_t step, const MeasureNow&);
 
 private:
@@ -31,36 +31,36 @@ private:
     const Formula& formula_;
     double control_step_;
     std::vector<std::uint64_t>
-        since_;  ///< of each `stays`, in the order of the text: the step since which its part holds
+        since_;  ///< for each `stays`, in the order of the text: the step since which its part has been true
 };
 
-/// When and how a formula of a trial was decided.
+/// When and how a formula on a trial was decided.
 struct Answer {
     std::optional<bool> holds;
-    std::uint64_t step = 0;  ///< after how many it was known
-    bool taken = false;      ///< it was not: the trial was stopped, and it is taken for this
+    std::uint64_t step = 0;  ///< the number of steps after which it was known
+    bool taken = false;      ///< it was not known: the trial was stopped, and this value is assumed
 
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// A formula of a trial.
+/// A formula on a trial.
 class Property {
 public:
-    /// Keeps a reference to the formula. `end`: the steps of the trial.
+    /// Keeps a reference to the formula. `end`: the number of steps of the trial.
     Property(const Formula&, double control_step, std::uint64_t end);
 
-    /// Does the instant after this many steps matter?
+    /// True if the instant after this number of steps must be evaluated.
     [[nodiscard]] bool due(std::uint64_t step) const;
     void look(std::uint64_t step, const MeasureNow&);
     [[nodiscard]] const Answer& answer() const { return answer_; }
-    /// The trial ended after so many steps; what is not known by then is taken for this.
+    /// Must be called when the trial ends after this number of steps; `holds` is assumed if the formula is not decided.
     void end(std::uint64_t step, bool holds);
 
 private:
     /// `at`, `within`, `until` or `always`.
     struct Timed {
         const Formula* formula = nullptr;
-        std::uint64_t last = 0;  ///< the step by which it is known
+        std::uint64_t last = 0;  ///< the step at which it is decided at the latest
         std::vector<Condition> parts;
         std::optional<bool> holds;
     };
@@ -69,7 +69,7 @@ private:
     [[nodiscard]] std::optional<bool> value(const Formula&, std::size_t& timed) const;
 
     const Formula& formula_;
-    std::vector<Timed> timed_;  ///< in the order of the text
+    std::vector<Timed> timed_;  ///< in textual order
     Answer answer_;
 };
 

@@ -14,7 +14,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Groups of robots (union-find with halving of paths).
+/// Groups of robots (union-find with path halving).
 class Groups {
 public:
     explicit Groups(std::size_t count) : parent_(count), size_(count, 1), count_(count) {
@@ -45,7 +45,7 @@ private:
 
 Clusters clusters(const std::vector<Pose>& poses, double link) {
     if (poses.empty()) return {};
-    // Along the x axis: only robots less than a link apart there can be linked.
+    // Sorted by x: only robots whose x differs by less than a link can be linked.
     std::vector<std::uint32_t> order(poses.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     std::sort(order.begin(), order.end(),
@@ -167,8 +167,8 @@ double measured(const Scenario& scenario, const Measure& measure, const Frame& a
 
 namespace {
 
-/// By the state's name as it is in its machine or, behind the name of a kind, as machines_of lists it. Of one kind: its
-/// alone.
+/// The states with this name in their machine or, after the name of a kind, in the list of machines_of. If the measure
+/// is about one kind, only states of that kind.
 std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& measure, const Machines& machines) {
     if (measure.of && !scenario.others.empty())
         return states_named(machines,
@@ -183,14 +183,14 @@ std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& me
     return states;
 }
 
-/// Whether a name may mean states of a kind, or states that are called as the kind is.
+/// True if the name may refer to states of several kinds, or if a kind has the same name.
 bool is_ambiguous(const Scenario& scenario, const Measure& measure, const Machines& machines) {
     if (measure.of) return false;
     for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind)
         if (scenario.kind_at(kind).kind.text == measure.state.text) return true;
     std::set<std::string> names;
     return std::any_of(measure.states.begin(), measure.states.end(), [&](std::uint16_t state) {
-        return !names.insert(machines.front().states[state]).second;  // of an unnamed kind, and of another
+        return !names.insert(machines.front().states[state]).second;  // in an unnamed kind and in another
     });
 }
 

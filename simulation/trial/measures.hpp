@@ -12,62 +12,63 @@
 
 namespace robochart::simulation {
 
-/// Where the robots were at one time.
+/// The state of the world at one time.
 struct Frame {
     double time = 0;
     std::vector<Pose> poses;
     std::vector<std::uint16_t>
-        states;                 ///< robot by robot, of each machine: index into its states; their number in between
-    std::vector<bool> working;  ///< robot by robot: nothing has failed; empty: in none
-    std::vector<LightNow> lights = {};  ///< empty: where the scenario itself has them at that time
-    std::vector<bool> obstacles = {};   ///< of Scenario::obstacles: there or not; empty: as at the start
+        states;                 ///< by robot and machine: index of the state; the number of states between states
+    std::vector<bool> working;  ///< by robot: no part has failed; empty: no robot has failed parts
+    std::vector<LightNow> lights = {};  ///< empty: as the scenario defines them at that time
+    std::vector<bool> obstacles = {};   ///< for Scenario::obstacles: present or not; empty: as at the start
 
-    /// Of a robot's machine.
+    /// The state of a robot's machine.
     [[nodiscard]] std::uint16_t state(std::size_t robot, std::size_t machine = 0) const {
         return states[robot * (states.size() / poses.size()) + machine];
     }
 };
 
-/// Groups of robots linked, directly or by others, by at most `link` between centres; whoever has no link is a group.
+/// Groups of robots that are linked, directly or through others, by at most `link` between centres. A robot without
+/// links is a group.
 struct Clusters {
     std::size_t count = 0;
-    std::size_t largest = 0;  ///< robots in the largest
+    std::size_t largest = 0;  ///< number of robots in the largest group
 };
 [[nodiscard]] Clusters clusters(const std::vector<Pose>&, double link);
-/// The share of robots in the largest group.
+/// The fraction of robots in the largest group.
 [[nodiscard]] double largest_cluster(const std::vector<Pose>&, double link);
-/// The mean over all pairs of robots of the distance between their centres, cm; 0 without a pair.
+/// The mean distance between the centres of all pairs of robots, in cm; 0 if there is no pair.
 [[nodiscard]] double mean_distance(const std::vector<Pose>&);
-/// The mean distance to the centroid, cm.
+/// The mean distance to the centroid, in cm.
 [[nodiscard]] double spread(const std::vector<Pose>&);
-/// The sum of squared distances to the centroid in units of the diameter squared.
+/// The sum of squared distances to the centroid, in units of the squared diameter.
 [[nodiscard]] double second_moment(const std::vector<Pose>&, double radius);
 [[nodiscard]] Vector centroid(const std::vector<Pose>&);
-/// The share of robots whose centre is at most `distance` from a point.
+/// The fraction of robots whose centre is at most `distance` from a point.
 [[nodiscard]] double share_within(const std::vector<Pose>&, Vector, double distance);
-/// The share of robots whose centre is in a rectangle.
+/// The fraction of robots whose centre is in a rectangle.
 [[nodiscard]] double share_inside(const std::vector<Pose>&, const Region&);
-/// Where a light is.
+/// The state of a light in a frame.
 [[nodiscard]] LightNow light_at(const Scenario&, const Frame&, std::size_t light);
-/// The robots of one kind alone.
+/// The frame reduced to the robots of one kind.
 [[nodiscard]] Frame of_kind(const Scenario&, std::size_t kind, const Frame&);
-/// The share of robots that are in the states of the measure.
+/// The fraction of robots that are in the states of the measure.
 [[nodiscard]] double share_in(const Measure&, const Frame&);
 [[nodiscard]] double measured(const Scenario&, const Measure&, const Frame&);
-/// The states that measures are about, by their names; reports those that are not there.
+/// Finds the states of measures by name; reports unknown names.
 void find_states(Scenario&, const Machines&, diagnostics::Diagnostics&);
-/// The measures of one instant, each calculated once. Keeps references.
+/// The measures at one instant; each is computed at most once. Keeps references.
 [[nodiscard]] MeasureNow measures_now(const Scenario&, const Frame&);
 
-/// The statistics that the bands of a scenario are about, gathered step by step.
+/// The statistics of a scenario's bands, collected step by step.
 class Statistics {
 public:
     explicit Statistics(const Scenario&);
 
-    /// Does any band need the positions after this many steps?
+    /// True if some band needs the positions after this number of steps.
     [[nodiscard]] bool due(std::uint64_t step) const;
     void look(std::uint64_t step, const MeasureNow&);
-    /// One for each band; NaN: a time that never came. Averages are over every full second.
+    /// One value per band; NaN: a time that was never reached. Averages are over all full seconds.
     [[nodiscard]] std::vector<double> values() const;
 
 private:
@@ -75,7 +76,7 @@ private:
         double value = 0;
         std::uint64_t looks = 0;
         bool done = false;
-        std::optional<Condition> condition;  ///< first_time
+        std::optional<Condition> condition;  ///< for first_time
     };
     [[nodiscard]] bool due(std::size_t band, std::uint64_t step) const;
 

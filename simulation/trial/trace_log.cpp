@@ -12,7 +12,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Text of one robot kept before it is written.
+/// The largest amount of text of one robot that is buffered.
 constexpr std::size_t most_kept = 1U << 16U;
 
 std::vector<std::string> names(const std::vector<cpp_emit::Port>& ports) {

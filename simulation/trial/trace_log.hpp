@@ -1,5 +1,5 @@
-// Logs of a trial in the format of docs/traces.md, one file a robot: what its controller read and did in every cycle,
-// for `conform --traces`.
+// Logs of a trial in the format of docs/traces.md, one file per robot: the inputs and outputs of its controller in
+// every cycle, for `conform --traces`.
 #pragma once
 
 #include <functional>
@@ -15,14 +15,14 @@ namespace robochart::simulation {
 
 struct TraceLogOptions {
     std::string folder;     ///< FOLDER/trial-01/robot-00.trace
-    std::string component;  ///< as the log's header names it
+    std::string component;  ///< the name in the log's header
     std::string model;
-    std::vector<std::string> constants;  ///< NAME=VALUE, as the model has them where it was run
+    std::vector<std::string> constants;  ///< NAME=VALUE of the model in this run
     std::string scenario;
-    std::size_t first = 0;  ///< the number of the first robot: others are of another kind
+    std::size_t first = 0;  ///< index of the first robot; earlier ones are of another kind
     diagnostics::Budget* budget = nullptr;
     std::function<void(const std::string&)>
-        failed;  ///< called once with the reason if a log could not be written, by the trial's thread
+        failed;  ///< called once, by the trial's thread, with the reason if a log could not be written
 };
 
 class TraceLog final : public Trace {

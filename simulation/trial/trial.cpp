@@ -13,30 +13,31 @@ namespace robochart::simulation {
 
 namespace {
 
-/// The state of a turn by dead reckoning: radians still to go.
+/// The state of a turn by dead reckoning: remaining radians.
 struct Turn {
     double left = 0;
     double rate = 0;
 };
 
-/// What a robot follows step by step: it wanders, or seeks a light.
+/// The course that a robot follows step by step: it wanders, or seeks a light.
 struct Course {
     const Drive* drive = nullptr;  ///< null: neither
-    double rate = 0;               ///< wander: of turning, rad/s, for the second that runs
+    double rate = 0;               ///< wander: turning rate of the current second, rad/s
 };
 
-/// How fast a robot that wanders turns at most, rad/s, and that seeks, for each radian that it is off.
+/// The greatest turning rate of a wandering robot, in rad/s, and the turning rate of a seeking robot per radian of
+/// deviation.
 constexpr double wandering = 1.5;
 constexpr double seeking = 4;
 
-/// What has failed of a robot.
+/// The failed parts of a robot.
 struct Failed {
     bool whole = false;
     bool motors = false;
     bool sensors = false;
 };
 
-/// When something fails of a robot.
+/// The time at which a part of a robot fails.
 struct Failing {
     std::uint64_t step = 0;
     std::size_t robot = 0;
@@ -58,7 +59,7 @@ const char* cause_of(rc_drive_result result) {
 
 constexpr const char* no_finite_number = "it commanded a movement by a number that is not finite";
 
-/// A light that a trial moves and switches: where it has been since when.
+/// A light that a trial moves and switches: its position and the time since when it is valid.
 struct MovingLight {
     Light light;
     double since = 0;  ///< s
@@ -67,7 +68,7 @@ struct MovingLight {
     [[nodiscard]] Vector position(double time) const { return light.position(time - since); }
 };
 
-/// A number for the draws of each controller array: that of the first kind is the trial's own.
+/// The seed of each controller array; the first kind uses the trial's own seed.
 std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
     return number == 0 ? seed : diagnostics::splitmix64_mixed(seed ^ (std::uint64_t{number} << 48U));
 }
@@ -146,7 +147,7 @@ private:
     [[nodiscard]] bool goes_on() const {
         return result_.steps < scenario_.steps() && !result_.stop && !answered() && !interrupted();
     }
-    /// All that is awaited is known.
+    /// True if all awaited answers are known.
     [[nodiscard]] bool answered() const {
         if (options_.awaited == nullptr) return false;
         for (std::size_t c = 0; c < properties_.size(); ++c)
@@ -176,7 +177,7 @@ private:
         observe();
     }
 
-    /// What robots perceive, what their controllers make of it, what they do.
+    /// One cycle of a robot: its inputs, its controller, its effects.
     void cycle(std::size_t robot) {
         for (rc_signal& signal : signals_) signal.present = 0;
         for (auto& sight : sights_) sight.reset();
@@ -222,7 +223,7 @@ private:
                                : std::nullopt);
     }
 
-    /// After all robots: it reads the world and the states as they were when the robots sensed, and what it does holds
+    /// Called after all robots. It reads the world and the states at the time when the robots sensed; its effects apply
     /// from the next cycle on.
     void environment_cycle(const Frame& sensed) {
         for (rc_signal& signal : signals_) signal.present = 0;
@@ -290,7 +291,8 @@ private:
         raised_[kind].push_back(stimulus);
     }
 
-    /// So many of those of which nothing has failed, or all of them, each as likely.
+    /// Selects robots without a failure at random with equal probability: the given number, or all of them if there are
+    /// fewer.
     void fail_some(const Failure& failure) {
         std::vector<std::size_t> working;
         for (std::size_t robot = 0; robot < stage_.size(); ++robot)
@@ -310,7 +312,7 @@ private:
 
     // ------------------------------------------------------------ failures
 
-    /// Something fails at the first instant from its time on.
+    /// A failure occurs at the first instant at or after its time.
     void plan_failure(const Failure& failure, std::size_t first, std::size_t most) {
         const double step = scenario_.world.control_step;
         const std::size_t count = failure.mean_time > 0 ? most : std::min<std::size_t>(most, failure.robots);
@@ -339,8 +341,8 @@ private:
         working_[robot] = false;
     }
 
-    /// Every command to the wheels: those of a robot whose motors have failed stand. A speed that is not finite stops
-    /// the trial: the world cannot calculate with it.
+    /// Sets the wheels; those of a robot with failed motors stand still. A speed that is not finite stops the trial,
+    /// because the world cannot compute with it.
     void set_wheels(std::size_t robot, Wheels wheels) {
         if (!std::isfinite(wheels.left) || !std::isfinite(wheels.right)) return stop(robot, no_finite_number);
         stage_.set_wheels(robot, failed_[robot].motors ? Wheels{} : wheels);
@@ -348,7 +350,7 @@ private:
 
     // ------------------------------------------------------------ sensing
 
-    /// A sensor that has failed reports nothing: no event, false, 0. The radio is none of them.
+    /// A failed sensor reports nothing: no event, false, 0. The radio is not such a sensor.
     [[nodiscard]] bool is_blind(std::size_t robot, const BoundFeed& bound) const {
         return failed_[robot].sensors && bound.sensor != no_slot && sensor(bound).kind != SensorKind::range_and_bearing;
     }
@@ -405,7 +407,7 @@ private:
 
     [[nodiscard]] const Sensor& sensor(const BoundFeed& bound) const { return scenario_.sensors[bound.sensor]; }
 
-    /// In the unit used inside.
+    /// The argument in the internal unit.
     [[nodiscard]] double argument(std::size_t robot, const BoundFeed& bound) const {
         const Argument& argument = *bound.feed->argument;
         if (bound.variable == no_slot) return argument.literal.value;
@@ -439,7 +441,7 @@ private:
                    : stage_.somebody_within(robot, sensor(bound), distance);
     }
 
-    /// What a sensor that errs reports of what is there or not; a line of sight errs in the world.
+    /// The reading of an unreliable sensor about an object. Errors of a line of sight are simulated in the world.
     bool seen(const Sensor& sensor, bool there) {
         return there ? !draws_.chance(sensor.false_negative) : draws_.chance(sensor.false_positive);
     }
@@ -451,7 +453,7 @@ private:
         return false;
     }
 
-    /// How many robots are heard, or what one of those heard sends; nothing where none sends anything.
+    /// The number of robots that are heard, or the message of one of them; no value if none sends one.
     std::optional<std::int64_t> counted(std::size_t robot, const BoundFeed& bound) {
         std::vector<std::uint32_t> heard = stage_.robots_within(robot, sensor(bound), argument(robot, bound));
         if (bound.feed->reading == Reading::count) return static_cast<std::int64_t>(heard.size());
@@ -472,7 +474,7 @@ private:
     double measured(std::size_t robot, const BoundFeed& bound) {
         if (bound.feed->reading == Reading::distance) return sight(robot, bound).distance;
         const auto others = stage_.direction_of_others(robot, sensor(bound), argument(robot, bound));
-        // Nobody there: nothing to turn away from; whoever is alone turns round to where it came from.
+        // If no robot is heard, there is nothing to turn away from; a robot that is alone turns around.
         if (bound.feed->reading == Reading::away) return others ? normal_angle(*others + std::numbers::pi) : 0;
         return others.value_or(std::numbers::pi);
     }
@@ -529,7 +531,7 @@ private:
         turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle(robot)};
     }
 
-    /// A turn by dead reckoning: full rate while a whole step is to go, then what is left.
+    /// A turn by dead reckoning: the full rate while a whole step remains, then the rest.
     void move(std::size_t robot) {
         if (courses_[robot].drive != nullptr) return follow(robot, courses_[robot]);
         Turn& turn = turns_[robot];
@@ -545,8 +547,8 @@ private:
         turn.left = std::abs(turn.left) <= most ? 0 : turn.left - now;
     }
 
-    /// A correlated random walk: a rate of turning for each second. Seeking: the faster round the more it is off, and
-    /// forward by as much as it is directed at the light.
+    /// A correlated random walk: the turning rate is drawn every second. Seeking: the robot turns faster the more it
+    /// deviates, and moves forward in proportion to its alignment with the light.
     void follow(std::size_t robot, Course& course) {
         const double between = axle(robot);
         const double speed = course.drive->speed;
@@ -623,27 +625,27 @@ private:
     StateNumbers states_;
     Stage& stage_;
     const TrialOptions& options_;
-    std::vector<ControllerArray> controllers_;  ///< of each kind
-    std::vector<std::size_t> first_robot_;      ///< of each kind
-    std::vector<double> axles_;                 ///< of each kind
-    std::vector<std::size_t> kind_of_;          ///< of each robot
-    std::vector<std::size_t> first_variable_;   ///< of each robot, in `variables_`
+    std::vector<ControllerArray> controllers_;  ///< for each kind
+    std::vector<std::size_t> first_robot_;      ///< for each kind
+    std::vector<double> axles_;                 ///< for each kind
+    std::vector<std::size_t> kind_of_;          ///< for each robot
+    std::vector<std::size_t> first_variable_;   ///< for each robot, in `variables_`
     rc_actions actions_{};
     std::vector<rc_signal> signals_;
     std::vector<std::uint64_t> requests_;
-    std::vector<double> variables_;  ///< robot by robot
-    std::vector<double> sent_;       ///< those at the beginning of the cycle: what messages carry
+    std::vector<double> variables_;  ///< by robot
+    std::vector<double> sent_;       ///< values at the beginning of the cycle, which messages carry
     std::vector<Turn> turns_;
     std::vector<Course> courses_;
     std::vector<Failed> failed_;
     std::vector<Failing> failing_;
-    std::vector<bool> working_;  ///< empty where nothing can fail
-    Random draws_;               ///< of failures, messages and random walks; sensors and wheels draw from the world's
+    std::vector<bool> working_;  ///< empty if nothing can fail
+    Random draws_;  ///< for failures, messages and random walks; sensors and wheels use the world's generator
     std::vector<std::optional<Sight>> sights_;
     std::vector<MovingLight> lights_;
-    std::vector<bool> obstacles_;  ///< of Scenario::obstacles: there or not
+    std::vector<bool> obstacles_;  ///< for Scenario::obstacles: present or not
     std::optional<ControllerArray> environment_;
-    std::vector<std::optional<Condition>> conditions_;  ///< of the environment's feeds
+    std::vector<std::optional<Condition>> conditions_;  ///< for the environment's feeds
     std::vector<std::vector<BoundStimulus>> raised_;    ///< by the environment in its last cycle, for each kind
     Statistics statistics_;
     std::vector<Property> properties_;

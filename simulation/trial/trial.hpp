@@ -1,5 +1,5 @@
-// One trial: the robots of a scenario, each with its controller, from the start to the end or to the first controller
-// that cannot go on.
+// One trial: the robots of a scenario, each with its controller, from the start to the end or until a controller cannot
+// continue.
 #pragma once
 
 #include <atomic>
@@ -16,71 +16,71 @@
 
 namespace robochart::simulation {
 
-/// Why a trial must stop.
+/// The reason why a trial must stop.
 struct Objection {
     std::string cause;  ///< "it wrote ..., which the model does not allow"
     std::string place;  ///< element of the model
 };
 
-/// Sees every cycle of every robot; for logs that are compared with the model. Called from the trial's thread.
+/// Observes every cycle of every robot, for example to write logs. Called from the trial's thread.
 class Trace {
 public:
     virtual ~Trace() = default;
     virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
                        rc_drive_result result) = 0;
-    /// Asked after each cycle; null: go on.
+    /// Called after each cycle; null: continue.
     [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
-    /// Asked at the end of the trial: whether it saw all that its objections rest on. False: that it had none says
-    /// less.
+    /// Called at the end of the trial: true if everything relevant for objections was observed. If false, the absence
+    /// of an objection proves less.
     [[nodiscard]] virtual bool decided() const { return true; }
 };
 
-/// Watches all trials of a run.
+/// Observes all trials of a run.
 class Guard {
 public:
     using Maker = std::function<std::unique_ptr<Trace>(std::uint32_t trial)>;
     virtual ~Guard() = default;
-    /// Makes what watches a trial, and passes all on to what `other` makes, if it makes any.
+    /// Makes the observer of a trial, which passes everything on to the observer made by `other`, if any.
     [[nodiscard]] virtual Maker beside(Maker other) = 0;
-    /// How much was watched, in lines.
+    /// How much was observed, in lines.
     [[nodiscard]] virtual std::string note() const = 0;
 };
 
-/// A controller that could not go on.
+/// A controller that could not continue.
 struct Stop {
     std::size_t robot = 0;
     double time = 0;
     std::string cause;         ///< "it did not end its cycle within its bound of steps"
     std::string place;         ///< element of the model
-    bool environment = false;  ///< it is that of the environment, and of no robot
+    bool environment = false;  ///< the controller of the environment, not of a robot
 
     /// "robot 3", "the environment".
     [[nodiscard]] std::string whose() const;
 };
 
 struct TrialResult {
-    std::uint64_t steps = 0;  ///< control steps done
+    std::uint64_t steps = 0;  ///< executed control steps
     bool complete = false;    ///< neither stopped nor interrupted: at its end, or all claims are known
-    bool watched = true;      ///< by its trace, which saw all that it asks for; so too without one
+    bool watched = true;      ///< its trace observed everything it needs; also true without a trace
     std::optional<Stop> stop;
-    std::vector<double> statistics;  ///< of each band; NaN: never came about
-    std::vector<Answer> answers;     ///< of each claim; a trial that stopped is one against it
-    std::vector<Frame> frames;       ///< as Scenario::record, and at the times of pictures
-    /// At the times of the states of a chain, what it tells apart: a value for each distinction.
+    std::vector<double> statistics;  ///< for each band; NaN: never reached
+    std::vector<Answer> answers;     ///< for each claim; a stopped trial counts against it
+    std::vector<Frame> frames;       ///< every Scenario::record, and at the times of pictures
+    /// The values that a chain distinguishes, at the times of its states: one value per distinction.
     std::vector<std::vector<double>> samples;
 };
 
 struct TrialOptions {
-    bool record = true;  ///< keep frames
-    /// Claims whose answers are awaited: the trial ends when all of them are known. Null: it goes on to its end.
+    bool record = true;  ///< store frames
+    /// The claims whose answers are awaited; the trial ends when all of them are known. Null: it runs to its end.
     const std::vector<bool>* awaited = nullptr;
-    std::uint64_t seed = 1;  ///< of what the controllers draw
+    std::uint64_t seed = 1;  ///< for random choices of the controllers
     Trace* trace = nullptr;  ///< not owned
     std::atomic<std::uint64_t>* steps_done = nullptr;
     const std::atomic<bool>* interrupted = nullptr;
 };
 
-/// A trial that runs some steps at a time. Refers to all it is given, but for the drives.
+/// A trial that can be run in portions of steps. Refers to its arguments, except the drives.
 class Trial {
 public:
     Trial(const Plan&, const Drives&, Stage&, const TrialOptions&);
@@ -88,9 +88,9 @@ public:
     Trial(const Trial&) = delete;
     Trial& operator=(const Trial&) = delete;
 
-    /// At most so many steps further; false at the trial's end.
+    /// Runs at most this number of further steps; returns false at the trial's end.
     bool run(std::uint64_t steps);
-    /// What came of it so far; once.
+    /// The result so far; may be called once.
     [[nodiscard]] TrialResult result() &&;
 
 private:
@@ -98,7 +98,7 @@ private:
     std::unique_ptr<Cycles> cycles_;
 };
 
-/// The whole of it.
+/// Runs a whole trial.
 [[nodiscard]] TrialResult run_trial(const Plan&, const Drives&, Stage&, const TrialOptions&);
 
 }  // namespace robochart::simulation

@@ -1,4 +1,4 @@
-// See race.hpp. Numbers of candidates, trials and seeds follow sections 3.1 to 3.3 of the paper.
+// See race.hpp. The numbers of candidates, trials and seeds follow sections 3.1 to 3.3 of the paper.
 #include "simulation/tuning/race.hpp"
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Of each test by which candidates leave.
+/// The error of each elimination test.
 constexpr double elimination_error = 0.05;
 
-/// Costs of candidates on seeds, a block for each seed.
+/// The costs of candidates on seeds; each seed is a block.
 std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, const std::vector<std::size_t>& alive,
                                          const std::vector<std::uint64_t>& seeds) {
     std::vector<statistics::Block> blocks;
@@ -25,7 +25,7 @@ std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, 
     return blocks;
 }
 
-/// Of each candidate: the sum of its ranks, or of its costs.
+/// For each candidate, the sum of its ranks or of its costs.
 std::vector<double> totals(const std::vector<statistics::Block>& blocks, bool by_ranks) {
     std::vector<double> sums(blocks.front().size());
     for (const statistics::Block& block : blocks) {
@@ -41,7 +41,7 @@ std::vector<double> differences(const std::vector<statistics::Block>& blocks, st
     return result;
 }
 
-/// Which of the candidates are as good as the best, as far as the test can tell.
+/// True for each candidate that the test cannot distinguish from the best.
 std::vector<bool> kept_by_ranks(const std::vector<statistics::Block>& blocks) {
     const std::size_t candidates = blocks.front().size();
     const statistics::Friedman found = statistics::friedman(blocks);
@@ -96,7 +96,7 @@ void Race::run(const std::function<void(const Race&)>& watch) {
         if (watch) watch(*this);
 }
 
-/// One iteration; false where there is none.
+/// Runs one iteration; returns false if there is none.
 bool Race::iterate() {
     const std::uint64_t left = options_.budget - std::min(trials_, options_.budget);
     const std::uint64_t number = iterations_.size() + 1;
@@ -104,7 +104,7 @@ bool Race::iterate() {
     const std::uint64_t share = left / (number < planned ? planned - number + 1 : 1);
     const std::uint64_t wanted = share / (first_test + std::min<std::uint64_t>(first_test, number));
     const std::uint64_t elites = elites_.size();
-    // A race that begins with as many as may survive it has no use.
+    // A race is useless if it starts with at most as many candidates as may survive.
     if (wanted <= std::max(elites, number == 1 ? std::uint64_t{1} : survivors())) return false;
     const double progress = std::min(1.0, static_cast<double>(number - 1) / static_cast<double>(planned));
     RaceIteration now;
@@ -125,8 +125,8 @@ bool Race::iterate() {
     return true;
 }
 
-/// New candidates, none drawn before: anything at first, then near those that were best. Where nothing new is found
-/// near them, farther away; fewer, where there are no more.
+/// Draws new candidates, without duplicates: anything in the first iteration, later near the best ones. If nothing new
+/// is found near them, the neighbourhood grows. The result is smaller if there are no more candidates.
 std::vector<std::size_t> Race::sample(std::uint64_t fresh, double progress) {
     for (const std::size_t elite : elites_)
         narrow(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
@@ -152,7 +152,7 @@ std::vector<std::size_t> Race::sample(std::uint64_t fresh, double progress) {
     return result;
 }
 
-/// Near the elite of rank r of n with probability (n - r + 1) / (n (n + 1) / 2).
+/// Draws near the elite of rank r of n with probability (n - r + 1) / (n (n + 1) / 2).
 RaceEntry Race::near_an_elite() {
     const std::uint64_t n = elites_.size();
     auto ticket = static_cast<std::uint64_t>(random_.uniform() * static_cast<double>(n * (n + 1) / 2));
@@ -169,7 +169,7 @@ std::uint64_t Race::missing(const std::vector<std::size_t>& alive, std::uint64_t
     }));
 }
 
-/// Runs what has not run yet.
+/// Runs the trials that have not run yet.
 void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
     std::vector<RaceTrial> trials;
     for (const std::uint64_t seed : seeds) {
@@ -185,8 +185,8 @@ void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::ui
     iterations_.back().trials += trials.size();
 }
 
-/// The race of one iteration, within its share of the budget. Seeds: a new one, so that what was best is tested on it
-/// as the others are, then those that it has seen, then new ones.
+/// The race of one iteration, within its share of the budget. The seeds are: a new one, so that elites are tested on it
+/// like the others; then those that elites have seen; then new ones.
 void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
     const std::uint64_t known = elites_.empty() ? 0 : seeds_;
     const std::uint64_t begin = trials_;
@@ -249,8 +249,8 @@ std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
     return result;
 }
 
-/// Others leave because they are worse than the best, so that one must be admitted: those that are not leave before.
-/// False where none is left.
+/// Candidates are eliminated because they are worse than the best one, so the best one must be admitted. Better
+/// candidates that are not admitted are removed first. Returns false if none is left.
 bool Race::lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
     for (const std::size_t each : ranked(alive, seeds)) {
         if (is_admitted(each)) return true;
@@ -268,7 +268,7 @@ bool Race::is_admitted(std::size_t candidate) {
     return admitted_.contains(candidate);
 }
 
-/// The best that are admitted.
+/// Selects the best candidates that are admitted.
 void Race::choose(const std::vector<std::size_t>& best) {
     std::vector<std::size_t> chosen;
     for (const std::size_t each : best) {

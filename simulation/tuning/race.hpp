@@ -1,7 +1,7 @@
-// Iterated racing: which values of parameters do best in trials of which none tells much (López-Ibáñez et al., "The
-// irace package", 2016). In each iteration candidates are drawn, near those that were best before; all run on the same
-// seeds, and those that do worse than the best, as far as a test can tell, leave. Elitist: a candidate that was best
-// before leaves only when others have run on as many seeds.
+// Iterated racing: finds the parameter values that do best in noisy trials (López-Ibáñez et al., "The irace package",
+// 2016). In each iteration, candidates are drawn near the best ones so far. All run on the same seeds, and those that
+// are significantly worse than the best are eliminated. The race is elitist: an elite is eliminated only when the
+// others have run on as many seeds.
 #pragma once
 
 #include <functional>
@@ -14,20 +14,20 @@
 
 namespace robochart::simulation {
 
-/// How it is found that one candidate is worse than another, on the same seeds, each at an error of 5 %.
+/// The test for whether a candidate is worse than another on the same seeds, at an error of 5 %.
 enum class Elimination {
-    friedman,  ///< Friedman's test of all, then differences of rank sums from the best; of two, Wilcoxon's
-    t_test     ///< Student's test of pairs, against the candidate with the lowest mean
+    friedman,  ///< Friedman's test of all, then differences of rank sums from the best; for two candidates, Wilcoxon's
+    t_test     ///< paired t-test against the candidate with the lowest mean
 };
 
-/// How a search is run; its results depend on nothing else, and on the costs.
+/// Options of a search. Its results depend only on these and on the costs.
 struct RaceOptions {
-    std::uint64_t budget = 1000;  ///< trials
-    std::uint64_t seed = 1;       ///< of what is drawn
+    std::uint64_t budget = 1000;  ///< number of trials
+    std::uint64_t seed = 1;       ///< of the random choices
     Elimination elimination = Elimination::friedman;
 };
 
-/// A candidate on the seed of this number, from 0.
+/// A candidate on the seed with this index, from 0.
 struct RaceTrial {
     std::size_t candidate = 0;
     std::uint64_t seed = 0;
@@ -35,51 +35,51 @@ struct RaceTrial {
     friend auto operator<=>(const RaceTrial&, const RaceTrial&) = default;
 };
 
-/// What the search asks of the world. Exceptions end it; what was found until then stays.
+/// The interface of the search to the world. An exception ends the search; the results so far are kept.
 class RaceSubject {
 public:
     virtual ~RaceSubject() = default;
-    /// Can trials of it be run? Asked once for each candidate, in the order of their numbers from 0.
+    /// True if trials of the candidate can be run. Called once for each candidate, in order of index.
     virtual bool usable(const Candidate&) = 0;
-    /// May it be among the best? Asked at most once for each, when it leads or would be among them.
+    /// True if the candidate may be among the best. Called at most once for each, when it leads or would be among them.
     virtual bool admitted(const Candidate&) = 0;
-    /// The costs of trials, in their order. Lower is better.
+    /// The costs of the trials, in order. Lower is better.
     virtual std::vector<double> costs(const std::vector<RaceTrial>&) = 0;
 };
 
-/// What is known of a candidate.
+/// The data about a candidate.
 struct RaceEntry {
     Candidate candidate;
     Neighbourhood near;
     bool usable = true;
-    std::vector<std::optional<double>> costs;  ///< on each seed
+    std::vector<std::optional<double>> costs;  ///< by seed
 
     [[nodiscard]] std::uint64_t trials() const;
-    /// Over its trials.
+    /// The mean over its trials.
     [[nodiscard]] double mean() const;
 };
 
-/// One iteration as it went.
+/// A record of one iteration.
 struct RaceIteration {
-    std::uint64_t fresh = 0;     ///< candidates drawn anew
-    std::uint64_t unusable = 0;  ///< of these
-    std::uint64_t seeds = 0;     ///< on which those that were left have run
+    std::uint64_t fresh = 0;     ///< number of new candidates
+    std::uint64_t unusable = 0;  ///< how many of these were unusable
+    std::uint64_t seeds = 0;     ///< number of seeds on which the remaining candidates have run
     std::uint64_t trials = 0;
-    std::uint64_t left = 0;     ///< candidates
-    std::uint64_t refused = 0;  ///< of those that led, or would have been among the best
+    std::uint64_t left = 0;     ///< number of remaining candidates
+    std::uint64_t refused = 0;  ///< number of candidates not admitted
 };
 
 class Race {
 public:
-    /// Keeps references. At least one parameter.
+    /// Keeps references. There must be at least one parameter.
     Race(const std::vector<Parameter>&, const RaceOptions&, RaceSubject&);
 
-    /// Until the budget does not suffice for another iteration, or nothing new is to be drawn. `watch` is called after
-    /// each iteration.
+    /// Runs until the budget does not suffice for another iteration, or there are no new candidates. `watch` is called
+    /// after each iteration.
     void run(const std::function<void(const Race&)>& watch = {});
 
     [[nodiscard]] const std::vector<RaceEntry>& entries() const { return entries_; }
-    /// The best first, by their numbers; at most 2 + log2(parameters) of them.
+    /// Indices of the best candidates, best first; at most 2 + log2(parameters).
     [[nodiscard]] const std::vector<std::size_t>& elites() const { return elites_; }
     [[nodiscard]] const std::vector<RaceIteration>& iterations() const { return iterations_; }
     [[nodiscard]] std::uint64_t trials() const { return trials_; }

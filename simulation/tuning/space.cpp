@@ -23,7 +23,7 @@ constexpr std::int64_t power_of_ten(int exponent) {
     return result;
 }
 
-/// A decimal number as it is written: 12.50 is 1250 with two decimals.
+/// A decimal number as written: 12.50 is 1250 with two decimals.
 struct Decimal {
     std::int64_t digits = 0;
     int decimals = 0;
@@ -64,7 +64,7 @@ std::optional<Parameter> read_range(Parameter parameter, std::string_view low_te
                                                                                  : "";
     if (!error.empty()) return std::nullopt;
     int decimals = std::max(low->decimals, high->decimals);
-    // A hundred steps at least, as far as digits go.
+    // At least a hundred steps, if the number of digits allows it.
     while (kind == ParameterKind::real && decimals < most_decimals &&
            in_steps(*high, decimals) - in_steps(*low, decimals) < 100)
         ++decimals;
@@ -79,7 +79,7 @@ std::optional<Parameter> read_range(Parameter parameter, std::string_view low_te
     return error.empty() ? std::optional(std::move(parameter)) : std::nullopt;
 }
 
-/// Cut off at the ends: drawn again until it lies within, which is more likely than not for half of the distribution.
+/// A truncated distribution, by rejection: at least half of the distribution is accepted.
 std::uint64_t drawn_around(const Parameter& parameter, std::uint64_t middle, double deviation, Random& random) {
     const auto most = static_cast<double>(parameter.count) - 0.5;
     for (int tries = 0; tries < 1000; ++tries) {
@@ -113,7 +113,7 @@ std::string Parameter::value(std::uint64_t number) const {
     const std::int64_t unit = power_of_ten(decimals);
     const std::int64_t size = steps < 0 ? -steps : steps;
     std::string digits = fmt::format("{}{}.{:0{}}", steps < 0 ? "-" : "", size / unit, size % unit, decimals);
-    // As people write it: 0.2 and not 0.200.
+    // Without trailing zeros: 0.2 instead of 0.200.
     while (digits.ends_with('0') && digits[digits.size() - 2] != '.') digits.pop_back();
     return digits;
 }

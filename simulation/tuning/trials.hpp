@@ -1,4 +1,4 @@
-// Trials of tuning on the threads that are there, and what each of them costs.
+// Runs trials of tuning on several threads, and computes their costs.
 #pragma once
 
 #include <functional>
@@ -10,24 +10,24 @@
 
 namespace robochart::simulation {
 
-/// One trial to be run; refers to all it is given.
+/// One trial to run; refers to its arguments.
 struct TuningTrial {
     const Plan* plan = nullptr;
     const Drives* drives = nullptr;
     std::uint64_t seed = 0;
 };
 
-/// The seed of tuning trial `number`. Those of a search (its `search` at most 10^9) are none of another's, and none of
-/// the first 2^32 of the scenario itself, on which claims are judged.
+/// The seed of tuning trial `number`. The seeds of a search (`search` is at most 10^9) differ from those of other
+/// searches, and from the first 2^32 of the scenario itself, on which claims are judged.
 [[nodiscard]] std::uint64_t tuning_seed(const Scenario&, std::uint64_t search, std::uint64_t number);
 
-/// What a trial costs: for each claim the seconds until its property was known to be as it is claimed, or ten times the
-/// scenario's duration where it is not (the penalty of PAR10, as in Hutter, Hoos, Leyton-Brown, Stützle, "ParamILS",
-/// JAIR 36, 2009). A trial that a controller stops before has the penalty.
+/// The cost of a trial. For each claim, the seconds until its property was known to have the claimed value, or ten
+/// times the scenario's duration if it does not have it (the penalty of PAR10, as in Hutter, Hoos, Leyton-Brown,
+/// Stützle, "ParamILS", JAIR 36, 2009). A trial that a controller stops before has the penalty.
 [[nodiscard]] double trial_cost(const Scenario&, const std::vector<Answer>&);
 
-/// Runs them, each until its answers are known, and returns their costs in their order. `threads`: 0: one a core.
-/// `interrupted`: asked a few times a second; may throw, when all threads have ended.
+/// Runs each trial until its answers are known, and returns the costs in order. `threads`: 0 means one per core.
+/// `interrupted`: called a few times per second; it may throw, which takes effect when all threads have ended.
 [[nodiscard]] std::vector<double> trial_costs(const std::vector<TuningTrial>&, unsigned threads,
                                               const std::function<void()>& interrupted);
 

@@ -10,7 +10,7 @@ void Cells::sort(std::span<const double> x, std::span<const double> y, double si
     const auto [low, high] = std::minmax_element(y.begin(), y.end());
     corner_ = x.empty() ? Vector{} : Vector{*left, *low};
     const Vector extent = x.empty() ? Vector{} : Vector{*right - *left, *high - *low};
-    // Two disks that are far from all others must not ask for a million empty cells.
+    // Two disks that are far from all others must not cause a million empty cells.
     const double fair = std::sqrt(extent.x * extent.y / (4.0 * static_cast<double>(x.size()) + 1));
     size_ = std::max({size, fair, std::max(extent.x, extent.y) / 4096});
     per_size_ = 1 / size_;
@@ -26,7 +26,7 @@ void Cells::sort(std::span<const double> x, std::span<const double> y, double si
     }
     for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
     for (std::size_t i = x.size(); i-- > 0;) disks_[--begin_[cell_of_[i] + 1]] = static_cast<std::uint32_t>(i);
-    // begin_[c + 1] now is where cell c begins.
+    // begin_[c + 1] is now the beginning of cell c.
     for (std::size_t c = 0; c + 1 < begin_.size(); ++c) begin_[c] = begin_[c + 1];
     begin_.back() = static_cast<std::uint32_t>(x.size());
 }

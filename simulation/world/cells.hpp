@@ -1,5 +1,5 @@
 // Disks sorted into the squares of a uniform grid (a cell list: Hockney, Eastwood, "Computer Simulation Using
-// Particles", 1988, 8-4), for finding neighbours and for walking along rays.
+// Particles", 1988, 8-4), for finding neighbours and for following rays.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace robochart::simulation {
 
 class Cells {
 public:
-    /// Sorts the centres anew. Cells are at least `size` wide, and not many more than disks.
+    /// Sorts the centres again. Cells are at least `size` wide, and there are not many more cells than disks.
     void sort(std::span<const double> x, std::span<const double> y, double size);
 
     struct Cell {
@@ -21,7 +21,7 @@ public:
     };
     /// The cell of a point; points outside the disks' bounding box have cells outside the grid.
     [[nodiscard]] Cell cell(Vector) const;
-    /// The disks whose centres lie in a cell, ascending; none outside the grid.
+    /// The disks whose centres are in a cell, ascending; empty outside the grid.
     [[nodiscard]] std::span<const std::uint32_t> disks(Cell) const;
     [[nodiscard]] double size() const { return size_; }
     [[nodiscard]] Vector corner() const { return corner_; }
@@ -33,7 +33,7 @@ private:
     double per_size_ = 1;
     std::int32_t columns_ = 0;
     std::int32_t rows_ = 0;
-    std::vector<std::uint32_t> begin_;  ///< of each cell in disks_, and the end
+    std::vector<std::uint32_t> begin_;  ///< start of each cell in disks_, and the end
     std::vector<std::uint32_t> disks_;
     std::vector<std::uint32_t> cell_of_;
 };

@@ -40,14 +40,14 @@ struct Pose {
     double heading = 0;
 };
 
-/// Where a ray from `origin` along the unit vector `direction` enters a disk; 0 if it starts inside.
+/// The distance at which a ray from `origin` along the unit vector `direction` enters a disk; 0 if it starts inside.
 [[nodiscard]] std::optional<double> hit_disk(Vector origin, Vector direction, Vector centre, double radius);
-/// Where it meets a wall.
+/// The distance at which it meets a wall.
 [[nodiscard]] std::optional<double> hit_segment(Vector origin, Vector direction, const Segment&);
-/// The point of a wall that is nearest.
+/// The nearest point of a wall.
 [[nodiscard]] Vector nearest_point(const Segment&, Vector);
-/// Whether a point lies in a polygon, given by its corners in order: a ray from it crosses the border an odd number of
-/// times.
+/// True if a point is in a polygon, given by its corners in order. A ray from the point then crosses the border an odd
+/// number of times.
 [[nodiscard]] bool is_inside(const std::vector<Vector>& polygon, Vector);
 /// The same angle in (-pi, pi].
 [[nodiscard]] double normal_angle(double);

@@ -1,6 +1,6 @@
 // Pseudo-random numbers of a trial: xoshiro256++ 1.0 (Blackman, Vigna: "Scrambled linear pseudorandom number
-// generators", ACM TOMS 47, 2021), its state filled from the seed by SplitMix64 (Steele, Lea, Flood, OOPSLA 2014), as
-// its authors advise. Same seed, same numbers, on every machine.
+// generators", ACM TOMS 47, 2021). Its state is filled from the seed by SplitMix64 (Steele, Lea, Flood, OOPSLA 2014),
+// as its authors recommend. The same seed gives the same numbers on every machine.
 #pragma once
 
 #include <array>
@@ -17,9 +17,10 @@ public:
     /// Uniform in [0, 1), a multiple of 2^-53.
     double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
-    /// Approximately normal with mean 0 and deviation 1: the sum of twelve uniforms (no function of libm).
+    /// Approximately normal with mean 0 and standard deviation 1: the sum of twelve uniform numbers (no function of
+    /// libm).
     double normal();
-    /// True with the probability given. Draws nothing for 0 and 1.
+    /// True with the given probability. Draws no number for 0 and 1.
     bool chance(double probability);
 
 private:

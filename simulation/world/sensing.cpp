@@ -1,5 +1,5 @@
-// The sensors; see sensing.hpp. Rays are cast exactly: against every disk where there are few, along the cells of a
-// grid where there are many, with the same results.
+// The sensors; see sensing.hpp. Rays are cast exactly: against every disk if there are few, along the cells of a grid
+// if there are many, with the same results.
 #include "simulation/world/sensing.hpp"
 
 #include <algorithm>
@@ -25,12 +25,12 @@ void Sensing::update() {
     if (!indexed_) return;
     const double robots = static_cast<double>(world_.size());
     const Arena& arena = world_.options().arena;
-    // About one robot a cell where they are spread out; a ray passes few cells and tests few robots.
+    // About one robot per cell if they are spread out, so that a ray passes few cells and tests few robots.
     const double size = std::sqrt(arena.width * arena.height / robots) / 2;
     cells_.sort(world_.x(), world_.y(), std::max(2 * world_.options().body.radius, size));
 }
 
-/// The distance along the ray to the first disk, infinite if there is none; `self` and `other` are not there.
+/// The distance along the ray to the first disk, infinite if there is none; `self` and `other` are ignored.
 double Sensing::first_disk(Vector origin, Vector direction, double range, std::uint32_t self,
                            std::uint32_t other) const {
     if (indexed_) return first_disk_in_cells(origin, direction, range, self, other);
@@ -50,15 +50,15 @@ double Sensing::first_disk(Vector origin, Vector direction, double range, std::u
     return best < range ? best : unlimited;
 }
 
-/// Walks along the ray in steps of a cell's width and looks into every cell whose disks can reach the part of the ray
-/// between two steps: those around it, for a cell is at least two radii wide.
+/// Follows the ray in steps of a cell's width, and tests every cell whose disks can reach the ray between two steps.
+/// These are the adjacent cells, because a cell is at least two radii wide.
 double Sensing::first_disk_in_cells(Vector origin, Vector direction, double range, std::uint32_t self,
                                     std::uint32_t other) const {
     const double radius = world_.options().body.radius;
     const double width = cells_.size();
     const Vector low = cells_.corner() - Vector{radius, radius};
     const Vector high = cells_.far_corner() + Vector{radius, radius};
-    // The part of the ray in the box around all disks (slabs).
+    // The part of the ray in the bounding box of all disks (slab method).
     double enter = 0;
     double leave = range;
     const auto slab = [&](double at, double way, double from, double to) {
@@ -145,12 +145,12 @@ void Sensing::neighbours(std::size_t robot, double reach) {
     std::sort(near_.begin(), near_.end());
 }
 
-/// A message arrives from a robot in range that nobody hides, unless it is lost; its distance is noisy.
+/// A message arrives from a robot in range that is not hidden, unless it is lost; its distance is noisy.
 std::optional<Bearing> Sensing::hear(std::uint32_t robot, std::uint32_t other, const RangeAndBearing& sensor,
                                      double within) {
     const Vector way = world_.position(other) - world_.position(robot);
     const double square = dot(way, way);
-    const double reach = std::min(sensor.range, within + 6 * sensor.noise);  // normal() stays within 6
+    const double reach = std::min(sensor.range, within + 6 * sensor.noise);  // normal() is at most 6
     if (square > reach * reach) return std::nullopt;
     if (sensor.occlusion && hidden(world_.position(robot), world_.position(other), robot, other)) return std::nullopt;
     if (world_.random().chance(sensor.loss)) return std::nullopt;

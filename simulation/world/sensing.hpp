@@ -1,5 +1,6 @@
-// What robots perceive in a world: a line of sight, the range and bearing of others, light with shadows, and what is
-// close. Models of shared knowledge about the e-puck: Li et al. 2017, section 3; ARGoS' range-and-bearing and light.
+// What robots perceive in a world: a line of sight, the range and bearing of others, light with shadows, and proximity.
+// The models follow published ones of the e-puck: Li et al. 2017, section 3; ARGoS' range-and-bearing and light
+// sensors.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +14,13 @@ namespace robochart::simulation {
 
 enum class Seen { nothing, robot, wall };
 
-/// What a ray meets first, and how far from its origin.
+/// The first object that a ray meets, and its distance from the origin.
 struct Sight {
     Seen what = Seen::nothing;
     double distance = 0;
 };
 
-/// Another robot: how far its centre is, and in which direction from the own heading, in (-pi, pi].
+/// Another robot: the distance of its centre, and its direction relative to the own heading, in (-pi, pi].
 struct Bearing {
     std::uint32_t robot = 0;
     double distance = 0;
@@ -28,14 +29,14 @@ struct Bearing {
 
 struct RangeAndBearing {
     double range = 80;      ///< cm between centres
-    bool occlusion = true;  ///< a robot in between hides the ones behind it
-    double noise = 0;       ///< deviation of the distance, cm
-    double loss = 0;        ///< share of messages that do not arrive
+    bool occlusion = true;  ///< a robot in between hides those behind it
+    double noise = 0;       ///< standard deviation of the distance, cm
+    double loss = 0;        ///< fraction of messages that are lost
 };
 
 struct LightRing {
-    std::uint32_t sensors = 8;  ///< evenly around the body, the first half a gap left of the heading
-    double leak = 0;  ///< how often a sensor that is turned away is lit through its own body, about half in ARGoS
+    std::uint32_t sensors = 8;  ///< evenly around the body, the first half a gap to the left of the heading
+    double leak = 0;            ///< probability that light reaches a sensor through the body, about one half in ARGoS
 };
 
 struct ProximityRing {
@@ -43,28 +44,29 @@ struct ProximityRing {
     double range = 10;  ///< cm from the body
 };
 
-/// Looks at a world as it stands at the beginning of a control cycle. Holds an index of the robots, so `update` comes
-/// before the looks of a cycle.
+/// Senses the world at the beginning of a control cycle. It has an index of the robots, so `update` must be called
+/// before the readings of a cycle.
 class Sensing {
 public:
     explicit Sensing(World& world) : world_(world) {}
 
-    /// The radio of a robot fails: it hears nobody, and nobody hears it.
+    /// The radio of a robot fails: it hears no robot, and no robot hears it.
     void silence(std::size_t robot);
 
-    /// Takes in where the robots are now.
+    /// Updates the positions of the robots.
     void update();
 
-    /// The first thing on a ray from the front of the robot along its heading; unlimited for `range` 0.
+    /// The first object on a ray from the front of the robot along its heading; unlimited if `range` is 0.
     [[nodiscard]] Sight line_of_sight(std::size_t robot, double range) const;
-    /// Robots in reach, ascending by number. `within` limits the distance further (as measured, noise included).
+    /// The robots in range, ascending by number. `within` further limits the distance (as measured, including noise).
     [[nodiscard]] const std::vector<Bearing>& range_and_bearing(std::size_t robot, const RangeAndBearing&,
                                                                 double within);
-    /// Whether range_and_bearing would not be empty: the same robots are asked, in the same order.
+    /// True if range_and_bearing would not be empty: it tests the same robots in the same order.
     [[nodiscard]] bool somebody_within(std::size_t robot, const RangeAndBearing&, double within);
-    /// How many sensors of the ring the light reaches; other robots throw shadows.
+    /// The number of sensors of the ring that the light reaches; other robots cast shadows.
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const LightRing&, Vector light);
-    /// The distance from the body to the nearest robot or wall that a sensor of the ring meets; nothing in range: none.
+    /// The distance from the body to the nearest robot or wall that a sensor of the ring meets; no value if nothing is
+    /// in range.
     [[nodiscard]] std::optional<double> nearest(std::size_t robot, const ProximityRing&) const;
 
 private:

@@ -10,12 +10,13 @@ namespace robochart::simulation {
 
 namespace {
 
-/// How far beyond contact pairs are listed, cm: two robots at full speed drive it in about two control steps.
+/// Pairs are listed up to this distance beyond contact, in cm; two robots at full speed cover it in about two control
+/// steps.
 constexpr double margin = 6;
-/// What a push within one physics step may add unseen, cm.
+/// The largest displacement by pushes in one physics step that the pair list tolerates, in cm.
 constexpr double slack = 1;
 
-/// Where robots are placed already: squares as wide as a robot, looked up by number, never walked through.
+/// The places of robots already placed: squares as wide as a robot, for lookup by number only.
 class Places {
 public:
     explicit Places(double radius) : reach_(2 * radius) {}
@@ -95,7 +96,7 @@ void World::place(const Pose& pose) {
     listed_x_.clear();
 }
 
-/// Where a robot can stand: by itself, off walls and out of obstacles.
+/// Places where a robot can be: not overlapping others, walls or obstacles.
 class World::Free {
 public:
     explicit Free(const World& world)
@@ -123,7 +124,7 @@ private:
 
 namespace {
 
-/// Throws in a row that find no place before it is given up.
+/// The number of consecutive failed random placements before giving up.
 constexpr int most_tries = 2000;
 
 }  // namespace
@@ -189,9 +190,9 @@ void World::advance() {
     end_step();
 }
 
-/// Unicycle, midpoint rule: in a physics step of length h the robot goes v*h along the heading it has after half of
-/// it. The speeds stay for the whole control step, so the displacement of each physics step is that of the last one,
-/// turned.
+/// Unicycle, midpoint rule: in a physics step of length h, the robot moves v*h along the heading that it has after half
+/// of the step. The speeds are constant during a control step, so the displacement of each physics step is the previous
+/// one, rotated.
 void World::begin_step() {
     const double h = options_.control_step / options_.physics_steps;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -232,7 +233,8 @@ void World::move() {
     }
 }
 
-/// Pairs that can touch are listed while no robot is further from where it was than half the margin (Verlet's list).
+/// Pairs that can touch are listed. The list is valid while no robot is farther than half the margin from its position
+/// in the list (Verlet list).
 bool World::pairs_are_stale() const {
     if (listed_x_.size() != size()) return true;
     double worst = 0;
@@ -283,7 +285,7 @@ void World::push_apart() {
         const double square = dx * dx + dy * dy;
         if (square >= contact * contact) continue;
         const double distance = std::sqrt(square);
-        // Two robots at one place part along the x axis.
+        // Two robots at the same place move apart along the x axis.
         const double push_x = distance > 0 ? (contact / distance - 1) / 2 * dx : contact / 2;
         const double push_y = distance > 0 ? (contact / distance - 1) / 2 * dy : 0;
         x_[pair.first] -= push_x;

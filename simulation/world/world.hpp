@@ -1,6 +1,6 @@
-// The embedded world: disks with differential drive in a plane with walls. Kinematic: a robot moves as its wheels turn;
-// disks that overlap are pushed apart in equal parts, and out of walls. Deterministic for a seed; the same bits
-// whatever the index used. Held as a structure of arrays.
+// The built-in world: disks with differential drive in a plane with walls. It is kinematic: a robot moves as its wheels
+// turn; overlapping disks are pushed apart in equal parts, and out of walls. It is deterministic for a seed, with
+// bitwise equal results whatever index is used. Stored as a structure of arrays.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace robochart::simulation {
 
-/// A rectangle around the origin, with walls or endless, and walls inside it.
+/// A rectangle around the origin, with walls or unbounded, and walls inside it.
 struct Arena {
     double width = 250;
     double height = 250;
     bool walled = true;
-    std::vector<Segment> walls;                  ///< those of obstacles too
-    std::vector<std::vector<Vector>> obstacles;  ///< polygons, by their corners in order; no robot is placed in one
+    std::vector<Segment> walls;                  ///< including those of obstacles
+    std::vector<std::vector<Vector>> obstacles;  ///< polygons by their corners, in order; no robot is placed in one
 };
 
 /// The robot's body: by default an e-puck as in Li et al. 2017, section 3 (radius as in Enki).
@@ -28,7 +28,7 @@ struct Body {
     double radius = 3.7;      ///< cm
     double axle = 5.1;        ///< cm between the wheels
     double max_wheel = 12.8;  ///< cm/s, forward or backward
-    double noise = 0;         ///< share of a wheel's speed: uniform, drawn for each control step
+    double noise = 0;         ///< fraction of a wheel's speed: uniform, drawn for each control step
 };
 
 struct WorldOptions {
@@ -36,7 +36,7 @@ struct WorldOptions {
     Body body;
     double control_step = 0.1;         ///< s
     std::uint32_t physics_steps = 10;  ///< in each control step
-    /// Pairs are looked up in cells from this many robots on; the results are the same.
+    /// From this number of robots on, pairs are looked up in cells; the results are the same.
     std::size_t cells_from = 40;
 };
 
@@ -51,29 +51,30 @@ struct Wheels {
     double right = 0;
 };
 
-/// Forward and turning speed (cm/s, rad/s, counter-clockwise positive) as wheel speeds.
+/// Converts forward and turning speed (cm/s, rad/s, counter-clockwise positive) to wheel speeds.
 [[nodiscard]] Wheels wheels_for(double linear, double angular, double axle);
 
 class World {
 public:
     World(WorldOptions options, std::uint64_t seed);
 
-    /// A polygon beside those of the arena, there or not; they are numbered in this order.
+    /// Adds a polygon to those of the arena, present or not; they are numbered in this order.
     void add_obstacle(std::vector<Vector> corners, bool there);
-    /// It comes or goes. Robots that its sides touch are pushed off them; one deeper inside is shut in.
+    /// Makes it appear or vanish. Robots that touch its sides are pushed away; a robot deeper inside is trapped.
     void set_obstacle(std::size_t obstacle, bool there);
 
-    /// Robots that are placed from now on have this axle, these wheels and their noise; the radius is that of all.
+    /// Robots placed from now on have this axle, these wheels and their noise; the radius is the same for all.
     void set_body(const Body& body) { body_ = body; }
-    /// Puts a robot somewhere; overlaps are resolved as time passes.
+    /// Places a robot; overlaps are resolved over time.
     void place(const Pose&);
-    /// Puts robots at random places of a region, without overlap, with random headings. False if no free place was
+    /// Places robots at random in a region, without overlap, with random headings. Returns false if no free place was
     /// found.
     [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
 
-    /// The first robot there, with a random heading, and each other at a random place at most `link` from one of them,
-    /// centre to centre: a random one, in a random direction, at a distance uniform from a diameter on. Without
-    /// overlap, and in the arena if it has walls. False if no free place was found, or `link` is less than a diameter.
+    /// Places the first robot at this point with a random heading. Each further robot is placed relative to a random
+    /// earlier one, in a random direction, at a uniformly random distance from a diameter up to `link` between centres.
+    /// Robots do not overlap and are in the arena if it has walls. Returns false if no free place was found, or if
+    /// `link` is less than a diameter.
     [[nodiscard]] bool place_linked(std::size_t count, Vector first, double link);
 
     [[nodiscard]] std::size_t size() const { return x_.size(); }
@@ -87,11 +88,11 @@ public:
     [[nodiscard]] Random& random() { return random_; }
     [[nodiscard]] double time() const { return static_cast<double>(steps_) * options_.control_step; }
 
-    /// Speeds from the next control step on; clamped to what the wheels can do.
+    /// Sets the speeds from the next control step on, limited to the wheels' maximum.
     void set_wheels(std::size_t robot, Wheels);
-    /// One control step.
+    /// Simulates one control step.
     void advance();
-    /// The largest depth to which two robots, or a robot and a wall, overlap. For tests.
+    /// The largest overlap of two robots, or of a robot and a wall. For tests.
     [[nodiscard]] double overlap() const;
 
 private:
@@ -111,25 +112,25 @@ private:
         std::uint32_t second;
     };
 
-    /// A polygon that comes and goes.
+    /// A polygon that appears and vanishes.
     struct Changing {
         std::vector<Vector> corners;
         bool there = true;
     };
 
     WorldOptions options_;
-    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< of the arena; those that are there now stand behind
+    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< of the arena; those present now follow them
     std::vector<Changing> changing_;
     Random random_;
     std::uint64_t steps_ = 0;
     std::vector<double> x_, y_, heading_, cosine_, sine_;
-    Body body_;                                       ///< of the next robot
+    Body body_;                                       ///< of the next robot to be placed
     std::vector<double> axle_, max_wheel_, noise_;    ///< of each robot
-    std::vector<double> left_, right_;                ///< wheel speeds asked for
+    std::vector<double> left_, right_;                ///< requested wheel speeds
     std::vector<double> step_x_, step_y_;             ///< displacement of the next physics step
     std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step
-    std::vector<double> listed_x_, listed_y_;         ///< positions when the pairs were found
-    std::vector<Pair> pairs_;                         ///< may touch before the next look, in ascending order
+    std::vector<double> listed_x_, listed_y_;         ///< positions when the pairs were listed
+    std::vector<Pair> pairs_;                         ///< may touch before the next update, in ascending order
     Cells cells_;
 };
 

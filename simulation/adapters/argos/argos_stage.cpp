@@ -1,5 +1,5 @@
-// The adapter for ARGoS; see argos_stage.hpp. ARGoS' order of a step (act, physics, media, sense, control) is ours: its
-// controllers do nothing, the trial reads their sensors and sets their wheels between two steps.
+// The adapter for ARGoS; see argos_stage.hpp. ARGoS executes a step in our order (act, physics, media, sense, control).
+// Its controllers do nothing: the trial reads their sensors and sets their wheels between two steps.
 #include "simulation/adapters/argos/argos_stage.hpp"
 
 #include <argos3/core/control_interface/ci_controller.h>
@@ -27,12 +27,12 @@ namespace robochart::simulation {
 
 namespace {
 
-// ARGoS' e-puck (plugins/robots/e-puck), cm.
+// ARGoS' e-puck (plugins/robots/e-puck), in cm.
 constexpr double body_radius = 3.5;
 constexpr double axle = 5.3;
 constexpr double eye_height = 5;
 
-/// What the experiment gives each robot: nothing but access to its sensors and actuators.
+/// The controller of each robot in the experiment. It only gives access to the robot's sensors and actuators.
 class Hands final : public argos::CCI_Controller {
 public:
     void Init(argos::TConfigurationNode&) override {
@@ -50,7 +50,7 @@ public:
     argos::CCI_RangeAndBearingSensor* radio = nullptr;
 
 private:
-    /// Who has sent nothing is not heard.
+    /// A robot that has sent nothing is not heard.
     void speak() {
         if (sender_ != nullptr) sender_->SetData(0, 1);
     }
@@ -72,16 +72,17 @@ argos::CVector3 point(Vector at, double height) {
     return {at.x / 100, at.y / 100, height / 100};
 }
 
-/// The one experiment of this process.
+/// The only experiment of this process.
 class Session {
 public:
-    /// The random numbers of the wheels, seeded; none where another experiment has been loaded before.
+    /// Loads the experiment and returns the random number generator of the wheels, seeded; null if another experiment
+    /// was loaded before.
     static argos::CRandom::CRNG* open(const std::string& experiment, std::uint32_t seed) {
         argos::CSimulator& simulator = argos::CSimulator::GetInstance();
         static Session session;
         join_logs();
         if (session.loaded_.empty()) {
-            // The command's output is ours.
+            // ARGoS must not write to the command's output.
             argos::LOG.GetStream().rdbuf(nullptr);
             argos::LOG.DisableColoredOutput();
             argos::LOGERR.DisableColoredOutput();
@@ -101,7 +102,7 @@ public:
     Session& operator=(const Session&) = delete;
 
 private:
-    /// Asks for what ARGoS needs at its end before it exists itself, so that it is gone first.
+    /// Creates the objects that ARGoS needs at its end before ARGoS itself, so that they are destroyed after it.
     Session() {
         argos::CSimulator::GetInstance();
         argos::CFactory<argos::CCI_Controller>::Register(argos_controller, "", "", "", "", "", make_hands);
@@ -132,7 +133,7 @@ public:
         if (!arena.walled) far_ += 4 * scenario.world.body.max_wheel * scenario.duration;
         for (std::size_t i = 0; i < start.size(); ++i) robots_.push_back(find(i));
         for (std::size_t i = 0; i < start.size(); ++i) place(robots_[i], start.position(i), start.heading(i));
-        // A look at the start, before anything moves.
+        // Updates the sensors once at the start, before anything moves.
         for (argos::CMedium* medium : simulator_.GetMedia()) medium->Update();
         for (const Robot& robot : robots_) robot.control->Sense();
     }
@@ -199,11 +200,12 @@ private:
     static void place(const Robot& robot, Vector position, double heading) {
         argos::CQuaternion turn;
         turn.FromEulerAngles(argos::CRadians(heading), argos::CRadians(0), argos::CRadians(0));
-        // The others still stand where they were: overlaps do not matter before all are placed.
+        // The other robots are still at their old places, so overlaps do not matter until all are placed.
         robot.body->MoveTo(point(position, 0), turn, false, true);
     }
 
-    /// From the centre, for who touches another has it at its front edge; distances are from the edge.
+    /// The ray starts at the centre, because a robot that touches another has it at its front edge. Distances are
+    /// measured from the edge.
     [[nodiscard]] Sight look(std::size_t robot, double direction, double range) const {
         const Vector from = pose(robot).at;
         const double reach = range + body_radius;
@@ -215,7 +217,8 @@ private:
         return {other ? Seen::robot : Seen::wall, std::max(0.0, met.TOnRay * reach - body_radius)};
     }
 
-    /// The scenario's robot as ARGoS' drives: the same speeds of the body, with wheels that stand otherwise apart.
+    /// Drives the robot of the scenario as ARGoS' robot: its body has the same speeds, although the distance of the
+    /// wheels differs.
     void drive(const Robot& robot, Wheels wheels) {
         const Body& body = scenario_.world.body;
         const auto real = [&](double wheel) {

@@ -1,4 +1,4 @@
-// A scenario as the text of an ARGoS experiment. ARGoS counts in metres and degrees.
+// Writes a scenario as the text of an ARGoS experiment. ARGoS uses metres and degrees.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace robochart::simulation {
 namespace {
 
 constexpr double wall_height = 0.3;
-/// Lower than the robots (8.6 cm), so that they throw shadows.
+/// Lower than the robots (8.6 cm), so that they cast shadows.
 constexpr double light_height = 0.06;
 constexpr double thickness = 0.1;
 
@@ -29,7 +29,7 @@ std::string box(const std::string& id, double x, double y, double length, double
         id, at(length, width, wall_height), at(x, y, 0), angle * 180 / std::numbers::pi);
 }
 
-/// The walls of the arena stand outside its rectangle; those inside are a millimetre thick.
+/// The walls of the arena are outside its rectangle; inner walls are a millimetre thick.
 std::string walls(const Arena& arena) {
     std::string text;
     const double half_width = metres(arena.width) / 2;
@@ -96,7 +96,7 @@ std::string lights(const Scenario& scenario) {
     return text;
 }
 
-/// The media's grids of cells of about a metre.
+/// The grids of the media, with cells of about a metre.
 std::string grid(double width, double height) {
     return fmt::format("index=\"grid\" grid_size=\"{},{},1\"", static_cast<int>(std::ceil(width)),
                        static_cast<int>(std::ceil(height)));
@@ -106,7 +106,7 @@ std::string grid(double width, double height) {
 
 std::string argos_experiment(const Scenario& scenario, const World& start) {
     const WorldOptions& world = scenario.world;
-    // Without walls, as far as robots can come.
+    // Without walls, the space is as large as robots can reach.
     const double around = world.arena.walled ? 4 * thickness : 2 * metres(world.body.max_wheel) * scenario.duration + 1;
     const double width = metres(world.arena.width) + around;
     const double height = metres(world.arena.height) + around;

@@ -1,5 +1,5 @@
-// The adapter for Enki; see enki_stage.hpp. The robots are one array and belong to us: Enki walks through them in the
-// order of their addresses, and so draws its random numbers in the same order in every run.
+// The adapter for Enki; see enki_stage.hpp. The robots are stored in one array. Enki iterates over them in the order of
+// their addresses, so it draws its random numbers in the same order in every run.
 #include "simulation/adapters/enki/enki_stage.hpp"
 
 #include <enki/PhysicalEngine.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double far_away = 1e6;
 
-/// The first thing on a ray from the robot's front edge, as Enki's objects and walls are shown to it.
+/// The first object on a ray from the robot's front edge, among the objects and walls that Enki passes to it.
 class EnkiRay final : public Enki::LocalInteraction {
 public:
     EnkiRay(double range, Enki::Robot* robot) : Enki::LocalInteraction(range, robot) {}
@@ -41,7 +41,7 @@ private:
     [[nodiscard]] Vector origin() const {
         return Vector{owner->pos.x, owner->pos.y} + owner->getRadius() * direction();
     }
-    /// Without walls (width 0): infinite.
+    /// The distance to a wall; infinite without walls (width 0).
     [[nodiscard]] double wall_distance(double width, double height) const {
         const Vector at = origin();
         const Vector way = direction();
@@ -67,7 +67,7 @@ public:
         addLocalInteraction(&ray);
     }
 
-    /// Enki calls this after the sensors; ours runs when the controllers have.
+    /// Enki calls this after the sensors, but our controllers run outside of Enki.
     void controlStep(double) override {}
     void apply(double step) { Enki::EPuck::controlStep(step); }
 
@@ -81,7 +81,7 @@ private:
     }
 };
 
-/// Robots side by side: their sensors point back at them, so they are made in place and never moved.
+/// The robots in one array. Their sensors contain pointers to them, so they are constructed in place and never moved.
 class Pucks {
 public:
     Pucks(std::size_t count, const Scenario& scenario) : pucks_(std::allocator<Puck>().allocate(count)), count_(count) {
@@ -120,7 +120,7 @@ public:
             puck.angle = start.heading(i);
             world_.addObject(&puck);
         }
-        // Enki's sensors look at the end of a step: one with standing wheels lets them look at the start.
+        // Enki reads sensors at the end of a step. One step with the wheels stopped reads them at the start.
         world_.step(scenario.world.control_step, 1);
     }
 
@@ -135,7 +135,7 @@ public:
         const double range = sensor.sight_range > 0 ? sensor.sight_range : std::numeric_limits<double>::infinity();
         return pucks_[robot].ray.sight(range, world_.w, world_.h);
     }
-    // Refused by enki_stage.
+    // enki_stage rejects scenarios that need it.
     [[nodiscard]] bool somebody_within(std::size_t, const Sensor&, double) override { return false; }
     [[nodiscard]] std::optional<double> direction_of_others(std::size_t, const Sensor&, double) override {
         return std::nullopt;
@@ -156,7 +156,7 @@ private:
     const Scenario& scenario_;
     Vector origin_;
     Pucks pucks_;
-    Enki::World world_;  ///< last: it is gone before the robots it knows
+    Enki::World world_;  ///< last member: it is destroyed before its robots
 };
 
 bool refuse(const Scenario& scenario, diagnostics::Diagnostics& diagnostics) {
