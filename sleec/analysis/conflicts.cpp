@@ -11,7 +11,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// What the obligations of a rule demand and forbid.
+/// The events that the obligations of a rule demand and forbid.
 struct Events {
     std::set<std::size_t> demanded, forbidden;
 };
@@ -28,7 +28,8 @@ bool have_common(const std::set<std::size_t>& a, const std::set<std::size_t>& b)
     return std::any_of(a.begin(), a.end(), [&](std::size_t event) { return b.contains(event); });
 }
 
-/// Without an event that one demands and each of the others forbids there is no conflict, and nothing to search for.
+/// False if there is no event that one rule demands and each of the others forbids; then there is no conflict and no
+/// need to search.
 bool may_clash(const Question& question) {
     std::vector<Events> all;
     for (std::size_t i = 0; i < question.judged; ++i) all.push_back(events_of(question.obligations[i]));
@@ -41,7 +42,7 @@ bool may_clash(const Question& question) {
     return false;
 }
 
-/// What the obligations demand at once, at the instant of their trigger.
+/// The events that the obligations demand at the instant of their trigger.
 std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligations) {
     std::set<std::size_t> result;
     for (const Obligation& obligation : obligations)
@@ -50,7 +51,7 @@ std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligation
     return result;
 }
 
-/// Rules that answer each other at once: each demands, at once, the trigger of the next.
+/// For each rule, the rules that it triggers at once: it demands their trigger at the instant of its own.
 using Answers = std::vector<std::vector<std::size_t>>;
 
 Answers answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
@@ -62,8 +63,8 @@ Answers answers(const CheckedRules& rules, const std::vector<std::size_t>& asked
     return result;
 }
 
-/// Simple cycles of rules that answer each other at once, each as the set of its rules, of at most so many; the first
-/// few of many.
+/// Simple cycles of rules that trigger each other at once, each as the set of its rules. Only cycles up to a length,
+/// and at most a fixed number of them.
 class Cycles {
 public:
     static constexpr std::size_t longest = 6;
@@ -78,7 +79,7 @@ public:
     [[nodiscard]] const std::set<std::vector<std::size_t>>& found() const { return found_; }
 
 private:
-    /// Only over rules behind the first, so that each cycle is found from its first rule.
+    /// Only over rules after the first, so that each cycle is found from its first rule.
     void extend() {
         for (const std::size_t next : answers_[path_.back()]) {
             if (found_.size() >= most) return;
@@ -106,7 +107,7 @@ bool may_be_endless(const CheckedRules& rules, const Question& question) {
     return !Cycles(answers(rules, question.rules, at_once)).found().empty();
 }
 
-/// Goes through a run again, and knows of each obligation where it comes from.
+/// Repeats a run and records the origin of each obligation.
 class Replay {
 public:
     Replay(const Question& question, const RuleSystem& system) : question_(question), system_(system) {}
@@ -129,7 +130,7 @@ public:
         return result;
     }
 
-    /// A run to an instant that does not end: each duty that is due.
+    /// A run to an instant that never ends: the conflict contains each duty that is due.
     Conflict endless(const std::vector<lts::Event>& steps) {
         for (const lts::Event step : steps) take(step);
         Conflict result;
@@ -151,7 +152,7 @@ private:
         OpenObligation open;
         std::int64_t began = 0;
         std::size_t occurrence = 0;
-        std::size_t id = 0;  ///< of the trigger
+        std::size_t id = 0;  ///< id of the trigger
     };
     struct Occurred {
         std::int64_t instant = 0;
@@ -193,7 +194,7 @@ private:
         const Opened& opened = find(open);
         Side result{
             question_.rules[open.rule], opened.began, question_.occurrences[opened.occurrence].sample.values, {}};
-        // The last that speaks of the event: those before it are over.
+        // The last demand about the event; the windows of earlier ones are over.
         for (const Demand& each : question_.of(open).any)
             if (each.event == event && each.forbids == forbids) result.demand = each;
         return result;
@@ -206,8 +207,8 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// The steps to a state from which no second can pass any more, whatever comes, and no clash is reached either, of
-/// fewer rules; nothing if there is none.
+/// The steps to a state from which no second can pass, whatever happens, and from which no clash of some of the rules
+/// is reachable. No value if there is no such state.
 std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const AnalysisOptions& options) {
     const auto explored = lts::explore(system, [&](std::size_t states) {
         if (options.budget != nullptr) options.budget->poll();
@@ -219,7 +220,8 @@ std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const
     std::vector<bool> passes(graph.size(), false), known(graph.size(), false);
     std::vector<lts::StateIndex> waiting;
     known[0] = true;
-    for (lts::StateIndex state = 0; state < graph.size(); ++state) {  // breadth first, so from a known state
+    for (lts::StateIndex state = 0; state < graph.size(); ++state) {  // in breadth-first order, so the state is already
+                                                                      // known
         if (system.some_clash(explored.states[state])) {
             passes[state] = true;
             waiting.push_back(state);
@@ -279,7 +281,7 @@ void search_endless(const Question& question, const AnalysisOptions& options, Co
     }
 }
 
-/// The questions about a file, the smaller first.
+/// Asks all questions about a file, smaller sets of rules first.
 class Questions {
 public:
     Questions(const CheckedRules& rules, const AnalysisOptions& options,
@@ -325,8 +327,8 @@ private:
         }
     }
 
-    /// Sets of rules in which one follows the other within an instant, and the same with a rule that forbids what leads
-    /// out of it.
+    /// Cycles of rules that trigger each other at once, and the same cycles with a rule that forbids an event demanded
+    /// in them.
     std::set<std::vector<std::size_t>> at_once() {
         std::vector<std::size_t> rules;
         std::vector<std::set<std::size_t>> events;
@@ -422,8 +424,8 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
     Questions(rules, options, take).ask_all();
 }
 
-/// For each sample of its trigger: nothing is asked for, or what the other asks for implies it. Measures are free, and
-/// so is whether another trigger comes, so nothing but the same occurrence can imply it.
+/// True if, for each sample of its trigger, the rule demands nothing or the other rule's demand implies it. Measures
+/// are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
 bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
     const auto all = samples(rules, {rule, by}, rules.rules[rule].trigger, options.without_limit, options.budget);
     return std::all_of(all.begin(), all.end(), [](const Sample& sample) {

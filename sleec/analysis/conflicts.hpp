@@ -1,5 +1,5 @@
-// Questions about rules alone: whether a situation can arise in which not all can be obeyed, and whether one says
-// nothing that another does not. docs/rules-language.md, "Questions about rules".
+// Questions about rules without a model: whether a situation can arise in which not all rules can be obeyed, and
+// whether a rule is redundant. docs/rules-language.md, "Questions about rules".
 #pragma once
 
 #include <functional>
@@ -15,31 +15,32 @@ namespace robochart::sleec {
 
 enum class Answer : std::uint8_t { no, yes, not_decided };
 
-/// One side of a conflict: an obligation with the trigger that opened it.
+/// One side of a conflict: an obligation and the trigger that opened it.
 struct Side {
     std::size_t rule = 0;
     std::int64_t began = 0;  ///< second
     Valuation values;        ///< at the trigger
-    Demand demand;           ///< the one that clashes, its window counted from `began`
+    Demand demand;           ///< the clashing demand; its window is counted from `began`
 };
 
-/// A situation in which rules cannot all be obeyed: at `instant`, one of the demands `due` has to be fulfilled at last,
-/// and each is forbidden by the side at the same place.
+/// A situation in which the rules cannot all be obeyed. At `instant`, one of the demands `due` must be fulfilled, but
+/// each is forbidden by the side with the same index.
 struct Conflict {
     std::vector<Side> due, forbidding;
     std::int64_t instant = 0;
-    bool for_ever = false;  ///< nothing is due yet, but it never can be again
-    bool endless = false;   ///< nothing is forbidden, but what is due calls for more at this instant, without end
-    /// What else happens before, to keep the rules: second and event.
+    bool for_ever = false;  ///< nothing is due yet, but the demanded event is forbidden forever
+    bool endless = false;   ///< nothing is forbidden, but every due event triggers further demands at this instant,
+                            ///< without end
+    /// Other events before the conflict that are needed to obey the rules: second and event.
     std::vector<std::pair<std::int64_t, std::size_t>> besides;
 };
 
-/// The answer about one rule (and itself), two, or more.
+/// The answer about a single rule, a pair, or a larger set.
 struct ConflictAnswer {
     std::vector<std::size_t> rules;
     Answer conflict = Answer::no;
     std::optional<Conflict> example;
-    std::string reason;  ///< not decided: why
+    std::string reason;  ///< not decided: the reason
     std::uint64_t states = 0;
 };
 
@@ -49,20 +50,20 @@ struct AnalysisOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// Whether these rules can come into conflict, and all of them have part in it: one with itself (by several triggers),
-/// two, or more. `judged`: ascending.
+/// Decides whether these rules can come into conflict such that all of them take part: one rule with itself (by several
+/// triggers), two, or more. `judged`: ascending.
 [[nodiscard]] ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
                                            const AnalysisOptions& options);
-/// The smallest sets in conflict of the rules that are no assumptions. A duty with n alternatives for one last instant
-/// is in conflict with at most n others, so that no more are asked about at once; beside these, rules that answer each
-/// other within an instant, up to six, with one more that forbids what leads out of it. None is asked about three or
-/// more of which fewer are in conflict.
+/// Searches the smallest conflicting sets of rules that are not assumptions. A duty with n alternatives at one last
+/// instant conflicts with at most n other rules, so larger sets need not be checked. In addition, sets of up to six
+/// rules that trigger each other within an instant are checked, also with one more rule that forbids an event demanded
+/// in them. Sets of three or more rules are not checked if a subset is in conflict.
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take);
-/// Whether all that `rule` asks for, `by` asks for with the same trigger. Throws NotDecided.
+/// True if everything that `rule` demands is demanded by `by` for the same trigger. Throws NotDecided.
 [[nodiscard]] bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by,
                              const AnalysisOptions& options);
-/// Whether a rule asks for nothing, whatever the measures are. Throws NotDecided.
+/// True if a rule demands nothing for any values of the measures. Throws NotDecided.
 [[nodiscard]] bool asks_for_nothing(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
 }  // namespace robochart::sleec

@@ -10,7 +10,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// "Alarm at second 3, Help at second 4", of many the first few.
+/// "Alarm at second 3, Help at second 4"; at most the first few.
 std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
     constexpr std::size_t most = 4;
     std::string text;

@@ -1,4 +1,5 @@
-// A conflict in the words of the rules: which rule, with which clause and line, began when and asks for what.
+// Describes a conflict in terms of the rules: which rule, with which clause and line, started when, and what it
+// demands.
 #pragma once
 
 #include <string>
@@ -10,15 +11,15 @@
 
 namespace robochart::sleec {
 
-/// "near, level = 3": the values of the measures that a rule names.
+/// "near, level = 3": the values of the measures in a rule.
 [[nodiscard]] std::string values_text(const CheckedRules& rules, std::size_t rule, const Valuation& values);
-/// "asks for Stop up to second 10", of a window that begins at that second.
+/// "asks for Stop up to second 10", for a window that starts at the given second.
 [[nodiscard]] std::string demand_text(const CheckedRules& rules, const Demand& demand, std::int64_t began);
 /// "R begins at second 3 with Go, near: it asks for Stop up to second 5 (rules.sleec:7)".
 [[nodiscard]] std::string side_text(const Side& side, const CheckedRules& rules,
                                     const diagnostics::SourceManager& sources);
-/// "Go at second 0 with near, load = high": what comes in a history, the first few. Values are shown where the property
-/// is about the occurrence, of the measures in its conditions.
+/// "Go at second 0 with near, load = high": the first events of a history. For an occurrence that the property is
+/// about, the values of the measures in its conditions are added.
 [[nodiscard]] std::vector<std::string> history_lines(const std::vector<Happening>& history,
                                                      const CheckedProperty& property, const CheckedRules& rules);
 /// At most eight lines.

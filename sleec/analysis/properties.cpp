@@ -1,7 +1,8 @@
-// See properties.hpp. A shortest history begins with the occurrences of the property, at one instant; every other one
-// fulfils a duty that is open, or ends it: leaving the others out breaks no rule, since they only open duties. The
-// history goes on for ever if it comes to a state in which silence keeps what is open, or to a part of the graph in
-// which seconds pass again and again and every duty without limit is fulfilled or ended.
+// See properties.hpp. A shortest history begins with the occurrences of the property, at one instant. Every other
+// occurrence fulfils or ends an open duty; the remaining ones can be left out, because they only open duties, so no
+// rule is broken. The history can continue forever in two cases. It reaches a state in which all open duties are
+// satisfied if nothing more happens. Or it reaches a part of the graph in which seconds pass repeatedly and every duty
+// without limit is fulfilled or ended.
 #include "sleec/analysis/properties.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ using lts::StateIndex;
 
 constexpr std::size_t most_states = 200'000;
 
-/// A duty that is open: of which rule, what it is (a number), how far it has come.
+/// An open duty: its rule, its obligation (by number), and its progress.
 struct OpenDuty {
     std::size_t rule = 0, obligation = 0;
     Progress progress;
@@ -32,8 +33,8 @@ struct OpenDuty {
 };
 
 struct State {
-    bool awaited = true;  ///< the property's event is still to come
-    bool during = false;  ///< so is that of `while`
+    bool awaited = true;  ///< the property's event has not occurred yet
+    bool during = false;  ///< the event of `while` has not occurred yet
     std::optional<OpenDuty> to_break;
     std::vector<OpenDuty> open;
 
@@ -42,11 +43,11 @@ struct State {
 
 struct Step {
     StateIndex target = 0;
-    std::optional<Happening> happening;  ///< nothing: a second
+    std::optional<Happening> happening;  ///< no value: the end of a second
 };
 
-/// A property as rules that open a duty at its occurrences: that of `exists` asks for nothing, but its samples show
-/// whether the condition is true.
+/// The property as additional rules that open a duty at its occurrences. The rule for `exists` demands nothing, but its
+/// samples show whether the condition is true.
 CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& property) {
     CheckedRules result = rules;
     Duty nothing;
@@ -61,7 +62,7 @@ CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& pro
     return result;
 }
 
-/// What becomes of the property's duty in the histories that are looked for.
+/// The outcome of the property's duty in the histories that are searched for.
 enum class Fate { kept, broken };
 
 class Histories {
@@ -89,7 +90,7 @@ public:
     }
 
 private:
-    /// The events that can matter, with the ways in which the measures may be at each.
+    /// Collects the relevant events, each with the possible values of the measures.
     void reach() {
         std::vector<std::size_t> waiting{property_.trigger};
         if (property_.during) waiting.push_back(*property_.during);
@@ -141,7 +142,8 @@ private:
         }
     }
 
-    /// An occurrence that the property waits for, or that may fulfil or end a duty, or break that of the property.
+    /// True for an occurrence that the property waits for, that may fulfil or end a duty, or that may break the
+    /// property's duty.
     [[nodiscard]] bool useful(const State& state, std::size_t event) const {
         if ((state.awaited && event == property_.trigger) || (state.during && event == *property_.during)) return true;
         if (state.to_break) {
@@ -155,7 +157,7 @@ private:
         });
     }
 
-    /// With all ways in which the property may take part.
+    /// Adds the successors for an occurrence, with all ways in which the property may take part.
     void occur(StateIndex at, const State& state, std::size_t event, const Sample& sample) {
         State next = state;
         next.open.clear();
@@ -199,13 +201,13 @@ private:
         follow(false, false);
     }
 
-    /// What the trigger itself does to the duty that it opens. As LEGOS reads rules, its own instant counts.
+    /// The effect of the trigger on the duty that it opens. In LEGOS, the instant of the trigger counts.
     Effect begin(OpenDuty& opened, std::size_t event) const {
         if (options_.without_limit != WithoutLimit::now) return Effect::open;
         return take_event(obligations_[opened.obligation], opened.progress, event);
     }
 
-    /// The property's duty is opened. False where its fate is decided against what is looked for.
+    /// Opens the property's duty. Returns false if its outcome is decided and differs from the wanted one.
     bool take_part(State& state, OpenDuty own, std::size_t event) const {
         const Effect effect = begin(own, event);
         if (effect != Effect::open) return effect == (fate_ == Fate::kept ? Effect::fulfilled : Effect::broken);
@@ -216,7 +218,7 @@ private:
         return true;
     }
 
-    /// What happens to the duty that is to be broken. False where it is fulfilled.
+    /// Updates the duty that must be broken. Returns false if it is fulfilled.
     template <class Happens>
     bool break_on(State& state, const Happens& happens) const {
         if (!state.to_break) return true;
@@ -225,8 +227,8 @@ private:
         return effect != Effect::fulfilled;
     }
 
-    /// Nothing of the property is still to come: a duty that is to be broken is, or it has no limit and is not
-    /// fulfilled if nothing comes.
+    /// True if the property needs no further event. A duty that must be broken is broken already, or it has no limit
+    /// and stays unfulfilled if nothing happens.
     [[nodiscard]] bool has_come(const State& state) const {
         return !state.awaited && !state.during && (!state.to_break || without_limit(*state.to_break));
     }
@@ -245,7 +247,7 @@ private:
         add(next, at, std::nullopt);
     }
 
-    /// Counts seconds along the way by which a state was found first.
+    /// Adds a step. Seconds are counted along the path by which a state was found first.
     void add(const State& state, StateIndex before, std::optional<Happening> happening) {
         const auto [known, fresh] = numbers_.emplace(state, static_cast<StateIndex>(states_.size()));
         if (fresh) {
@@ -261,7 +263,7 @@ private:
         steps_[before].push_back({known->second, std::move(happening)});
     }
 
-    /// Nothing more need come: of every duty that is open a prohibition can still hold.
+    /// True if nothing more needs to happen: every open duty has a prohibition that can still be satisfied.
     [[nodiscard]] bool is_quiet(const State& state) const {
         return has_come(state) && std::all_of(state.open.begin(), state.open.end(), [&](const OpenDuty& duty) {
                    const Obligation& obligation = obligations_[duty.obligation];
@@ -271,7 +273,8 @@ private:
                });
     }
 
-    /// A state from which seconds can pass without end, every duty without limit being fulfilled now and then.
+    /// A state from which seconds can pass forever while every duty without limit is fulfilled repeatedly; no value if
+    /// there is none.
     std::optional<StateIndex> endless_state() {
         const lts::GraphView view{states_.size(), [&](StateIndex state, std::vector<StateIndex>& targets) {
                                       for (const Step& each : steps_[state]) targets.push_back(each.target);
@@ -285,14 +288,15 @@ private:
         return found;
     }
 
-    /// Whether a run through all of these states and all steps between them, again and again, is one: seconds pass, and
-    /// no duty stays open for ever. One does iff each of the steps leaves it as it is: then no run in here ends it.
-    /// Another step may open the same duty anew where it ends one: it is in every state then, and yet fulfilled.
+    /// True if a run that repeats all steps between these states forever is valid: seconds pass, and no duty stays open
+    /// forever. A duty stays open forever iff every step leaves it unchanged, because then no run in this part ends it.
+    /// A step may also end a duty and open the same duty again. Then the duty is in every state, although it is
+    /// fulfilled.
     [[nodiscard]] bool passes(std::span<const StateIndex> members) const {
         if (!has_come(states_[members.front()])) return false;
         const std::set<StateIndex> inside(members.begin(), members.end());
         bool time = false;
-        std::vector<OpenDuty> left;  // that no step yet has ended or changed
+        std::vector<OpenDuty> left;  // not ended or changed by any step so far
         for (const OpenDuty& each : states_[members.front()].open)
             if (without_limit(each)) left.push_back(each);
         for (const StateIndex state : members)
@@ -304,7 +308,7 @@ private:
         return time && left.empty();
     }
 
-    /// Whether the duty is behind the step what it is before it.
+    /// True if the step does not change the duty.
     [[nodiscard]] bool leaves(const Step& step, const OpenDuty& duty) const {
         const Obligation& obligation = obligations_[duty.obligation];
         Progress progress = duty.progress;
@@ -313,7 +317,7 @@ private:
         return effect == Effect::open && progress == duty.progress;
     }
 
-    /// Only a demand without limit is left of it.
+    /// True if only a demand without limit is left of the duty.
     [[nodiscard]] bool without_limit(const OpenDuty& duty) const {
         const Obligation& obligation = obligations_[duty.obligation];
         for (std::size_t i = 0; i < obligation.any.size(); ++i) {
@@ -324,20 +328,20 @@ private:
                            [](const Demand& each) { return !each.forbids && each.end == forever; });
     }
 
-    CheckedRules rules_;  ///< with the property behind them
+    CheckedRules rules_;  ///< followed by the property
     const CheckedProperty& property_;
     Fate fate_;
     const AnalysisOptions& options_;
-    std::size_t first_;  ///< the property's place
+    std::size_t first_;  ///< index of the property
     std::map<std::size_t, std::vector<Sample>> samples_;
-    std::map<std::size_t, std::vector<std::size_t>> triggered_;  ///< what the samples are of
+    std::map<std::size_t, std::vector<std::size_t>> triggered_;  ///< the rules that the samples are about
     std::vector<Obligation> obligations_;
     std::map<State, StateIndex> numbers_;
     std::vector<State> states_;
     std::vector<std::int64_t> seconds_;
     std::vector<std::pair<StateIndex, std::optional<Happening>>> from_;
     std::vector<std::vector<Step>> steps_;
-    std::optional<StateIndex> quiet_;  ///< the first state found that is
+    std::optional<StateIndex> quiet_;  ///< the first quiet state found
 };
 
 PropertyAnswer search(const CheckedRules& rules, const CheckedProperty& property, Fate fate,
@@ -383,7 +387,7 @@ Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisO
     }
     if (breaks.possible == Answer::yes || triggered.possible == Answer::no) return result;
     result.implied = Answer::yes;
-    std::vector<std::size_t> left;  // of each of the others its number in the file
+    std::vector<std::size_t> left;  // for each remaining rule, its number in the file
     for (std::size_t i = 0; i < rules.rules.size(); ++i)
         if (i != rule) left.push_back(i);
     for (std::size_t i = left.size(); i-- > 0;) {

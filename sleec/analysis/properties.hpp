@@ -1,6 +1,6 @@
-// Concerns and purposes (LEGOS): whether something that must be impossible, or possible, is possible while all rules
-// are kept; and whether a rule can be broken while all others are. docs/rules-language.md, "Concerns and purposes",
-// "Questions about rules".
+// Concerns and purposes (LEGOS): whether something that must be impossible, or possible, can happen while all rules are
+// obeyed, and whether a rule can be broken while all others are obeyed. docs/rules-language.md, "Concerns and
+// purposes", "Questions about rules".
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace robochart::sleec {
 
-/// What comes in a history, and when.
+/// An event of a history, and its time.
 struct Happening {
     std::int64_t second = 0;
     std::size_t event = 0;
@@ -19,30 +19,29 @@ struct Happening {
     bool named = false;  ///< the property is about this occurrence
 };
 
-/// Whether a history keeps all rules in which the property comes about.
+/// Whether some history in which the property occurs obeys all rules.
 struct PropertyAnswer {
     Answer possible = Answer::no;
-    std::vector<Happening>
-        history;         ///< possible: one that does; behind it nothing new comes, or what is at its end again
-    std::string reason;  ///< not decided: why
+    std::vector<Happening> history;  ///< possible: such a history; after it nothing new happens, or its end repeats
+    std::string reason;              ///< not decided: the reason
     std::uint64_t states = 0;
 };
 
-/// All rules of the file are kept, its assumptions among them.
+/// All rules of the file must be obeyed, including its assumptions.
 [[nodiscard]] PropertyAnswer possible(const CheckedRules& rules, const CheckedProperty& property,
                                       const AnalysisOptions& options);
 
-/// Whether all that `rule` asks for follows from the other rules together: no history keeps them and breaks it.
+/// Whether the other rules together imply `rule`: no history obeys them and breaks it.
 struct Implication {
     Answer implied = Answer::no;
-    std::vector<std::size_t> by;  ///< implied: rules that imply it, none of which can be left out
-    std::string reason;           ///< not decided: why
+    std::vector<std::size_t> by;  ///< implied: rules that imply it, all of them needed
+    std::string reason;           ///< not decided: the reason
 };
-/// A rule whose trigger the others exclude is not said to be implied: their conflict is reported.
+/// A rule whose trigger the other rules exclude is not reported as implied; their conflict is reported.
 [[nodiscard]] Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
-/// Rules none of which can be left out for the property to stay impossible; of a property that is. Rules that are not
-/// decided count as needed.
+/// A set of rules, all of them needed, that make the property impossible. Only for an impossible property. A rule
+/// counts as needed if this is not decided.
 [[nodiscard]] std::vector<std::size_t> excluding(const CheckedRules& rules, const CheckedProperty& property,
                                                  const AnalysisOptions& options);
 

@@ -10,7 +10,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// Obligations that one question keeps open at once, and words for each.
+/// The number of obligations that one question keeps open at once, and of words for each.
 constexpr std::size_t most_open = 8;
 constexpr std::size_t words = 2;
 constexpr std::uint32_t kind_bits = 12;
@@ -23,7 +23,7 @@ void check_sizes(const Obligation& obligation) {
             throw NotDecided("a limit is longer than 68 years");
 }
 
-/// Every event that a demand, a trigger, or `unless EVENT` names.
+/// Every event in a demand, a trigger, or `unless EVENT`.
 std::set<std::size_t> named_events(const CheckedRules& rules, const Question& question) {
     std::set<std::size_t> events;
     for (std::size_t i = 0; i < question.rules.size(); ++i) {
@@ -85,13 +85,13 @@ Question make_question(const CheckedRules& rules, std::vector<std::size_t> judge
 
 namespace {
 
-/// Whether one obligation forbids an event at this instant: it would be broken by it.
+/// True if the event would break the obligation at this instant.
 bool forbids(const Question& question, const OpenObligation& open, std::size_t event) {
     Progress progress = open.progress;
     return take_event(question.of(open), progress, event) == Effect::broken;
 }
 
-/// One obligation of each judged rule that forbids the event now; for a demand without limit, for ever.
+/// For each judged rule, one obligation that forbids the event now; for a demand without limit, forever.
 std::vector<OpenObligation> forbidding(const Question& question, const std::vector<OpenObligation>& open,
                                        std::size_t event, bool for_ever) {
     std::vector<OpenObligation> result;
@@ -103,8 +103,7 @@ std::vector<OpenObligation> forbidding(const Question& question, const std::vect
     return result;
 }
 
-/// A choice of one obligation for each demand such that all of these rules have part in the clash; the bits of
-/// `wanted`.
+/// Selects one obligation for each demand, such that all rules in the bit set `wanted` take part in the clash.
 bool choose(std::uint32_t wanted, const std::vector<std::vector<OpenObligation>>& choices, Clash& clash,
             std::uint32_t involved) {
     const std::size_t at = clash.by.size();
@@ -229,13 +228,15 @@ bool RuleSystem::some_clash(lts::StateView packed) const {
 void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
     const State state = unpack(packed);
     if (clash(question_, state.open)) return;
-    // What no rule of the question can go on with by itself alone is no conflict of the two.
+    // A self-loop, so that only clashes are deadlocks. A state in which a single rule cannot be obeyed is not a
+    // conflict between rules.
     sink.add(aside_, packed, aside_);
     for (std::size_t i = 0; i < question_.occurrences.size(); ++i) take(state, i, sink);
     tock(state, sink);
 }
 
-/// Order: fulfils and breaks first, then opens: an occurrence does nothing to the obligation that it opens.
+/// An occurrence first fulfils or breaks open obligations, then opens new ones; it has no effect on those that it
+/// opens.
 void RuleSystem::take(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
     const Occurrence& taken = question_.occurrences[occurrence];
     State next;
@@ -268,7 +269,7 @@ void RuleSystem::tock(const State& state, lts::SuccessorSink& sink) {
     add(next, tock_, sink);
 }
 
-/// Of the same obligation opened twice, one decides: of a demand the older, of a prohibition the younger.
+/// If the same obligation is open twice, one decides: the older for a demand, the younger for a prohibition.
 bool RuleSystem::dominated(const OpenObligation& a, const OpenObligation& b) const {
     if (a.rule != b.rule || a.kind != b.kind) return false;
     const Obligation& obligation = question_.of(a);

@@ -1,6 +1,5 @@
-// All histories in which a few rules are obeyed as long as they can be, as a transition system. A state in which one
-// rule demands, at the latest now, what the others forbid has no successors: the search for deadlocks finds the
-// conflict.
+// All histories in which some rules are obeyed as long as possible, as a transition system. A state has no successors
+// if one rule demands an event, now at the latest, that the others forbid. So the search for deadlocks finds conflicts.
 #pragma once
 
 #include <memory>
@@ -13,50 +12,50 @@
 
 namespace robochart::sleec {
 
-/// An event with the values that the measures have at it.
+/// An event with the values of the measures.
 struct Occurrence {
     std::size_t event = 0;
     Sample sample;
 };
 
-/// An obligation of one of the rules of a question.
+/// An open obligation of one of the rules of a question.
 struct OpenObligation {
-    std::size_t rule = 0;  ///< its place in the question
-    std::size_t kind = 0;  ///< its place among the obligations of the rule
+    std::size_t rule = 0;  ///< index in the question
+    std::size_t kind = 0;  ///< index among the obligations of the rule
     Progress progress;
 
     friend auto operator<=>(const OpenObligation&, const OpenObligation&) = default;
 };
 
-/// What a question is about: rules, what they can ask for, and the events that matter.
+/// The subject of a question: rules, their possible obligations, and the relevant events.
 struct Question {
-    std::vector<std::size_t> rules;                    ///< of the file: those judged, then assumptions
-    std::size_t judged = 0;                            ///< how many are judged
-    std::vector<std::vector<Obligation>> obligations;  ///< of each rule, all that some sample gives
-    std::vector<Occurrence> occurrences;               ///< of each event that a rule names
+    std::vector<std::size_t> rules;                    ///< numbers in the file: judged rules, then assumptions
+    std::size_t judged = 0;                            ///< number of judged rules
+    std::vector<std::vector<Obligation>> obligations;  ///< for each rule, the obligations of all samples
+    std::vector<Occurrence> occurrences;               ///< for each event that a rule names
 
     [[nodiscard]] const Obligation& of(const OpenObligation& open) const { return obligations[open.rule][open.kind]; }
-    /// The obligation that an occurrence opens; nothing if it opens none.
+    /// The obligation that an occurrence opens; no value if it opens none.
     [[nodiscard]] std::optional<OpenObligation> opened(const Occurrence& occurrence, std::size_t rule) const;
 };
-/// About these rules; assumptions of the file are obeyed too. Throws NotDecided.
+/// The question about these rules; the assumptions of the file must be obeyed, too. Throws NotDecided.
 [[nodiscard]] Question make_question(const CheckedRules& rules, std::vector<std::size_t> judged, WithoutLimit,
                                      diagnostics::Budget* budget);
 
-/// Obligations that cannot all be kept: `due` has to be fulfilled now at the latest, and each of its demands that is
-/// left is forbidden by another.
+/// Obligations that cannot all be fulfilled: `due` must be fulfilled now at the latest, and each of its remaining
+/// demands is forbidden by another obligation.
 struct Clash {
     OpenObligation due;
-    std::vector<std::size_t> events;  ///< of its demands
-    std::vector<OpenObligation> by;   ///< what forbids each
+    std::vector<std::size_t> events;  ///< the events of its demands
+    std::vector<OpenObligation> by;   ///< for each event, the obligation that forbids it
 };
-/// A clash at this instant in which all rules have part that are judged.
+/// A clash at this instant in which all judged rules take part.
 [[nodiscard]] std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open);
 
-/// Few occurrences come unasked (`unasked_occurrences`); every other fulfils an open obligation. That loses no
-/// conflict: of a history with one, keep the triggers of the obligations that clash, what broke prohibitions among
-/// their alternatives, and then, again and again, the occurrence that first fulfilled an obligation of an occurrence
-/// that is kept. Every obligation that is left has the fate that it had.
+/// Only a few occurrences are spontaneous (`unasked_occurrences`); every other one fulfils an open obligation. This
+/// loses no conflict. Take a history with one and keep the triggers of the clashing obligations, and the events that
+/// broke prohibitions among their alternatives. Then repeatedly keep the occurrence that first fulfilled an obligation
+/// of a kept occurrence. Every remaining obligation has the same outcome as before.
 class RuleSystem final : public lts::TransitionSystem {
 public:
     explicit RuleSystem(const Question& question);
@@ -67,18 +66,18 @@ public:
     [[nodiscard]] const lts::EventTable& events() const override { return events_; }
     [[nodiscard]] std::string describe(lts::StateView) const override { return ""; }
 
-    /// Nothing for a tock; else the occurrence.
+    /// The occurrence; no value for a tock.
     [[nodiscard]] std::optional<std::size_t> occurrence(lts::Event event) const;
     [[nodiscard]] bool is_tock(lts::Event event) const { return event == tock_; }
-    /// Whether some of the rules clash in this state.
+    /// True if some of the rules clash in this state.
     [[nodiscard]] bool some_clash(lts::StateView state) const;
-    /// States were left out because a rule would have had too many obligations open at once: a search that finds no
-    /// conflict proves nothing then.
+    /// True if states were left out because a rule would have too many open obligations; a search without a conflict
+    /// then proves nothing.
     [[nodiscard]] bool left_out() const { return left_out_; }
 
 private:
     struct State {
-        std::uint32_t unasked = 0;  ///< occurrences that may still come unasked
+        std::uint32_t unasked = 0;  ///< remaining spontaneous occurrences
         std::vector<OpenObligation> open;
     };
     [[nodiscard]] State unpack(lts::StateView state) const;
@@ -92,14 +91,15 @@ private:
     lts::EventTable events_;
     lts::Event tock_ = 0;
     lts::Event aside_ = 0;
-    std::vector<lts::Event> names_;  ///< of each occurrence
+    std::vector<lts::Event> names_;  ///< for each occurrence
     bool left_out_ = false;
 };
 
-/// The most events one of which must come at one and the same last instant; at least 1.
+/// The largest number of events one of which must occur at the same last instant; at least 1.
 [[nodiscard]] std::size_t last_alternatives(const std::vector<Obligation>& obligations);
-/// A trigger for the duty that clashes, and one for each of its last alternatives, which forbids it; for each of these
-/// duties an occurrence for each prohibition that may be broken because there is another alternative.
+/// The number of spontaneous occurrences: a trigger for the clashing duty, and one for each of its last alternatives,
+/// which forbids it. For each of these duties, one occurrence for each prohibition that may be broken because there is
+/// another alternative.
 [[nodiscard]] std::size_t unasked_occurrences(const Question& question);
 
 }  // namespace robochart::sleec

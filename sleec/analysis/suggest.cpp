@@ -28,7 +28,7 @@ Candidate when(std::string text, Condition condition) {
     return {fmt::format("unless {}", text), {std::move(condition), std::nullopt, nullptr, nullptr}};
 }
 
-/// Conditions over one measure, among the values that the rules distinguish.
+/// Adds conditions on one measure, for the values that the rules distinguish.
 void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t index,
                     std::vector<Candidate>& result) {
     const Measure& measure = rules.measure(index);
@@ -60,7 +60,7 @@ Candidate on_event(const CheckedRules& rules, std::size_t event) {
     return {fmt::format("unless {}", rules.event(event)), {{}, event, nullptr, nullptr}};
 }
 
-/// The rules with one defeater more.
+/// The rules with one more defeater.
 CheckedRules with(const CheckedRules& rules, std::size_t rule, const CheckedDefeater& defeater) {
     CheckedRules result = rules;
     Duty duty = *result.rules[rule].duty;
@@ -104,7 +104,7 @@ public:
     }
 
 private:
-    /// Neither they nor fewer of them are in conflict any more.
+    /// True if the rules and all subsets of them are no longer in conflict.
     bool helps(const CheckedRules& changed) {
         try {
             for (const std::size_t rule : asked_)

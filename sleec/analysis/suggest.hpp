@@ -1,5 +1,5 @@
-// A smallest change that removes a conflict: `unless` at the end of one rule, or of two. Only what a new search has
-// confirmed is suggested.
+// Suggests a smallest change that removes a conflict: `unless` at the end of one rule, or of two. Only changes
+// confirmed by a new search are suggested.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace robochart::sleec {
 
-/// `unless ...` to be written behind the response of a rule.
+/// `unless ...` to be added after the response of a rule.
 struct Suggestion {
     std::size_t rule = 0;
     std::string text;  ///< "unless near"
 };
 
-/// Defeaters with which the rules of a conflict are in conflict no more, and each still asks for something: one measure
-/// or one event behind one rule, or else behind two rules the trigger of the other. Nothing where none of these helps,
-/// or where that is not decided.
+/// Defeaters with which the rules are no longer in conflict and each rule still demands something. They are a condition
+/// on one measure or one event for one rule, or otherwise, for two rules, the trigger of the other. Empty if none of
+/// them helps, or if this is not decided.
 [[nodiscard]] std::vector<Suggestion> suggest(const CheckedRules& rules, const std::vector<std::size_t>& in_conflict,
                                               const AnalysisOptions& options);
 

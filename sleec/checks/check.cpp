@@ -17,7 +17,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// What a part of a condition is. `literal`: of which scale is known by what it is compared with.
+/// The type of a part of a condition. The scale of a `literal` is determined by the other side of the comparison.
 enum class Type { truth, number, scale, literal, wrong };
 
 const char* type_text(Type type) {
@@ -89,7 +89,7 @@ private:
         return literals_.contains(name) ? "a value of a scale" : "";
     }
 
-    /// Reports that a name is not what is needed here, with the nearest that is.
+    /// Reports that a name is not of the required kind, with the nearest name that is.
     void not_found(const std::string& name, Span span, const std::string& kind,
                    std::initializer_list<const std::map<std::string, std::size_t>*> tables) {
         if (const std::string other = kind_of(name); !other.empty()) {
@@ -120,7 +120,7 @@ private:
 
     // numbers
 
-    /// The first constant of a circle is reported, once.
+    /// Reports a cycle of constants once, at its first constant.
     void refuse_circle(const Constant& constant) {
         std::set<std::string> seen{constant.name.text};
         const Expr* at = constant.value.get();
@@ -137,7 +137,7 @@ private:
         if (at == constant.value.get() && at->op == Op::name) (void)number(constant.value);
     }
 
-    /// A number, or the constant that leads to one.
+    /// The value of a number or a constant.
     std::int64_t number(const ExprPtr& expr) {
         std::set<std::string> seen;
         const Expr* at = expr.get();
@@ -147,10 +147,10 @@ private:
                 not_found(at->text, at->span, "a constant", {&constants_});
                 return 0;
             }
-            if (!seen.insert(at->text).second) return 0;  // reported where it is defined
+            if (!seen.insert(at->text).second) return 0;  // reported at the definition
             at = file_.constants[found->second].value.get();
         }
-        // What is too large is an error already.
+        // A number that is too large has been reported.
         return at->text.size() > 10 ? 0 : std::stoll(at->text);
     }
 
@@ -160,14 +160,14 @@ private:
         if (!duty.measured && *duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
     }
 
-    /// One end of a limit. What computes with measures has no value here.
+    /// One end of a limit, in seconds. An expression with measures has no value here.
     std::int64_t seconds(const ExprPtr& expr, Unit unit, Duty& duty) {
         if (!expr->bracketed) return number(expr) * seconds_of(unit);
         const Typed value = typed(expr);
         expect(value, Type::number, *expr);
         duty.measured = duty.measured || has_measure(value.condition);
         if (duty.measured || value.type != Type::number) return 0;
-        constexpr std::int64_t longest = 10'000'000'000;  // as a number may be that is written
+        constexpr std::int64_t longest = 10'000'000'000;  // as large as a written number may be
         return std::clamp(evaluate(value.condition, {}), -longest, longest) * seconds_of(unit);
     }
 
@@ -265,8 +265,8 @@ private:
         return result;
     }
 
-    /// Numbers; in LEGOS, whose scales are numbers from 0, also a scale with a number. What is wrong is reported
-    /// already.
+    /// Two numbers; in LEGOS, whose scales are numbers from 0, also a scale and a number. Wrong types have been
+    /// reported.
     [[nodiscard]] bool comparable(Type left, Type right) const {
         const auto numeric = [&](Type type) {
             return type == Type::number || (type == Type::scale && file_.dialect == Dialect::legos);
@@ -275,7 +275,7 @@ private:
         return numeric(left) && numeric(right) && (left == Type::number || right == Type::number);
     }
 
-    /// The literal's place on the scale of that measure.
+    /// Sets the literal's index on the scale of that measure.
     void place(Typed& literal, std::size_t measure, const Expr& written) {
         const Measure& scale = file_.measures[measure];
         const auto index = place_on(scale, written.text);
@@ -349,7 +349,7 @@ private:
         result.trigger = event(written.trigger.event);
         result.condition = condition(written.trigger.condition);
         result.duty = duty(*written.response);
-        if (written.form == RuleForm::at_least) {  // no sooner than N: not in the N seconds before that
+        if (written.form == RuleForm::at_least) {  // no sooner than N: not in the N seconds before
             Duty before = *result.duty;
             before.to = *before.to - 1;
             result.duty = std::make_shared<const Duty>(std::move(before));
@@ -377,7 +377,7 @@ private:
     std::map<std::string, Span> declared_;
     std::map<std::string, std::size_t> events_, measures_, constants_;
     std::set<std::string> literals_;
-    std::set<std::string> circles_;  ///< constants of circles that are reported
+    std::set<std::string> circles_;  ///< constants of cycles that have been reported
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Names and types of SLEEC files.
+// Checks the names and types of SLEEC files.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace robochart::sleec {
 
-/// Follows names, checks types. Nothing, with findings, where there are errors.
+/// Resolves names and checks types. No value, with findings, if there are errors.
 [[nodiscard]] std::optional<CheckedRules> check(const RuleFile& file, diagnostics::Diagnostics& diagnostics);
 
 }  // namespace robochart::sleec

@@ -8,7 +8,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// Sums and products of what a text can hold stay far below this; beyond, values no longer grow.
+/// Sums and products of numbers in a text stay far below this; larger values are cut off here.
 constexpr std::int64_t largest = 4'000'000'000'000'000'000;
 
 std::int64_t bounded(std::int64_t value, bool overflow, bool negative) {

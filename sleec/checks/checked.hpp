@@ -1,4 +1,5 @@
-// Rules with names followed and types checked: events and measures by number, constants as values, times in seconds.
+// Rules after name resolution and type checking: events and measures are numbers, constants are values, times are in
+// seconds.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace robochart::sleec {
 
-/// A condition whose names are followed. Truth values are 0 and 1, values of a scale its places from 0.
+/// A condition with resolved names. Truth values are 0 and 1; values of a scale are indices from 0.
 struct Condition {
     Op op = Op::number;       ///< `number`: `value`; `name`: the measure
     std::int64_t value = 0;   ///< of a number
@@ -29,19 +30,19 @@ struct Duty;
 using DutyPtr = std::shared_ptr<const Duty>;
 
 struct CheckedDefeater {
-    Condition condition;               ///< over measures; of no meaning where an event defeats
+    Condition condition;               ///< over measures; unused if an event defeats
     std::optional<std::size_t> event;  ///< extension: this event ends the duty
-    DutyPtr duty;                      ///< null: none is left
+    DutyPtr duty;                      ///< null: no duty is left
     const Defeater* written = nullptr;
 };
 
-/// What a response asks for.
+/// The demand of a response.
 struct Duty {
     bool forbids = false;
     std::size_t event = 0;
     std::int64_t from = 0;           ///< seconds
-    std::optional<std::int64_t> to;  ///< seconds, inclusive; nothing: no limit. Below `from`: the duty is empty
-    bool measured = false;           ///< a measure decides the limit: `from` and `to` are not known
+    std::optional<std::int64_t> to;  ///< seconds, inclusive; no value: no limit. Below `from`: the duty is empty
+    bool measured = false;           ///< a measure determines the limit: `from` and `to` are unknown
     DutyPtr otherwise;               ///< null: none
     std::vector<CheckedDefeater> defeaters;
     const Response* written = nullptr;
@@ -59,15 +60,15 @@ struct CheckedProperty {
     bool exists = false;
     std::size_t trigger = 0;
     std::optional<Condition> condition;
-    DutyPtr duty;                       ///< null: none is asked for
+    DutyPtr duty;                       ///< null: nothing is demanded
     std::optional<std::size_t> during;  ///< `while` this event
     std::optional<Condition> during_condition;
     const Property* written = nullptr;
 };
 
-/// A file that follows the rules of the language.
+/// A file that satisfies the rules of the language.
 struct CheckedRules {
-    std::shared_ptr<const RuleFile> file;  ///< what `written` points into
+    std::shared_ptr<const RuleFile> file;  ///< owner of the data to which `written` points
     std::vector<CheckedRule> rules;
     std::vector<CheckedProperty> concerns, purposes;
 
@@ -76,7 +77,7 @@ struct CheckedRules {
     [[nodiscard]] const std::string& name(std::size_t rule) const { return rules[rule].written->name.text; }
 };
 
-/// "near", "level = 3", "load = high": a measure with its value as people write it.
+/// "near", "level = 3", "load = high": a measure with its value, for messages.
 [[nodiscard]] std::string value_text(const Measure& measure, std::int64_t value);
 
 }  // namespace robochart::sleec

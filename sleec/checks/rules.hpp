@@ -16,7 +16,7 @@ extern const diagnostics::Rule literal_by_place;
 extern const diagnostics::Rule circular_constant;
 extern const diagnostics::Rule empty_interval;
 
-/// All of them, for `explain`.
+/// All rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> checks();
 
 }  // namespace robochart::sleec::rules

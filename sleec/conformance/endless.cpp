@@ -16,7 +16,7 @@ using lts::StateIndex;
 
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
-/// The number of each state's component.
+/// The component number of each state.
 std::vector<std::uint32_t> components_of(const Graph& graph) {
     std::vector<std::uint32_t> result(graph.size(), nowhere);
     std::uint32_t next = 0;
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> components_of(const Graph& graph) {
     return result;
 }
 
-/// The edges of a shortest way from one state to another, through states that are admitted.
+/// The edges of a shortest path from one state to another, through admitted states.
 template <class Admitted>
 std::vector<std::pair<StateIndex, Edge>> way(const Graph& graph, StateIndex from, StateIndex to,
                                              const Admitted& admitted) {
@@ -53,7 +53,7 @@ std::vector<std::pair<StateIndex, Edge>> way(const Graph& graph, StateIndex from
     return result;
 }
 
-/// Collects what is behind the taus of one state.
+/// Collects the hidden events of the taus of one state.
 class Revealing final : public lts::SuccessorSink {
 public:
     Revealing(const lts::StateStore& states, const Edge& wanted) : states_(states), wanted_(wanted) {}

@@ -1,4 +1,4 @@
-// Whether an event can come without end: the question that a duty without limit asks of a finite graph.
+// Decides whether an event can occur infinitely often in a finite graph; needed for duties without limit.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,17 @@ namespace robochart::sleec {
 /// A step of a run.
 struct EndlessStep {
     lts::Event event = 0;
-    lts::Event revealed = 0;  ///< of a hidden step, the event that was hidden
+    lts::Event revealed = 0;  ///< for a hidden step, the hidden event
 };
 
-/// A run in which an event comes without end: steps from the initial state, then those that are repeated.
+/// A run in which an event occurs infinitely often: steps from the initial state, then the repeated steps.
 struct EndlessRun {
     std::vector<EndlessStep> steps, loop;
 };
 
-/// A run with the event infinitely often; nothing if there is none. There is one iff a strongly connected component of
-/// what is reachable has the event on an edge inside. `poll` is called once a state, with their number, and may throw.
+/// A run with the event infinitely often; no value if there is none. There is one iff a strongly connected component of
+/// the reachable states contains an edge with the event. `poll` is called once per state with the number of states, and
+/// may throw.
 [[nodiscard]] std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event event,
                                                     const std::function<void(std::size_t states)>& poll);
 

@@ -27,7 +27,7 @@ constexpr const char* wrong_process = "sleec_Wrong";
 constexpr const char* all_events = "sleec_events";
 constexpr std::size_t most_ways = 4096;
 
-/// Values of a measure at an instant, beside its classes.
+/// Special values of a measure at an instant, in addition to its classes.
 constexpr std::int64_t unknown = -1;
 constexpr std::int64_t changing = -2;
 
@@ -39,7 +39,7 @@ Tree at_most(std::int64_t second) {
     return build::binary(ExprKind::less_equal, time(), build::number(second));
 }
 
-/// Whether the second is in the demand's window.
+/// True if the second is in the demand's window.
 Tree within(const Demand& demand) {
     Exprs conditions;
     if (demand.begin > 0)
@@ -48,7 +48,7 @@ Tree within(const Demand& demand) {
     return build::all_of(std::move(conditions));
 }
 
-/// Whether a demand that the event has to come can still be fulfilled.
+/// True if a demand for an event can still be fulfilled.
 Tree some_left(const Obligation& obligation) {
     Exprs conditions;
     for (const Demand& each : obligation.any) {
@@ -70,7 +70,7 @@ const Demand* prohibition(const Obligation& obligation) {
     return nullptr;
 }
 
-/// Behind this second only windows without end are open.
+/// After this second, only windows without end are open.
 std::int64_t last_second(const Obligation& obligation) {
     std::int64_t last = 0;
     for (const Demand& each : obligation.any) last = std::max(last, each.end == forever ? each.begin : each.end + 1);
@@ -108,7 +108,8 @@ std::optional<std::size_t> Watch::way_of(const std::string& event) {
 
 // ---------------------------------------------------------------- values
 
-/// Numbers: below, at and between the constants that they are compared with. The rule tells no others apart.
+/// The classes of a number: below, at and between the constants that it is compared with. The rule distinguishes no
+/// others.
 void Watch::find_classes() {
     const CheckedRule& rule = rules_.rules[rule_];
     const auto values = representatives(rules_, {rule_});
@@ -169,7 +170,7 @@ std::size_t Watch::obligation(const Obligation& obligation) {
     return obligations_.size() - 1;
 }
 
-/// All combinations of classes, in the order in which `started` asks for them.
+/// All combinations of classes, in the order in which `started` tests them.
 void Watch::find_ways() {
     std::vector<std::size_t> at(followed_.size(), 0);
     for (;;) {
@@ -205,8 +206,9 @@ Tree Watch::named_events() const {
     return build::productions(std::move(items));
 }
 
-/// Measures that the component has not read at this instant may have any value; one that it reads later at this instant
-/// has the value that was assumed, or the run is none. `from`: the measures before it are decided.
+/// A measure that the component has not read at this instant may have any value. If it reads the measure later at this
+/// instant, the value must be the assumed one; otherwise the run is discarded. `from`: the measures before it are
+/// decided.
 Tree Watch::started(std::size_t from, Valuation classes) const {
     if (from == followed_.size()) {
         std::size_t way = 0;
@@ -234,8 +236,8 @@ Tree Watch::started(std::size_t from, Valuation classes) const {
     return result;
 }
 
-/// sleec_Start0(k..): what is not known is assumed; a.. is what the readings that follow at this instant are compared
-/// with, if anything.
+/// sleec_Start0(k..): assumes values for unknown measures. a.. are the values with which later readings at this instant
+/// are compared, if they are compared.
 std::vector<DeclPtr> Watch::starting() const {
     std::vector<DeclPtr> result;
     const std::size_t count = followed_.size();
@@ -269,7 +271,7 @@ std::vector<DeclPtr> Watch::starting() const {
     return result;
 }
 
-/// What the value of a measure is at this instant, behind a reading `v`.
+/// The value of a measure at this instant, after a reading `v`.
 Tree Watch::reading(std::size_t place) const {
     const Tree read = class_of(followed_[place], build::name("v"));
     if (readings_ == Readings::any) return read;
@@ -279,7 +281,7 @@ Tree Watch::reading(std::size_t place) const {
                       read, build::number(changing));
 }
 
-/// Any trigger may be the one that is followed.
+/// The process before a trigger is selected: any trigger may be the one that is followed.
 std::vector<DeclPtr> Watch::idle() const {
     Exprs measures, not_read, changes;
     std::vector<std::string> parameters;
@@ -315,7 +317,8 @@ std::vector<DeclPtr> Watch::idle() const {
     return {build::function_decl(idle_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
 
-/// An event breaks the obligation, unless a reading of the trigger's instant is still to show another value.
+/// An event breaks the obligation, unless a later reading at the trigger's instant shows a value other than the assumed
+/// one.
 Tree Watch::against() const {
     if (!reads()) return breaks();
     Exprs same;
@@ -324,7 +327,7 @@ Tree Watch::against() const {
                       build::call(wrong_process, std::move(same)));
 }
 
-/// A measure that is read while an obligation is open: another value than the one assumed means that this is no run.
+/// A reading of a measure while an obligation is open: a value other than the assumed one discards the run.
 Tree Watch::compared(std::size_t place, const Tree& then) const {
     const Tree assumed = build::name(variable(place));
     const Tree other =
@@ -334,7 +337,7 @@ Tree Watch::compared(std::size_t place, const Tree& then) const {
                          {build::input("d"), build::input("v")}, build::if_(other, build::name(free_process), then));
 }
 
-/// The values of the measures behind a reading that agreed with the one assumed.
+/// The values of the measures after a reading that agreed with the assumed value.
 Exprs Watch::behind_reading(std::size_t place) const {
     Exprs result;
     for (std::size_t k = 0; k < followed_.size(); ++k)
@@ -362,7 +365,7 @@ std::vector<DeclPtr> Watch::wrong() const {
     return {build::function_decl(wrong_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
 
-/// As take_event (obligations/open.hpp).
+/// Corresponds to take_event (obligations/open.hpp).
 Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
     const Obligation& obligation = obligations_[index];
     const auto& ended_by = obligation.ended_by;
@@ -382,7 +385,7 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
                              : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
 }
 
-/// As take_tock: `t` is the second that ends.
+/// Corresponds to take_tock: `t` is the second that ends.
 Tree Watch::on_tock(std::size_t index, bool broken) const {
     const Obligation& obligation = obligations_[index];
     const std::int64_t last = last_second(obligation);
@@ -405,7 +408,7 @@ Tree Watch::on_tock(std::size_t index, bool broken) const {
     return build::if_(build::all_of(std::move(over)), breaks(), result);
 }
 
-/// How a second passes while this is open.
+/// The event for the passing of a second while this obligation is open.
 Tree Watch::passing(std::size_t index) const {
     return build::name(waits_for_ever(obligations_[index]) ? waiting : "tock");
 }
@@ -465,7 +468,7 @@ bool Watch::reads() const {
                        [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
 }
 
-/// A component that has ended does nothing more, but time goes on.
+/// A terminated component does nothing more, but time continues.
 Tree Watch::both() const {
     Exprs not_read;
     for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(unknown));

@@ -1,6 +1,7 @@
-// Whether a component obeys a rule, as a question to the checker of scripts: a process beside the component picks one
-// trigger, whichever it likes, and follows what becomes of its obligation. The component obeys the rule iff no run of
-// both leads to `broken`. One obligation at a time is enough: a rule is broken iff some trigger's obligation is.
+// Decides whether a component obeys a rule, with the checker of scripts. A process in parallel with the component
+// nondeterministically selects one trigger and follows its obligation. The component obeys the rule iff no run of both
+// leads to `broken`. One obligation at a time is sufficient, because a rule is broken iff the obligation of some
+// trigger is.
 #pragma once
 
 #include <optional>
@@ -12,66 +13,67 @@
 
 namespace robochart::sleec {
 
-/// A measure as the script has it: a channel with a direction and a value.
+/// A measure in the script: a channel with a direction and a value.
 struct LinkedMeasure {
     std::string channel;
-    std::vector<std::string> literals;  ///< of a scale: the script's constructors, least first
+    std::vector<std::string> literals;  ///< for a scale: the script's constructors, least first
 };
 
-/// Where the names of a file of rules are found in a script; nothing for those that are not. The rule's events have to
-/// be; a measure that is not may have any value at any time.
+/// The channels of the names of a rule file in a script; no value for names that are not in it. All events of the rule
+/// must be linked. A measure that is not linked may have any value at any time.
 struct Linking {
     std::vector<std::optional<std::string>> events;  ///< channels
     std::vector<std::optional<LinkedMeasure>> measures;
 };
 
-/// One way in which the rule is asked something: the values of its measures, by their classes, and what it asks for.
+/// One case of the rule: the values of its measures, by class, and the obligation.
 struct Asked {
     Valuation values;
     std::size_t obligation = 0;
 };
 
-/// What is judged where the component reads different values of a measure within one instant.
+/// How a component is judged that reads different values of a measure within one instant.
 enum class Readings : std::uint8_t {
-    one_value,  ///< a trigger of this instant is not judged: a measure has one value at each instant, as in SLEEC-TK
-    any,        ///< the last value before the trigger counts; without one, that behind it
+    one_value,  ///< a trigger at this instant is not judged: a measure has one value per instant, as in SLEEC-TK
+    any,        ///< the last value before the trigger is used; without one, the first after it
 };
 
-/// The script about one rule and one component.
+/// The script for one rule and one component.
 class Watch {
 public:
-    /// `process`: the component, in time. Throws NotDecided where the rule cannot be followed so.
+    /// `process`: the timed process of the component. Throws NotDecided if this method cannot follow the rule.
     Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process,
           Readings readings = Readings::one_value);
 
-    /// Channels and processes; names begin with "sleec_".
+    /// The channels and processes; their names begin with "sleec_".
     [[nodiscard]] std::vector<cspm::DeclPtr> declarations() const;
     /// Holds iff no obligation is broken.
     [[nodiscard]] cspm::DeclPtr obeyed() const;
-    /// Fails iff some run asks for something; of those ways alone.
+    /// Fails iff some run leads to one of these cases.
     [[nodiscard]] cspm::DeclPtr never_asked(const std::vector<std::size_t>& ways) const;
-    /// Whether something is asked for that has to come and has no limit.
+    /// True if the rule demands an event without limit.
     [[nodiscard]] bool has_demand_without_limit() const;
-    /// Component and rule together, where a second that passes while such a demand is open is the event `waiting`. The
-    /// component obeys the rule iff it is never broken, and no run has this event without end (endless.hpp).
+    /// Component and rule in parallel. If a second passes while such a demand is open, the event is `waiting` instead
+    /// of `tock`. The component obeys the rule iff it is never broken and no run contains this event infinitely often
+    /// (endless.hpp).
     [[nodiscard]] cspm::ExprPtr waiting_process() const;
-    /// Component and rule together, with all that they do.
+    /// Component and rule in parallel, with all their events.
     [[nodiscard]] cspm::ExprPtr process() const { return both(); }
     static constexpr const char* waiting = "sleec_waiting";
-    /// Whether a measure is asked for that the component reads.
+    /// True if the rule uses a measure that the component reads.
     [[nodiscard]] bool reads() const;
 
     [[nodiscard]] const std::vector<Obligation>& obligations() const { return obligations_; }
     [[nodiscard]] const std::vector<Asked>& ways() const { return ways_; }
-    /// The way, where this is the event by which the process says that it follows an obligation.
+    /// The number of the case, if this is the event by which the process reports that it follows an obligation.
     [[nodiscard]] static std::optional<std::size_t> way_of(const std::string& event);
 
 private:
     struct Followed {
         std::size_t measure = 0;
-        std::vector<std::int64_t> constants;        ///< ascending; what numbers are compared with
-        std::vector<std::int64_t> representatives;  ///< of each class; classes that are empty have none
-        std::vector<std::int64_t> classes;          ///< their numbers
+        std::vector<std::int64_t> constants;        ///< ascending; the constants that numbers are compared with
+        std::vector<std::int64_t> representatives;  ///< one for each nonempty class
+        std::vector<std::int64_t> classes;          ///< the numbers of the nonempty classes
     };
 
     void find_classes();

@@ -19,9 +19,10 @@
 namespace robochart::sleec {
 namespace {
 
-/// The names of a file as identifiers.
+/// The names of a file as C++ identifiers.
 struct CppNames {
-    std::vector<std::string> events, measures, types;  ///< of measures that are no scale "bool" or "std::int64_t"
+    std::vector<std::string> events, measures, types;  ///< the type of a measure that is not a scale is "bool" or
+                                                       ///< "std::int64_t"
     std::vector<std::vector<std::string>> literals;
 };
 
@@ -47,7 +48,7 @@ CppNames names_of(const RuleFile& file) {
     return result;
 }
 
-/// Conditions as C++. Operators in a row need parentheses only where the operator changes.
+/// Conditions as C++. Parentheses are needed only between different operators.
 class ConditionText {
 public:
     ConditionText(const CheckedRules& rules, const CppNames& names) : rules_(rules), names_(names) {}
@@ -71,7 +72,7 @@ private:
         return plain && part.op != Op::negation ? text(part) : "(" + text(part) + ")";
     }
 
-    /// What compilers warn of is decided here: a measure compared with itself, two numbers.
+    /// Comparisons that compilers warn about are evaluated here: a measure with itself, and two numbers.
     [[nodiscard]] std::string comparison(const Condition& condition) const {
         const Condition& left = condition.parts[0];
         const Condition& right = condition.parts[1];
@@ -104,13 +105,13 @@ private:
     const CppNames& names_;
 };
 
-/// How large what one duty may ask for is. Counts do not grow beyond `most_open`.
+/// The size of the obligations of one duty. Counts are limited to `most_open`.
 struct Shape {
     std::size_t demands = 0, endings = 0;
-    std::size_t open = 0;  ///< how many duties of it can be open and differ
+    std::size_t open = 0;  ///< how many different duties of it can be open
 };
 
-/// Sizes of all that a rule may ask for: along every way through its defeaters.
+/// Computes the sizes of all obligations of a rule, for every combination of its defeaters.
 class Shapes {
 public:
     explicit Shapes(WithoutLimit without) : without_(without) {}
@@ -125,7 +126,7 @@ private:
         std::size_t demands = 0, prohibitions = 0, endings = 0;
         std::int64_t seconds = 0;  ///< after which nothing changes
         std::int64_t begin = 0;
-        bool at_once = true;  ///< its only window begins at the trigger
+        bool at_once = true;  ///< its only window starts at the trigger
     };
 
     void end(const Way& way) {
@@ -139,7 +140,7 @@ private:
         shape_.open = std::min(shape_.open + open, most_open);
     }
 
-    /// Responses are a tree, so each is met once.
+    /// Responses form a tree, so each is visited once.
     void visit(const DutyPtr& duty, Way way) {
         for (const CheckedDefeater& each : duty->defeaters) way.endings += each.event ? 1U : 0U;
         for (const CheckedDefeater& each : duty->defeaters)
@@ -221,7 +222,7 @@ private:
         out_ += "};\n\n";
     }
 
-    /// Generated text does not depend on where the rules lie.
+    /// The generated text must not depend on the folder of the rule file.
     [[nodiscard]] std::string place(diagnostics::Span span) const {
         const std::string text = sources_.place(span);
         return text.substr(text.rfind('/') + 1);
@@ -276,7 +277,7 @@ private:
             index, response);
     }
 
-    /// Writes a response behind those that it leads to; its number.
+    /// Writes the responses that a response leads to, then the response itself; returns its number.
     std::size_t responses(const DutyPtr& duty) {
         std::vector<std::optional<std::size_t>> defeaters;
         for (const CheckedDefeater& each : duty->defeaters)
@@ -291,7 +292,7 @@ private:
             number);
         for (const CheckedDefeater& each : duty->defeaters)
             if (each.event) out_ += fmt::format("        duty.ended_by({});\n", *each.event);
-        // The last defeater that is true decides.
+        // The last true defeater decides.
         for (std::size_t i = defeaters.size(); i-- > 0;)
             if (!duty->defeaters[i].event)
                 out_ += fmt::format("        if ({}) return {};\n", conditions_.text(duty->defeaters[i].condition),
@@ -302,7 +303,7 @@ private:
     }
 
     void asked(const Duty& duty, bool open, std::optional<std::size_t> otherwise) {
-        if (duty.to && *duty.to < duty.from) {  // at least 0 seconds: nothing is asked
+        if (duty.to && *duty.to < duty.from) {  // at least 0 seconds: no demand
             out_ += "        return false;\n";
             return;
         }

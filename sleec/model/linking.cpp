@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// The model's name: what `map` says, without the component in front.
+    /// The name in the model: the one given by `map`, without the component.
     [[nodiscard]] std::string model_name(const std::string& name) const {
         for (const Mapping& each : rules_.file->mappings)
             if (each.name.text == name) return each.element.text.substr(each.element.text.rfind(':') + 1);
@@ -87,7 +87,7 @@ private:
         result_.linking.measures.push_back(std::move(linked));
     }
 
-    /// Why the model's type does not fit; "" if it does.
+    /// The reason why the model's type does not fit; "" if it does.
     [[nodiscard]] std::string fits(const Measure& measure, const ir::Type& type, LinkedMeasure& linked) const {
         const std::string wrong = fmt::format("'{}' has the type {} in the model", measure.name.text, type.name);
         if (measure.type == MeasureType::boolean) return type.kind == ir::TypeKind::boolean ? "" : wrong;

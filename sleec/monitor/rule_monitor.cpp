@@ -12,8 +12,8 @@ RuleMonitor::RuleMonitor(const CheckedRules& rules, WithoutLimit without) : rule
 
 namespace {
 
-/// What the rule asks for with these values: one valuation for each obligation that it may be. What is not known takes
-/// each of the values that the rule tells apart.
+/// The possible obligations of the rule for these values, each with a valuation. An unknown measure takes each of the
+/// values that the rule distinguishes.
 std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const CheckedRules& rules, std::size_t rule,
                                                                       const MeasureReadings& readings,
                                                                       WithoutLimit without) {
@@ -86,7 +86,7 @@ void RuleMonitor::after(Open open, Effect effect, std::optional<std::size_t> eve
         violations_.push_back({open.rule, open.began, std::move(open.values), std::move(open.obligation), event, now_});
 }
 
-/// Of duties of a rule that are the same from now on, the oldest is kept.
+/// If duties of a rule are identical from now on, only the oldest is kept.
 void RuleMonitor::keep(Open open, std::vector<Open>& open_now) const {
     const bool known = std::any_of(open_now.begin(), open_now.end(), [&](const Open& other) {
         return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;

@@ -1,5 +1,5 @@
-// Rules followed while something runs: events with the values of the measures, and seconds, one after the other. Says
-// where a rule is broken; a duty without limit is never broken by a finite history.
+// Monitors rules at run time. Its input is a sequence of events, with the values of the measures, and seconds. It
+// reports where a rule is broken. A finite history never breaks a duty without limit.
 #pragma once
 
 #include <cstdint>
@@ -17,32 +17,32 @@ struct Violation {
     std::int64_t began = 0;  ///< second of its trigger
     Valuation values;        ///< at the trigger
     Obligation obligation;
-    std::optional<std::size_t> event;  ///< that broke it; nothing: the end of a second
+    std::optional<std::size_t> event;  ///< the event that broke it; no value: the end of a second
     std::int64_t second = 0;           ///< in which it was broken
 };
 
-/// A value for each measure of the file; nothing: it is not known.
+/// A value for each measure of the file; no value: unknown.
 using MeasureReadings = std::vector<std::optional<std::int64_t>>;
 
-/// All rules of a file but its assumptions. Memory is bounded by the limits of the rules. Throws NotDecided where a
+/// All rules of a file except its assumptions. Memory is bounded by the limits of the rules. Throws NotDecided if a
 /// rule has too many alternatives.
 class RuleMonitor {
 public:
     RuleMonitor(const CheckedRules& rules, WithoutLimit without);
 
-    /// An event with what is known of the measures. A trigger of a rule that asks for different duties as the values
-    /// are that are not known is not followed; `open_triggers` has it.
+    /// An event with the known values of the measures. A trigger is not followed if the rule's demand depends on
+    /// unknown values; `open_triggers` then contains the rule.
     void event(std::size_t event, const MeasureReadings& values);
-    /// The second ends, and the next begins.
+    /// One second ends and the next begins.
     void second();
-    /// What has been broken since it was last asked.
+    /// The violations since the last call.
     [[nodiscard]] std::vector<Violation> take();
-    /// Rules of which a trigger was not followed, each once.
+    /// The rules with a trigger that was not followed, without duplicates.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return open_triggers_; }
-    /// What was asked for until now is forgotten: what has happened in between is not known.
+    /// Drops all open obligations, because the events in between are unknown.
     void forget() { open_.clear(); }
     [[nodiscard]] std::int64_t now() const { return now_; }
-    /// What is owed: each duty, and how far it has come.
+    /// The open duties, with their progress.
     [[nodiscard]] std::vector<std::pair<Obligation, Progress>> owed() const;
 
 private:

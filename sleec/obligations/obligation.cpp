@@ -6,7 +6,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// Collects demands from the response in force to what stands behind each `otherwise`.
+/// Collects demands from the response in force and from the responses after each `otherwise`.
 class Collector {
 public:
     Collector(const Valuation& values, WithoutLimit without) : values_(values), without_(without) {}
@@ -16,7 +16,7 @@ public:
         std::int64_t begin = 0;
         while (at) {
             if (at->measured) throw NotDecided("a measure decides a limit of time");
-            if (at->to && *at->to < at->from) return std::nullopt;  // at least 0 seconds: nothing is asked
+            if (at->to && *at->to < at->from) return std::nullopt;  // at least 0 seconds: no demand
             const bool open = !at->to && without_ == WithoutLimit::eventually;
             const std::int64_t length = at->to.value_or(0);
             result_.any.push_back(
@@ -25,11 +25,12 @@ public:
             begin += length;
             at = in_force(at->otherwise);
         }
-        return std::nullopt;  // nothing is asked in the end, so all is fulfilled
+        return std::nullopt;  // nothing is demanded in the end, so the obligation is always fulfilled
     }
 
 private:
-    /// The last defeater whose condition is true decides; its response is judged by its own defeaters in turn.
+    /// The last defeater whose condition is true decides; the defeaters of its response are then evaluated in the same
+    /// way.
     DutyPtr in_force(DutyPtr duty) {
         while (duty) {
             const CheckedDefeater* last = nullptr;
@@ -54,7 +55,7 @@ struct Window {
     std::int64_t begin, end;
 };
 
-/// Whether `window` is covered by these.
+/// True if these windows together cover `window`.
 bool covered(Window window, std::vector<Window> by) {
     std::sort(by.begin(), by.end(), [](const Window& a, const Window& b) { return a.begin < b.begin; });
     for (const Window& each : by) {
@@ -73,8 +74,8 @@ std::vector<Window> windows(const Obligation& obligation, bool forbids, std::siz
     return result;
 }
 
-/// Whether a prohibition in `of` cannot be broken without breaking what is assumed: outside of `free`, the event
-/// would fulfil a positive demand of the same obligation.
+/// True if some prohibition in `of` cannot be broken without violating what is assumed. Outside of the assumed windows,
+/// the event would fulfil a positive demand of the same obligation.
 bool some_prohibition_within(const Obligation& of, std::size_t event, const std::vector<Window>& assumed) {
     std::vector<Window> closed = windows(of, false, event);
     closed.insert(closed.end(), assumed.begin(), assumed.end());
@@ -99,10 +100,11 @@ std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation
     return obligation_of(rule.duty, values, without);
 }
 
-/// A disjunction implies another iff each of its parts does. That E comes at a second of W implies it iff each second
-/// of W is in a window in which the other demands E. That E does not come in W implies it iff the other forbids E in a
-/// window of which W, with the windows in which it demands E, leaves nothing. (Else a history is made in which the part
-/// holds, no demanded event of the other comes in its window, and each forbidden one does.)
+/// A disjunction implies another iff each of its parts does. "E occurs at a second of W" implies the other iff each
+/// second of W is in a window in which the other demands E. "E does not occur in W" implies the other iff the other
+/// forbids E in a window that is covered by W and the windows in which the other demands E. (Otherwise there is a
+/// history in which the part is true, no demanded event of the other occurs in its window, and each forbidden one
+/// does.)
 bool implies(const Obligation& stronger, const Obligation& weaker) {
     if (always_fulfilled(weaker)) return true;
     for (const std::size_t event : stronger.ended_by)

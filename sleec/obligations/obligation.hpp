@@ -1,5 +1,5 @@
-// What a trigger asks for, with all conditions decided: a disjunction of demands, each that an event comes in a window
-// of time or that it does not. docs/rules-language.md, "What rules mean".
+// The demands of a trigger after all conditions are decided: a disjunction of demands that an event occurs, or does not
+// occur, in a window of time. docs/rules-language.md, "What rules mean".
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace robochart::sleec {
 
-/// A question that is not decided, and why.
+/// Thrown if a question is not decided; the message contains the reason.
 class NotDecided : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// What a response without limit means.
+/// The meaning of a response without limit.
 enum class WithoutLimit : std::uint8_t { eventually, now };
 
-/// The end of a window that has none.
+/// The end of an unbounded window.
 inline constexpr std::int64_t forever = std::numeric_limits<std::int64_t>::max();
 
-/// The event comes at a second from `begin` to `end` behind the trigger, or it does not.
+/// The event occurs, or does not occur, at a second from `begin` to `end` after the trigger.
 struct Demand {
     bool forbids = false;
     std::size_t event = 0;
@@ -35,8 +35,8 @@ struct Demand {
     friend bool operator==(const Demand&, const Demand&) = default;
 };
 
-/// One demand is to be fulfilled, in whatever order they are written: those behind `otherwise` begin where the limit of
-/// those before ends.
+/// At least one demand must be fulfilled; their order does not matter. Demands after `otherwise` begin when the limit
+/// of the earlier ones ends.
 struct Obligation {
     std::vector<Demand> any;
     std::vector<std::size_t> ended_by;  ///< events that end it while it is open (`unless EVENT`)
@@ -44,16 +44,17 @@ struct Obligation {
     friend bool operator==(const Obligation&, const Obligation&) = default;
 };
 
-/// The obligation that a trigger with these values opens. Nothing: the condition is false, or no duty is left. Throws
-/// NotDecided where a measure decides a limit.
+/// The obligation that a trigger with these values opens. No value if the condition is false or no duty is left. Throws
+/// NotDecided if a measure determines a limit.
 [[nodiscard]] std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit);
-/// The same for a duty alone.
+/// The same for a single duty.
 [[nodiscard]] std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit);
 
-/// Whether every history fulfils it: an event comes in a window, or it does not come in a part of it.
+/// True if every history fulfils it: an event occurs in a window, or it does not occur in a part of the window.
 [[nodiscard]] bool always_fulfilled(const Obligation& obligation);
-/// Whether every history that fulfils one, opened at some instant, fulfils the other, opened at the same instant.
-/// Events are taken as independent: where the demanded event is the rule's own trigger, a "no" may be too careful.
+/// True if every history that fulfils `stronger`, opened at some instant, fulfils `weaker`, opened at the same instant.
+/// Events are considered independent, so the answer may be false although it should be true if the demanded event is
+/// the rule's own trigger.
 [[nodiscard]] bool implies(const Obligation& stronger, const Obligation& weaker);
 
 }  // namespace robochart::sleec

@@ -1,35 +1,36 @@
-// An obligation while it is open: what an event, or a second, does to it.
+// An open obligation, and the effects of events and seconds on it.
 #pragma once
 
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {
 
-/// What became of it.
+/// The outcome.
 enum class Effect : std::uint8_t { open, fulfilled, broken };
 
-/// Where an open obligation has come to.
+/// The progress of an open obligation.
 struct Progress {
-    std::int64_t elapsed = 0;  ///< seconds since its trigger; no further than matters
-    std::uint32_t broken = 0;  ///< prohibitions of it that are broken, by their place
+    std::int64_t elapsed = 0;  ///< seconds since its trigger, up to the last relevant one
+    std::uint32_t broken = 0;  ///< bit set of its broken prohibitions, by index
 
     friend auto operator<=>(const Progress&, const Progress&) = default;
 };
 
-/// Most demands that one obligation may have, so that `Progress` can hold a bit for each.
+/// The largest number of demands of one obligation, so that `Progress` can store a bit for each.
 inline constexpr std::size_t most_demands = 15;
 
-/// An event behind the trigger, at the instant reached.
+/// An event after the trigger, at the current instant.
 [[nodiscard]] Effect take_event(const Obligation& obligation, Progress& progress, std::size_t event);
-/// A second passes.
+/// The end of a second.
 [[nodiscard]] Effect take_tock(const Obligation& obligation, Progress& progress);
 
-/// The demands of an obligation that it cannot outlive this instant without, where that is so: else nothing. A demand
-/// without limit is one where `never_again` says that its event is forbidden for ever.
+/// The demands of which one must be fulfilled at this instant, if the obligation cannot survive it otherwise; empty if
+/// it can. A demand without limit counts if `never_again` returns true, which means that its event is forbidden
+/// forever.
 template <class NeverAgain>
 std::vector<const Demand*> due_now(const Obligation& obligation, const Progress& progress,
                                    const NeverAgain& never_again);
-/// Whether the event is forbidden by it for ever.
+/// True if the obligation forbids the event forever.
 [[nodiscard]] bool forbids_for_ever(const Obligation& obligation, const Progress& progress, std::size_t event);
 
 template <class NeverAgain>

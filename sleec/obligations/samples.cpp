@@ -10,7 +10,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// Most valuations that are gone through for one event.
+/// The largest number of valuations that are enumerated for one event.
 constexpr std::uint64_t most_valuations = 1U << 22U;
 
 using Visit = std::function<void(const Condition&)>;
@@ -40,10 +40,10 @@ bool has_measure(const Condition& condition) {
     return found;
 }
 
-/// What numbers are compared with.
+/// The comparisons of numbers.
 struct Comparisons {
-    std::vector<std::set<std::int64_t>> constants;  ///< of each measure
-    std::set<std::size_t> together;                 ///< compared with another measure
+    std::vector<std::set<std::int64_t>> constants;  ///< for each measure
+    std::set<std::size_t> together;                 ///< measures compared with other measures
 };
 
 void note(const Condition& condition, Comparisons& result) {
@@ -62,7 +62,7 @@ void note(const Condition& condition, Comparisons& result) {
     }
 }
 
-/// Between and around these constants, so many values where there are as many.
+/// Values between and around these constants, `count` values in each interval that has that many.
 std::vector<std::int64_t> around(const std::set<std::int64_t>& constants, std::int64_t count) {
     if (constants.empty()) {
         std::vector<std::int64_t> any;
@@ -72,14 +72,14 @@ std::vector<std::int64_t> around(const std::set<std::int64_t>& constants, std::i
     std::set<std::int64_t> values;
     for (const std::int64_t constant : constants)
         for (std::int64_t i = 0; i <= count; ++i) {
-            // What lies beyond the next constant stands for values there as well; only the number of values matters.
+            // A value beyond the next constant is harmless: only the number of values matters.
             values.insert(constant + i);
             values.insert(constant - i);
         }
     return {values.begin(), values.end()};
 }
 
-/// Goes through all valuations of some measures.
+/// Enumerates all valuations of some measures.
 class Valuations {
 public:
     Valuations(const std::vector<std::vector<std::int64_t>>& values, std::vector<std::size_t> measures)
@@ -141,8 +141,9 @@ bool compares_measures(const CheckedRule& rule) {
     return found;
 }
 
-/// For integers: a valuation is described by how each number lies to the constants, and by the order of those that are
-/// compared with each other. Between two constants, n numbers take at most n different values, so n there are enough.
+/// For integers: a valuation is characterised by the position of each number relative to the constants, and by the
+/// order of those that are compared with each other. Between two constants, n numbers have at most n different values,
+/// so n values are sufficient.
 std::vector<std::vector<std::int64_t>> representatives(const CheckedRules& rules,
                                                        const std::vector<std::size_t>& asked) {
     const std::vector<Measure>& measures = rules.file->measures;

@@ -1,5 +1,5 @@
-// The values of measures that a question distinguishes. Two valuations under which all of its rules ask for the same
-// are one sample; a valuation stands for each.
+// The values of measures that a question distinguishes. All valuations with the same demands of all of its rules form
+// one sample, represented by one valuation.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,27 @@
 
 namespace robochart::sleec {
 
-/// One way in which the measures may be when an event occurs.
+/// One case of the values of measures when an event occurs.
 struct Sample {
-    Valuation values;                                    ///< that stand for it; 0 of measures that no rule asks
-    std::vector<std::optional<Obligation>> obligations;  ///< of each rule of the question, in its order
+    Valuation values;  ///< a representative valuation; 0 for measures that no rule uses
+    std::vector<std::optional<Obligation>> obligations;  ///< for each rule of the question, in order
 };
 
-/// The samples of an event for these rules, those that differ in what a rule asks for. Rules with another trigger ask
-/// for nothing. Numbers are represented by the constants that they are compared with, their neighbours, and as many
-/// values in between as there are numbers compared with each other. Throws NotDecided where measures are in arithmetic,
-/// or where there are too many values.
+/// The samples of an event that differ in the demands of some of these rules. Rules with another trigger demand
+/// nothing. Numbers are represented by the constants that they are compared with, by their neighbours, and by as many
+/// values in between as there are numbers compared with each other. Throws NotDecided if measures occur in arithmetic,
+/// or if there are too many values.
 [[nodiscard]] std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::size_t>& asked,
                                           std::size_t event, WithoutLimit, diagnostics::Budget* budget);
 
-/// Values for each measure of the file of which every valuation can be represented, with respect to these rules.
+/// Values for each measure of the file that represent every valuation with respect to these rules.
 [[nodiscard]] std::vector<std::vector<std::int64_t>> representatives(const CheckedRules& rules,
                                                                      const std::vector<std::size_t>& asked);
-/// The measures that the conditions of a rule name, its defeaters included; each once, in the order of the text.
+/// The measures in the conditions of a rule and its defeaters, without duplicates, in textual order.
 [[nodiscard]] std::vector<std::size_t> measures_of(const CheckedRule& rule);
 /// The constants that a rule compares a measure with, ascending.
 [[nodiscard]] std::vector<std::int64_t> constants_of(const CheckedRule& rule, std::size_t measure);
-/// Whether a condition of the rule compares two measures.
+/// True if a condition of the rule compares two measures.
 [[nodiscard]] bool compares_measures(const CheckedRule& rule);
 
 }  // namespace robochart::sleec

@@ -1,4 +1,4 @@
-// See encoding.hpp. Each function states the part of SLEEC-TK's semantics that it follows.
+// See encoding.hpp. Each function states the part of SLEEC-TK's semantics that it implements.
 #include "sleec/published/encoding.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ using cspm::DeclPtr;
 using cspm::ExprKind;
 using Tree = cspm::ExprPtr;
 
-/// Measures in the order of the text, again for each mention.
+/// The measures in textual order, once for each mention.
 void mentions(const Condition& condition, std::vector<std::size_t>& result) {
     if (condition.op == Op::name) result.push_back(condition.measure);
     for (const Condition& part : condition.parts) mentions(part, result);
@@ -52,7 +52,7 @@ ExprKind kind_of(Op op) {
     }
 }
 
-/// Every name that events of time have is reserved; those of rules have a prefix.
+/// All names of timing events are reserved; names of rule events have a prefix.
 constexpr const char* tock = "tock";
 constexpr const char* other_tock = "tock'";
 
@@ -102,7 +102,7 @@ bool Encoding::on_scale(const Condition& condition) const {
     return condition.op == Op::name && rules_.measure(condition.measure).type == MeasureType::scale;
 }
 
-/// Values of a scale are their places. `>=` with a measure on a scale is `>` (a fault of SLEEC-TK).
+/// Values of a scale are indices. `>=` with a measure on a scale is `>` (a fault of SLEEC-TK).
 Tree Encoding::value(const Condition& condition) const {
     switch (condition.op) {
         case Op::truth:
@@ -126,7 +126,7 @@ Tree Encoding::value(const Condition& condition) const {
     return build::binary(kind, value(condition.parts[0]), value(condition.parts[1]));
 }
 
-/// Each measure is read at once, in the order of the text, again for each mention.
+/// The measures are read without delay, in textual order, once for each mention.
 Tree Encoding::reading(const std::vector<const Condition*>& conditions, Tree then) const {
     std::vector<std::size_t> order;
     for (const Condition* each : conditions) mentions(*each, order);
@@ -140,7 +140,7 @@ Tree Encoding::reading(const std::vector<const Condition*>& conditions, Tree the
 
 // ---------------------------------------------------------------- rules
 
-/// `e -> reading -> if c then SKIP else again`, every event of the response free meanwhile.
+/// `e -> reading -> if c then SKIP else again`; the events of the response are always allowed meanwhile.
 Tree Encoding::trigger(const CheckedRule& rule, const std::string& self) const {
     const Tree again = build::name(self);
     Tree then = build::skip();
@@ -152,8 +152,8 @@ Tree Encoding::trigger(const CheckedRule& rule, const std::string& self) const {
     return build::choice(std::move(choices));
 }
 
-/// `E`: no limit. `E within d`: at 0 to d, then time stops. `not E within d`: d units in which all is refused. `E
-/// within d otherwise r`: before d units; at d the rule is r. Defeaters of a response inside a defeater are dropped.
+/// `E`: no limit. `E within d`: at 0 to d, then time stops. `not E within d`: d units in which E is refused. `E within
+/// d otherwise r`: before d units; at d the rule continues as r. Defeaters of a response inside a defeater are dropped.
 Tree Encoding::response(const DutyPtr& duty) const {
     if (duty->measured) throw NotDecided("SLEEC-TK has no limits that a measure decides");
     if (duty->written->limit && duty->written->limit->from) throw NotDecided("SLEEC-TK has no intervals of time");
@@ -173,7 +173,7 @@ Tree Encoding::response(const DutyPtr& duty) const {
     return build::call(name("Before"), {event, build::number(*duty->to), response(duty->otherwise)});
 }
 
-/// All measures of all defeaters are read; the last whose condition is true decides.
+/// All measures of all defeaters are read; the last defeater whose condition is true decides.
 Tree Encoding::monitoring(const CheckedRule& rule) const {
     std::vector<const Condition*> conditions;
     Tree decided = response(rule.duty);
@@ -190,7 +190,7 @@ std::vector<DeclPtr> Encoding::processes(const std::vector<std::size_t>& asked) 
     const Tree stop = build::call(name("TimeStops"));
     const Tree tocks = build::set({build::name(tock)});
     Decls result{build::value(name("TimeStops"), build::stop())};
-    // Before(P, d, Q): P may begin before d units; at d it is Q.
+    // Before(P, d, Q): P may begin before d units; at d it behaves as Q.
     result.push_back(build::function_decl(
         name("Before"), build::variables({"P", "d", "Q"}),
         build::let_({build::function_decl(
@@ -253,9 +253,9 @@ Tree Encoding::event_set(const std::vector<std::size_t>& events) const {
     return build::set(std::move(items));
 }
 
-/// The rules in parallel on their common events. Each reads the measures by itself, from an environment that keeps the
-/// first value for ever. A missed deadline is a deadlock; a state where only time passes diverges once time is hidden,
-/// all else taking priority over it.
+/// The rules in parallel, synchronised on their common events. Each reads the measures separately, from an environment
+/// that keeps the first value forever. A missed deadline is a deadlock. A state in which only time passes diverges
+/// after time is hidden, because all other events have priority over time.
 std::vector<DeclPtr> Encoding::conflict(std::size_t first, std::size_t second) const {
     std::vector<std::size_t> common;
     const std::vector<std::size_t> others = events_of(second);
@@ -294,8 +294,9 @@ std::vector<DeclPtr> Encoding::conflict(std::size_t first, std::size_t second) c
     return result;
 }
 
-/// Each unit of time begins with one reading of every measure; then these are its values, and the events of both rules
-/// may occur. SLEEC-TK reads them one after the other in a fixed order; here they are one event, which tells the same.
+/// Each unit of time begins with one reading of every measure. Then the measures keep these values, and the events of
+/// both rules may occur. SLEEC-TK reads them one after another in a fixed order; here the readings are a single event,
+/// which makes no difference.
 std::vector<DeclPtr> Encoding::memory(std::size_t first, std::size_t second, const std::string& called) const {
     const std::vector<std::size_t> measures = measures_of_pair(first, second);
     std::vector<std::size_t> events = events_of(first);
@@ -336,7 +337,7 @@ std::vector<DeclPtr> Encoding::memory(std::size_t first, std::size_t second, con
     return result;
 }
 
-/// The rule beside the memory: it reads there, unseen.
+/// The rule in parallel with the memory, from which it reads by hidden events.
 DeclPtr Encoding::with_memory(std::size_t rule, std::size_t other, const std::string& memory,
                               const std::string& called) const {
     std::vector<cspm::Link> links;

@@ -1,6 +1,6 @@
 // SLEEC-TK's semantics of rules, as processes of tock-CSP (arXiv 2307.03697; docs/rules-language.md, "As SLEEC-TK has
-// it"), faults included: a rule at work refuses its trigger, `>=` on a scale is `>`, defeaters inside defeaters are
-// dropped, the measures are fixed for the whole run where conflicts are looked for.
+// it"), including its faults: an active rule refuses its trigger, `>=` on a scale is `>`, defeaters inside defeaters
+// are dropped, and the measures are constant during the search for conflicts.
 #pragma once
 
 #include <string>
@@ -11,33 +11,33 @@
 
 namespace robochart::sleec {
 
-/// How things are called in the script.
+/// Prefixes and suffixes of names in the script.
 struct EncodingNames {
-    std::string prefix = "e_";  ///< before names of events and measures
-    std::string suffix;         ///< behind names of processes
+    std::string prefix = "e_";  ///< of names of events and measures
+    std::string suffix;         ///< of names of processes
 };
 
-/// Rules as a script. Throws NotDecided for what SLEEC-TK does not read.
+/// Rules as a script. Throws NotDecided for constructs that SLEEC-TK rejects.
 class Encoding {
 public:
     explicit Encoding(const CheckedRules& rules, EncodingNames names = {});
 
-    /// Channels of events, measures and time.
+    /// The channels of events, measures and time.
     [[nodiscard]] std::vector<cspm::DeclPtr> channels() const;
-    /// Operators on time, and the process of each of these rules.
+    /// The timing operators, and the process of each of these rules.
     [[nodiscard]] std::vector<cspm::DeclPtr> processes(const std::vector<std::size_t>& asked) const;
-    /// The name of a rule's process, with priority of events over time.
+    /// The name of a rule's process, in which events have priority over time.
     [[nodiscard]] std::string process(std::size_t rule) const;
 
-    /// Whether two rules have a name in common; only then SLEEC-TK compares them.
+    /// True if two rules have a name in common; only then does SLEEC-TK compare them.
     [[nodiscard]] bool related(std::size_t first, std::size_t second) const;
-    /// What is declared for a pair: four assertions. In this order: no missed deadline; no state where only time
-    /// passes; the first is redundant under the second; the second under the first.
+    /// The declarations for a pair, with four assertions in this order: no missed deadline; no state in which only time
+    /// passes; the first rule is redundant under the second; the second under the first.
     [[nodiscard]] std::vector<cspm::DeclPtr> pair(std::size_t first, std::size_t second) const;
     /// The whole script for these pairs.
     [[nodiscard]] cspm::Script script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
 
-    /// The values of a measure: truth values, places, or the constants it is compared with and their neighbours.
+    /// The values of a measure: truth values, indices, or the constants that it is compared with and their neighbours.
     [[nodiscard]] const std::vector<std::int64_t>& values(std::size_t measure) const { return values_[measure]; }
 
 private:

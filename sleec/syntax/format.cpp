@@ -13,7 +13,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// A rule that is longer has each of its alternatives and defeaters on a line of its own.
+/// In a longer rule, each alternative and each defeater is on its own line.
 constexpr std::size_t longest_line = 120;
 
 bool is_block_word(std::string_view word) {
@@ -28,7 +28,7 @@ bool no_blank_between(const Token& left, const Token& right) {
            (left.text == "scale" && right.text == "(");
 }
 
-/// A comment without the blanks behind it.
+/// A comment without trailing blanks.
 std::string_view shown_text(const Token& token) {
     std::string_view text = token.text;
     if (token.kind == Tok::comment)
@@ -43,7 +43,7 @@ std::vector<std::string_view> words_of(const std::vector<Token>& tokens) {
     return result;
 }
 
-/// Lays out one text, item by item: a definition, a rule, a word that begins or ends a block.
+/// Lays out one text, item by item: a definition, a rule, or a keyword that begins or ends a block.
 class Layout {
 public:
     Layout(std::string_view text, const std::vector<Token>& tokens, const RuleFile& file)
@@ -52,7 +52,7 @@ public:
         for (const auto* properties : {&file.concerns, &file.purposes})
             for (const Property& each : *properties) begins_.insert(each.span.begin);
         for (const Mapping& each : file.mappings) mapped_.insert(each.name.span.begin);
-        // A comment on a line of its own in front of an item, or of another such comment, is laid out as an item.
+        // A comment on its own line before an item, or before another such comment, is laid out as an item.
         begins_item_.assign(tokens.size(), true);
         for (std::size_t i = tokens.size() - 1; i-- > 0;)
             begins_item_[i] = tokens[i].kind == Tok::comment ? own_line(i) && begins_item_[i + 1] : word_begins_item(i);
@@ -106,7 +106,7 @@ private:
         out_ += line + "\n";
     }
 
-    /// `between`: in front of alternatives and defeaters.
+    /// `between`: written before alternatives and defeaters.
     [[nodiscard]] std::string joined(std::size_t from, std::size_t to, const std::string& between) const {
         const std::string fresh = "\n" + std::string(inside_ ? 8 : 4, ' ');
         std::string result;
@@ -134,9 +134,9 @@ private:
 
     std::string_view text_;
     const std::vector<Token>& tokens_;
-    std::set<std::uint32_t> begins_, mapped_;  ///< of rules, concerns and purposes; of the names behind `map`
-    std::vector<bool> begins_item_;            ///< of each token; the end counts
-    bool inside_ = false;                      ///< a block
+    std::set<std::uint32_t> begins_, mapped_;  ///< of rules, concerns and purposes; of the names after `map`
+    std::vector<bool> begins_item_;            ///< for each token; the end counts
+    bool inside_ = false;                      ///< inside a block
     std::string out_;
 };
 

@@ -1,5 +1,5 @@
-// The standard layout of SLEEC files (docs/format.md, "Rules in SLEEC"). Only blanks and line ends change: words and
-// comments stay as they are written.
+// The standard layout of SLEEC files (docs/format.md, "Rules in SLEEC"). Only blanks and line ends change; tokens and
+// comments stay as they are.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,9 @@
 
 namespace robochart::sleec {
 
-/// The text in the standard layout; formatting it again changes nothing. Nothing if the text has syntax errors, which
-/// are reported. Throws std::logic_error if a word or comment would be lost: an internal error, never the text's.
+/// Returns the text in the standard layout; formatting the result again changes nothing. Returns no value if the text
+/// has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost; this is an
+/// internal error, whatever the text contains.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
                                                 diagnostics::Diagnostics&);
 

@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 26> reserved{
     "otherwise",   "unless",        "true",        "false",    "relation_start",
     "relation_end"};
 
-/// What is written for a character of other notations; "" where that is not known.
+/// The equivalent of a character of other notations; "" if it is unknown.
 std::string_view meant_by(std::string_view character) {
     if (character == "&") return "conditions are joined by `and`";
     if (character == "|") return "conditions are joined by `or`";

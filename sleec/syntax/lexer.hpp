@@ -1,4 +1,4 @@
-// SLEEC text to tokens. Words are tokens of one kind: whether one is reserved, the parser asks.
+// Converts SLEEC text to tokens. All words are tokens of one kind; the parser decides which are reserved.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,14 @@ struct Token {
     std::string_view text;
 };
 
-/// All tokens of a text, comments among them where they are asked for; the last is `end`. Broken pieces are reported
-/// and left out.
+/// All tokens of a text, on request including comments; the last is `end`. Invalid pieces are reported and left out.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&,
                                      bool comments = false);
 
-/// A word of both dialects, which names nothing.
+/// True for a keyword of both dialects, which cannot be a name.
 [[nodiscard]] bool is_reserved(std::string_view word);
 
-/// All words that mean something in a dialect or an extension; those that are not reserved may be names too.
+/// All words with a meaning in a dialect or an extension; those that are not reserved may also be names.
 [[nodiscard]] std::vector<std::string_view> language_words();
 
 }  // namespace robochart::sleec

@@ -20,7 +20,7 @@ ExprPtr Parser::node(Op op, Span from, std::vector<ExprPtr> parts) {
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// Chains may be long: they lean to the left, and what walks over them recurses as deep.
+/// Chains of operators may be long. Their trees lean to the left, so traversals recurse to the same depth.
 ExprPtr Parser::condition() {
     const Depth depth(*this);
     const Span from = peek().span;
@@ -38,7 +38,7 @@ ExprPtr Parser::condition() {
     return left;
 }
 
-/// The first place where the operator changes is named, with the parentheses that say how it is read.
+/// Reports the first place where the operator changes, with parentheses that show how it is parsed.
 void Parser::warn_mixed(const ExprPtr& whole) {
     const Expr* outer = whole.get();
     const Expr* changed = nullptr;

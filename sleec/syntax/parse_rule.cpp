@@ -179,7 +179,7 @@ Unit Parser::unit() {
     fail("a unit of time ('seconds', 'minutes', 'hours' or 'days')", {"seconds", "minutes", "hours", "days"});
 }
 
-/// A number, the name of a constant, or in parentheses what computes with them and with measures.
+/// A number, the name of a constant, or, in parentheses, an expression of these and measures.
 ExprPtr Parser::time() {
     if (at("(")) {
         const ExprPtr computed = primary();

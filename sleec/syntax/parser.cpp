@@ -157,7 +157,7 @@ void Parser::extension(Span span, std::string_view what) {
     diagnostics_.report(rules::extension, span, {std::string(what)});
 }
 
-/// Here begins a definition, a rule, or the end of a block.
+/// True at the beginning of a definition or rule, or at the end of a block.
 bool Parser::at_item() const {
     for (const std::string_view word : {"event", "measure", "constant", "def_end", "rule_start", "rule_end",
                                         "concern_start", "concern_end", "purpose_start", "purpose_end"})
@@ -280,7 +280,8 @@ Mapping Parser::mapping() {
     return result;
 }
 
-/// LEGOS's if something is LEGOS's alone. What is the other's alone is named then, once each.
+/// The dialect is LEGOS's if a construct is only LEGOS's. Constructs of only the other dialect are then reported, once
+/// each.
 void Parser::decide_dialect(RuleFile& file) {
     for (const Feature& feature : features_)
         if (feature.dialect == Dialect::legos) {

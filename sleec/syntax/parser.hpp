@@ -1,5 +1,6 @@
-// Recursive-descent reader of SLEEC, both dialects at once: what only one of them has is noted, and decides the dialect
-// of the file. `and` and `or` bind alike, to the left, looser than `not`, comparisons, sums and products.
+// Recursive-descent parser of both SLEEC dialects at once. Constructs of only one dialect are recorded and decide the
+// dialect of the file. `and` and `or` have the same precedence, are left-associative, and bind less tightly than `not`,
+// comparisons, sums and products.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +17,13 @@
 
 namespace robochart::sleec {
 
-/// What is said beside a syntax error about forms that people write: all rows, for the tests.
+/// The advice for syntax errors about common wrong forms: all rows, for tests.
 [[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
 
-/// Reads tokens; after a mistake it reports one finding and goes on at the next rule or definition.
+/// Parses tokens. After a mistake, it reports one finding and continues at the next rule or definition.
 class Parser {
 public:
-    /// Deepest recursion while reading.
+    /// The deepest recursion while parsing.
     static constexpr unsigned max_depth = 400;
 
     Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
@@ -33,7 +34,7 @@ public:
 private:
     struct SyntaxError {};
     using Words = std::vector<std::string>;
-    /// Counts the levels of recursion while it lives.
+    /// Counts the levels of recursion while it exists.
     class Depth {
     public:
         explicit Depth(Parser& parser) : parser_(parser) { parser.deeper(); }
@@ -44,7 +45,7 @@ private:
     private:
         Parser& parser_;
     };
-    /// What only one dialect has.
+    /// A construct of only one dialect.
     struct Feature {
         Dialect dialect;
         Span span;
@@ -62,7 +63,7 @@ private:
     Span expect(std::string_view text);
     Name name(std::string_view what);
     [[nodiscard]] Span since(Span from) const;
-    /// `words`: those that may stand here; the nearest is suggested.
+    /// `words`: the words that are allowed here; the nearest is suggested.
     [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
     [[noreturn]] void fail(std::string_view expected, const Words& words = {});
     [[noreturn]] void refuse(std::string_view what, Span span);
@@ -89,8 +90,8 @@ private:
     Rule at_least_rule(Rule rule);
     Property property(bool concern);
     Trigger trigger();
-    ResponsePtr response();  ///< with its defeaters
-    ResponsePtr inner();     ///< without, unless it stands in braces
+    ResponsePtr response();  ///< including its defeaters
+    ResponsePtr inner();     ///< without defeaters, unless it is in braces
     Response action();
     void alternative(Response& response);
     Limit limit();

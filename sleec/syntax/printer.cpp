@@ -1,4 +1,4 @@
-// See printer.hpp. Parentheses stand where the tree needs them, and where `and` meets `or`.
+// See printer.hpp. Parentheses are written where the tree needs them, and between `and` and `or`.
 #include "sleec/syntax/printer.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// How tightly an operator binds.
+/// The precedence of an operator.
 int level(Op op) {
     if (op == Op::disjunction || op == Op::conjunction) return 0;
     if (op == Op::negation) return 1;
@@ -19,14 +19,14 @@ std::string operand(const ExprPtr& expr, bool bracketed) {
     return bracketed ? fmt::format("({})", print(expr)) : print(expr);
 }
 
-/// A left operand of the same level needs no parentheses, but another junction gets them all the same: people read
-/// `c or a and b` otherwise.
+/// A left operand of the same level needs no parentheses. It gets them if one of the operators is `and` and the other
+/// `or`, because people misread `c or a and b`.
 bool left_bracketed(const Expr& outer, const Expr& left) {
     return level(left.op) < level(outer.op) || (level(outer.op) == 0 && level(left.op) == 0 && left.op != outer.op) ||
            (is_comparison(outer.op) && is_comparison(left.op));
 }
 
-/// A number or a name, or an expression in parentheses.
+/// A number or a name; any other expression in parentheses.
 std::string time_text(const ExprPtr& time) {
     return operand(time, !time->parts.empty() || time->braced);
 }
@@ -40,14 +40,14 @@ std::string limit_text(const Limit& limit) {
     return fmt::format("{} {}", to, unit_name(limit.unit));
 }
 
-/// Conditions of LEGOS have parentheses around every operator.
+/// LEGOS requires parentheses around every operator.
 std::string legos(const ExprPtr& expr) {
     if (expr->parts.empty()) return print(expr);
     if (expr->op == Op::negation) return fmt::format("(not {})", legos(expr->parts[0]));
     return fmt::format("({} {} {})", legos(expr->parts[0]), symbol_of(expr->op), legos(expr->parts[1]));
 }
 
-/// Writes for one dialect.
+/// Prints in one dialect.
 class Printer {
 public:
     explicit Printer(Dialect dialect, std::string between = " ") : dialect_(dialect), between_(std::move(between)) {}
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// What stands in braces is written on one line.
+    /// A response in braces is printed on one line.
     [[nodiscard]] std::string inner(const Response& inner) const {
         return inner.braced ? Printer(dialect_).response(inner) : response(inner);
     }

@@ -1,4 +1,4 @@
-// SLEEC trees written as text that reads back as the same tree.
+// Prints SLEEC trees as text that parses to the same tree.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace robochart::sleec {
 
-/// A whole file in its dialect: a line for each definition; a rule, and each of its defeaters, on lines of their own.
+/// A whole file in its dialect: one line per definition; a rule and each of its defeaters on separate lines.
 [[nodiscard]] std::string print(const RuleFile& file);
 /// A rule on one line, without its name.
 [[nodiscard]] std::string print(const Rule& rule);
-/// A condition; parentheses show how `and` and `or` are read where both occur.
+/// A condition; if it contains both `and` and `or`, parentheses show their order.
 [[nodiscard]] std::string print(const ExprPtr& expr);
 /// A response on one line.
 [[nodiscard]] std::string print(const ResponsePtr& response);

@@ -1,4 +1,4 @@
-// SLEEC files read into trees.
+// Parses SLEEC files to trees.
 #pragma once
 
 #include "diagnostics/diagnostic.hpp"
@@ -6,7 +6,7 @@
 
 namespace robochart::sleec {
 
-/// The rules of a text. Where findings are errors, what could be read is there.
+/// The rules of a text. If there are errors, the result contains the parts that could be parsed.
 [[nodiscard]] RuleFile read(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
 }  // namespace robochart::sleec

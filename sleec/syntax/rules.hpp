@@ -1,4 +1,4 @@
-// Diagnostics of the SLEEC reader, as a table.
+// Findings of the SLEEC parser, as a table.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ extern const diagnostics::Rule other_dialect;
 extern const diagnostics::Rule extension;
 extern const diagnostics::Rule mixed_operators;
 
-/// All of them, for `explain`.
+/// All rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> syntax();
 
 }  // namespace robochart::sleec::rules

@@ -1,5 +1,5 @@
-// SLEEC as a tree: both dialects, that of SLEEC-TK and that of LEGOS, and the extensions of this tool. Plain data; the
-// reader makes it (reader.hpp), the printer writes it (printer.hpp). docs/rules-language.md has the grammar.
+// The syntax tree of SLEEC: the dialects of SLEEC-TK and of LEGOS, and the extensions of this tool. Plain data, made by
+// the parser (reader.hpp) and written by the printer (printer.hpp). docs/rules-language.md contains the grammar.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@ namespace robochart::sleec {
 
 using diagnostics::Span;
 
-/// A word of the text with its place.
+/// An identifier with its place.
 struct Name {
     std::string text;
     Span span;
 };
 
-/// Which tool reads a text: SLEEC-TK (with a tock-CSP semantics), or LEGOS.
+/// The tool that defines a dialect: SLEEC-TK (with a tock-CSP semantics), or LEGOS.
 enum class Dialect : std::uint8_t { sleec_tk, legos };
 /// "SLEEC-TK", "LEGOS".
 [[nodiscard]] const char* dialect_name(Dialect dialect);
 
-/// What an expression is. `Expr::parts` are its operands in the order of the text.
+/// The kind of an expression. `Expr::parts` contains its operands in textual order.
 enum class Op : std::uint8_t {
     truth,   ///< text: "true" or "false"
     number,  ///< text: digits
-    name,    ///< text: a measure, a constant, a literal of a scale, or, alone behind `unless`, an event
+    name,    ///< text: a measure, a constant, a literal of a scale, or, alone after `unless`, an event
     disjunction,
     conjunction,
     negation,
@@ -42,7 +42,7 @@ enum class Op : std::uint8_t {
     subtract,
     multiply,
 };
-/// "or", "<=", ...; "" for what has no operator.
+/// "or", "<=", ...; "" for kinds without an operator.
 [[nodiscard]] const char* symbol_of(Op op);
 /// <, <=, >, >=, =, <>.
 [[nodiscard]] bool is_comparison(Op op);
@@ -50,22 +50,22 @@ enum class Op : std::uint8_t {
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;
 
-/// A condition, or a value in one.
+/// A condition or a value.
 struct Expr {
     Op op = Op::truth;
     Span span;
     std::string text;
     std::vector<ExprPtr> parts;
-    bool braced = false;     ///< a name in braces, as LEGOS has its measures
-    bool bracketed = false;  ///< it stands in parentheses
+    bool braced = false;     ///< a name in braces, as LEGOS writes measures
+    bool bracketed = false;  ///< in parentheses
 };
-/// Same operators, names and literals; places and superfluous parentheses do not matter.
+/// True if operators, names and literals are equal; places and superfluous parentheses are ignored.
 [[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
 
 enum class Unit : std::uint8_t { seconds, minutes, hours, days };
 /// "seconds", ...
 [[nodiscard]] const char* unit_name(Unit unit);
-/// How many seconds one has.
+/// The number of seconds of a unit.
 [[nodiscard]] std::int64_t seconds_of(Unit unit);
 
 /// `within N unit`, in LEGOS also `within [A, B] unit`, `within [A unit, B unit]` and `within (EXPRESSION) unit`.
@@ -73,8 +73,8 @@ struct Limit {
     ExprPtr from;  ///< null: 0
     ExprPtr to;
     Unit unit = Unit::seconds;
-    Unit from_unit = Unit::seconds;  ///< that of `to`, unless each end has its own
-    bool each_unit = false;          ///< the units stand inside the brackets
+    Unit from_unit = Unit::seconds;  ///< the unit of `to`, unless each end has its own
+    bool each_unit = false;          ///< the units are inside the brackets
     Span span;
 };
 
@@ -93,11 +93,11 @@ struct Response {
     bool negated = false;
     Name event;
     std::shared_ptr<const Limit> limit;  ///< null: none
-    bool eventually = false;             ///< the word is written (LEGOS)
+    bool eventually = false;             ///< the keyword is written (LEGOS)
     ResponsePtr otherwise;               ///< null: none
-    bool written_else = false;           ///< `else` for `otherwise` (LEGOS)
+    bool written_else = false;           ///< `else` instead of `otherwise` (LEGOS)
     std::vector<Defeater> defeaters;
-    bool braced = false;  ///< it stands in braces
+    bool braced = false;  ///< in braces
     Span span;
 };
 
@@ -124,13 +124,13 @@ struct Constant {
     ExprPtr value;  ///< a number or another constant
 };
 
-/// Extension: `map EVENT to Module::event`; the model's name for an event or a measure.
+/// Extension: `map EVENT to Module::event`: the model's name of an event or a measure.
 struct Mapping {
     Name name;
     Name element;
 };
 
-/// How a rule is written.
+/// The syntactic form of a rule.
 enum class RuleForm : std::uint8_t {
     when,      ///< `when E and c then ...`
     after,     ///< extension: `after E and c, ...`, which is `when E and c then ...`
@@ -140,28 +140,28 @@ enum class RuleForm : std::uint8_t {
 struct Rule {
     Name name;
     RuleForm form = RuleForm::when;
-    bool assumed = false;  ///< extension: `assume`, a rule that the environment keeps
+    bool assumed = false;  ///< extension: `assume`, a rule that the environment obeys
     Trigger trigger;
     ResponsePtr response;
     Span span;
 };
 
-/// LEGOS: what must be impossible (concern) or possible (purpose). `when E then R`: that E comes and R is kept;
-/// `exists E while R`, where R has `eventually` or a limit, says the same. `exists E [while F]`: that E comes, at the
-/// instant of F where that is given.
+/// LEGOS: something that must be impossible (concern) or possible (purpose). `when E then R`: E occurs and R is obeyed.
+/// `exists E while R`, where R has `eventually` or a limit, means the same. `exists E [while F]`: E occurs, at the
+/// instant of F if F is given.
 struct Property {
     Name name;
     bool exists = false;
     Trigger trigger;
-    ResponsePtr response;                   ///< `when`, `while R`: of it; else null
-    std::shared_ptr<const Trigger> during;  ///< `while`; null: none
+    ResponsePtr response;                   ///< for `when`, `while R`; otherwise null
+    std::shared_ptr<const Trigger> during;  ///< for `while`; null: none
     Span span;
 };
 
 /// One text.
 struct RuleFile {
     Dialect dialect = Dialect::sleec_tk;
-    Span decided_by;  ///< what only this dialect has; unknown where both have all of it
+    Span decided_by;  ///< a construct of only this dialect; unknown if there is none
     std::vector<Event> events;
     std::vector<Measure> measures;
     std::vector<Constant> constants;
@@ -171,7 +171,7 @@ struct RuleFile {
     std::vector<Property> purposes;
 };
 
-/// The same declarations, rules, concerns and purposes, in the same order.
+/// True if the declarations, rules, concerns and purposes are equal, in the same order.
 [[nodiscard]] bool same_file(const RuleFile& a, const RuleFile& b);
 
 }  // namespace robochart::sleec
