@@ -1,5 +1,5 @@
-// An encoding of RoboChart as Markov models: what the names of properties are in them, and the models for values of
-// constants.
+// The interface of an encoding of RoboChart as Markov models: the meaning of names in properties, and the models for
+// values of constants.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace robochart::probability {
 
-/// What names of a model in PRISM say to a reader of the model of RoboChart.
+/// Translates names of a PRISM model to terms of the RoboChart model.
 struct Wording {
     struct Variable {
         std::string begin;                           ///< "M::c::s at ", "M::c::s::x = "
-        std::map<std::int32_t, std::string> values;  ///< those that are no numbers
+        std::map<std::int32_t, std::string> values;  ///< names of values that are not numbers
     };
-    std::map<std::string, Variable> variables;   ///< others only serve the encoding
+    std::map<std::string, Variable> variables;   ///< other variables are internal to the encoding
     std::map<std::string, std::string> actions;  ///< the events
     std::map<std::string, std::string> modules;  ///< the machines
 };
 
-/// What random paths are taken through.
+/// A model for random paths, whose states are not explored.
 struct Unexplored {
     const prism::Instance& instance;
     const Wording& wording;
@@ -38,14 +38,14 @@ public:
     Encoding& operator=(const Encoding&) = delete;
 
     [[nodiscard]] virtual Elements& elements() = 0;
-    /// A constant of the model of RoboChart, by its path, as one that is given values. Throws NotExpressed.
+    /// The constant of the RoboChart model with this path, to which values are given. Throws NotExpressed.
     [[nodiscard]] virtual prism::Constant constant(const std::string& path) = 0;
-    /// The states of the model with what the question adds to it, for values of constants by their names in PRISM.
-    /// Valid until the next call. Throws NotExpressed, Wrong, prism::EvaluationError, diagnostics::LimitReached.
+    /// The states of the model, extended as the question requires, for values of constants by their PRISM names. Valid
+    /// until the next call. Throws NotExpressed, Wrong, prism::EvaluationError, diagnostics::LimitReached.
     [[nodiscard]] virtual const prism::StateSpace& space(const Question&, const prism::Values&) = 0;
-    /// The same, not explored, as what random paths are taken through. Throws as `space`.
+    /// The same model, not explored, for random paths. Throws like `space`.
     [[nodiscard]] virtual Unexplored unexplored(const Question&, const prism::Values&) = 0;
-    /// Whether the value of a question is one number; else the least and the greatest over all schedulers.
+    /// True if a question has a single value; otherwise it has the least and the greatest value over all schedulers.
     [[nodiscard]] virtual bool one_value() const = 0;
 };
 

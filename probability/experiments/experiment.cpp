@@ -44,7 +44,7 @@ double near(const prism::Real& value) {
     return value.exact() ? value.value().convert_to<double>() : value.bounds().middle();
 }
 
-/// Whether it asks for one number, without saying of which scheduler.
+/// True if the question asks for a number without naming a scheduler.
 bool open_question(const prism::Expr& expr) {
     return (expr.op == Op::probability || expr.op == Op::reward) && expr.query->bound == nullptr &&
            expr.query->optimum == prism::Optimum::none;
@@ -58,7 +58,7 @@ ExprPtr with(const ExprPtr& expr, prism::Optimum optimum) {
     return prism::make_expr(std::move(copy));
 }
 
-/// The properties that answer a question: itself, or for its minimum and its maximum.
+/// The properties that answer a question: the question itself, or its minimum and its maximum.
 std::vector<prism::Property> properties_of(const Question& question, bool one_value) {
     if (!open_question(*question.property)) return {{{}, question.property}};
     if (one_value) return {{{}, with(question.property, prism::Optimum::minimum)}};
@@ -66,7 +66,7 @@ std::vector<prism::Property> properties_of(const Question& question, bool one_va
             {{}, with(question.property, prism::Optimum::maximum)}};
 }
 
-/// A setting with the name that its constant has in PRISM, and its values.
+/// A setting with the PRISM name of its constant, and its values.
 struct Given {
     const Setting* setting = nullptr;
     bool of_model = false;
@@ -92,13 +92,13 @@ private:
             const auto in_model = std::find_if(question_.model_constants.begin(), question_.model_constants.end(), own);
             const auto in_property = std::find_if(question_.constants.begin(), question_.constants.end(), own);
             given.of_model = in_model != question_.model_constants.end();
-            if (!given.of_model && in_property == question_.constants.end()) return;  // nothing uses it
+            if (!given.of_model && in_property == question_.constants.end()) return;  // the constant is not used
             constant = given.of_model ? *in_model : *in_property;
         } else {
             constant = encoding_.constant(setting.path);
         }
         given.series.name = constant.name.text;
-        // Names of paths are no names of PRISM's: the reader sees a plain one.
+        // Paths are not valid PRISM names, so the parser gets a simple one.
         constant.name.text = "c";
         for (const std::string& text : setting.values) {
             try {
@@ -158,7 +158,7 @@ private:
         } catch (const Wrong& error) {
             fail(error.what());
         } catch (const diagnostics::LimitReached& limit) {
-            budget_.check();  // the limits of the whole run pass
+            budget_.check();  // passes the limits of the whole run on
             for (const prism::Values& constants : of_property) {
                 Row one = row(of_model, constants);
                 one.results.emplace_back().reason = limit.what();
@@ -181,12 +181,12 @@ private:
             one.transitions = space.transitions();
             fill(one, checked.properties.size(), [&](std::size_t i) { return session.check(i, constants); });
             one.seconds += exploring;
-            exploring = 0;  // counts once
+            exploring = 0;  // counted once
             found(std::move(one));
         }
     }
 
-    /// By random paths: nothing is explored.
+    /// Answers by random paths; no states are explored.
     void sample(const prism::Instance& instance, const prism::Values& of_model,
                 const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
         const prism::CheckedProperties checked = this->checked(instance.model(), {{{}, question_.property}});
@@ -232,7 +232,7 @@ private:
         }
     }
 
-    /// A random path, or several until one comes to a deadlock.
+    /// Generates a random path, or several until one reaches a deadlock.
     void generate(const Unexplored& model, const prism::Values& of_model, const std::vector<prism::Values>& of_property,
                   const std::function<void(Row)>& found) {
         const prism::CheckedProperties checked = this->checked(model.instance.model(), {});
@@ -244,7 +244,7 @@ private:
     }
 
     void generate(const Unexplored& model, const prism::Values& numbers, Row& one) const {
-        constexpr std::uint64_t most_steps = 100'000;  // of which all are kept
+        constexpr std::uint64_t most_steps = 100'000;  // all of them are stored
         constexpr std::uint64_t usual_limit = 10'000;
         const Generation& asked = *question_.path;
         const bool to_deadlock = asked.steps.empty();
@@ -270,7 +270,7 @@ private:
         }
     }
 
-    /// A number of steps or paths: the value of a constant that is named for it.
+    /// The number of steps or paths: the value of the constant with this name.
     static std::uint64_t count(const std::string& constant, const prism::Values& numbers) {
         const double value = near(numbers.find(constant)->second.real);
         constexpr double most = 1e15;
@@ -278,7 +278,7 @@ private:
         throw Wrong(fmt::format("{}: expected a whole number from 0 to {}", constant, most));
     }
 
-    /// The answers, or why they cannot be evaluated, with the time that they take.
+    /// Fills in the answers, or the evaluation error, and the time used.
     static void fill(Row& row, std::size_t count, const std::function<prism::Result(std::size_t)>& answer) {
         const auto begin = std::chrono::steady_clock::now();
         try {

@@ -13,7 +13,7 @@ std::string value_text(const Wording::Variable& variable, const prism::Layout::F
     return fmt::format("{}", value);
 }
 
-/// The variables with other values than before; all of them where nothing was before.
+/// The variables whose values differ from `before`; all variables if `before` is null.
 std::string changes(const Unexplored& model, const std::vector<std::int32_t>* before,
                     const std::vector<std::int32_t>& after) {
     const auto& fields = model.instance.layout().fields();

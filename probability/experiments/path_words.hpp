@@ -1,4 +1,4 @@
-// Random paths in the words of the model.
+// Random paths in terms of the model.
 #pragma once
 
 #include "checker/prism/sampling/random_path.hpp"
@@ -7,7 +7,7 @@
 
 namespace robochart::probability {
 
-/// Each step with the events or the machine that it is of, and what it changes for a reader of the model.
+/// Each step with its events or its machine, and its changes in terms of the model.
 [[nodiscard]] Path in_words(const prism::RandomPath& path, const Unexplored& model);
 
 }  // namespace robochart::probability

@@ -17,11 +17,11 @@ using csp_emit::MeaningKind;
 
 using Distribution = std::vector<std::pair<lts::StateIndex, Rational>>;
 
-/// What a step is, whatever states it connects.
+/// A step without the states that it connects.
 struct Kind {
-    const EventMeaning* meaning = nullptr;  ///< of the event, or of the hidden one
+    const EventMeaning* meaning = nullptr;  ///< of the event, or of the hidden event
     bool tock = false;
-    bool waits = false;  ///< an input: the platform decides whether it happens
+    bool waits = false;  ///< an input: the platform decides whether it occurs
 };
 
 /// A choice of a state.
@@ -33,7 +33,8 @@ struct Choice {
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// States in which nothing is possible any more but that time passes: the greatest set that only tock stays in.
+/// States in which nothing is possible except the passing of time: the largest set of states that is closed and has
+/// only tock steps.
 markov::StateSet deadlocked(const Exploration& explored, const std::function<bool(const Step&)>& tock,
                             const std::function<void()>& poll) {
     markov::StateSet result(explored.size(), true);
@@ -86,7 +87,7 @@ public:
         const markov::StateSet dead = deadlocked(explored_, tock, poll_);
         meet(0);
         result_.model.initial = {0};
-        // States between the choice of who moves and the move are added as they come up.
+        // Intermediate states, between the choice of a mover and its move, are added as they are found.
         for (markov::State state = 0; state < result_.origins.size(); ++state) {
             poll_();
             const auto only = single_.find(state);
@@ -106,13 +107,13 @@ public:
 private:
     static constexpr markov::State none = ~markov::State{0};
 
-    /// What a state says of the observers.
+    /// The observers' parities in a state.
     struct Parities {
         EventSet known = 0, odd = 0;
         bool read = false;
     };
 
-    /// The event of a step, or the one that is hidden.
+    /// The kind of a step, by its event or its hidden event.
     const Kind& kind(const Step& step) {
         const bool hidden = step.event == lts::tau;
         const auto [known, added] = kinds_.try_emplace({step.event, step.revealed});
@@ -135,8 +136,8 @@ private:
         }
     }
 
-    /// The observers whose parity is another behind the step than before it. Before its first event an observer is the
-    /// term that it begins as, which is no known definition, and its parity is 0; one that has ended has none.
+    /// The observers whose parity changes in the step. Before its first event, an observer is its initial term, which
+    /// is not a known definition; its parity is then 0. A terminated observer has no parity.
     [[nodiscard]] EventSet happening(lts::StateIndex from, lts::StateIndex to) {
         if (sources_.observed.empty()) return 0;
         const Parities before = parities(from);
@@ -171,7 +172,7 @@ private:
         return known->second;
     }
 
-    /// Those that the scheduler may take.
+    /// The choices that the scheduler allows.
     std::vector<Choice> choices(lts::StateIndex state) {
         std::vector<Choice> result;
         std::map<std::pair<std::string, std::string>, std::vector<const Step*>> draws;  // by machine and junction
@@ -193,7 +194,7 @@ private:
         return result;
     }
 
-    /// The choice at a junction.
+    /// The probabilistic choice at a junction.
     Choice drawn(lts::StateIndex state, const std::string& component, const std::vector<const Step*>& ways) {
         const auto seat = std::find_if(sources_.seats.begin(), sources_.seats.end(),
                                        [&](const Seat& each) { return each.component == component; });
@@ -258,7 +259,7 @@ private:
 
     void push_loop(markov::State state) { finish(2, false, {{state, number(1)}}); }
 
-    /// All equally likely: a step of its own, which takes no time, to a state for each choice.
+    /// Choices with equal probability: a step without time to an intermediate state for each choice.
     void spread(markov::State state, const std::vector<Choice>& choices) {
         std::vector<std::pair<markov::State, std::uint32_t>> branches;
         const std::uint32_t share = number(Rational(1) / choices.size());
@@ -290,12 +291,12 @@ private:
     const std::function<void()>& poll_;
     Weights weights_;
     DecisionProcess result_;
-    std::vector<markov::State> number_;  ///< of each state of the exploration
+    std::vector<markov::State> number_;  ///< by state of the exploration
     std::map<std::pair<lts::Event, lts::Event>, Kind> kinds_;
     std::map<Rational, std::uint32_t> numbers_;
-    std::vector<Parities> parities_;  ///< of each state of the exploration; empty: none was asked for
+    std::vector<Parities> parities_;  ///< by state of the exploration; empty: not needed
     std::map<EventSet, std::uint32_t> actions_;
-    std::map<markov::State, Choice> single_;  ///< states with one choice, which has been made
+    std::map<markov::State, Choice> single_;  ///< states with a single choice, which has been added
 };
 
 }  // namespace

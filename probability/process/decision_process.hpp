@@ -1,6 +1,6 @@
 // The Markov decision process of a component: the operational semantics of its timed process, in which the steps that
-// leave a probabilistic junction are the branches of one choice. Every other step, internal ones, events and tock, is a
-// choice of its own.
+// leave a probabilistic junction are the branches of one choice. Every other step (internal, event or tock) is a
+// separate choice.
 #pragma once
 
 #include <functional>
@@ -18,42 +18,42 @@
 
 namespace robochart::probability {
 
-/// Who resolves the choices.
+/// How choices are resolved.
 enum class Scheduler {
-    any,     ///< every way to choose
-    urgent,  ///< what needs neither an input nor time comes before inputs and time: the platform takes outputs at once
+    any,     ///< all possible schedulers
+    urgent,  ///< steps that need neither an input nor time have priority: the platform accepts outputs at once
     uniform  ///< all choices of a state are equally likely
 };
 
 /// The action of choices that let time pass.
 inline constexpr const char* tock_action = "tock";
 
-/// Sets of observed events are sets of bits, from that of the first on.
+/// A set of observed events as a bit set, lowest bit first.
 using EventSet = std::uint32_t;
 inline constexpr std::size_t most_observed = 16;
 
-/// The action of choices that are just these events: of none of them, "".
+/// The action of choices with exactly these events; "" for no event.
 [[nodiscard]] std::string observed_action(EventSet events);
 
-/// What the process is made of.
+/// The input of the construction.
 struct Sources {
     const ir::System& system;
     const ir::Instantiation& instantiation;
     const csp_emit::Provenance& provenance;
     const lts::EventTable& events;
     const std::vector<Seat>& seats;
-    /// Events that rewards speak of; at most `most_observed`.
+    /// Events that rewards refer to; at most `most_observed`.
     const std::vector<ObservedEvent>& observed;
 };
 
 struct DecisionProcess {
     markov::Model model;
-    markov::StateSet deadlocks;            ///< nothing is possible any more but that time passes
-    std::vector<lts::StateIndex> origins;  ///< of each state, that of the exploration
-    std::vector<EventSet> happening;       ///< the sets of events that are choices, each once; the empty set is one
+    markov::StateSet deadlocks;            ///< nothing is possible except the passing of time
+    std::vector<lts::StateIndex> origins;  ///< for each state, its state in the exploration
+    std::vector<EventSet> happening;  ///< the sets of events of choices, without duplicates; contains the empty set
 };
 
-/// Throws Wrong where the probabilities of a junction are no distribution.
+/// Throws Wrong if the probabilities of a junction are not a distribution.
 [[nodiscard]] DecisionProcess decision_process(const Exploration&, StateReader&, const Sources&, Scheduler,
                                                const std::function<void()>& poll);
 

@@ -1,4 +1,4 @@
-// The states of a process with the names of its hidden events, and whether another process behaves like it.
+// The states of a process with the names of its hidden events, and the comparison with another process.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace robochart::probability {
 
-/// A transition; `revealed`: for tau, the event that hiding made invisible.
+/// A transition; `revealed`: for tau, the hidden event.
 struct Step {
     lts::Event event;
     lts::Event revealed;
@@ -21,7 +21,7 @@ struct Step {
 /// All states that are reachable, breadth first.
 class Exploration {
 public:
-    /// Throws LimitReached beyond `most_states`; `poll` is called for each state and may throw.
+    /// Throws LimitReached if there are more than `most_states`; `poll` is called for each state and may throw.
     Exploration(lts::TransitionSystem& system, std::uint64_t most_states, const std::function<void()>& poll);
 
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
@@ -37,7 +37,7 @@ private:
     std::vector<Step> steps_;
 };
 
-/// Whether the first states of both are branching bisimilar with respect to divergence, every hidden event a tau.
+/// True if the initial states of both are divergence-sensitive branching bisimilar, with every hidden event as tau.
 /// `events`: those of `explored`.
 [[nodiscard]] bool agrees(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
                           const std::function<void()>& poll);

@@ -21,7 +21,7 @@ const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const
     return found->process;
 }
 
-/// The semantics in time. Throws Wrong where there is none.
+/// The timed semantics. Throws Wrong if there is none.
 csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
                            bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
     diagnostics::Diagnostics findings;
@@ -42,7 +42,7 @@ refine::Limits limits_of(const diagnostics::Budget* budget) {
     return limits;
 }
 
-/// What was explored has to be the process that assertions are decided on: branching bisimilar to it.
+/// Checks that the explored process is branching bisimilar to the process of assertions.
 void compare(ExploredProcess& made, const ir::System& system, const std::string& subject,
              diagnostics::SourceManager& sources, diagnostics::Budget* budget, const std::function<void()>& poll) {
     const csp_emit::Emission usual = emitted(system, made.instantiation, false, true, sources, budget);

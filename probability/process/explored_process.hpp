@@ -1,4 +1,4 @@
-// The timed process of a component with all its states, and what reads them.
+// The timed process of a component with all its states, and the objects that read them.
 #pragma once
 
 #include <cstdint>
@@ -27,18 +27,18 @@ struct ExploredProcess {
     std::unique_ptr<runs::Context> context;
     std::unique_ptr<runs::StepReader> steps;
     std::unique_ptr<StateReader> reader;
-    std::uint64_t compared = 0;  ///< states of the comparison; 0: none was made
+    std::uint64_t compared = 0;  ///< states of the comparison; 0: not compared
 };
 
 struct ExploreLimits {
     std::uint64_t most_states = 500'000'000;
-    /// Up to so many states the process is compared with the one that is checked for refinement: branching bisimilar to
-    /// it.
+    /// Up to this number of states, the process is compared by branching bisimulation with the one that is used for
+    /// refinement checks.
     std::uint64_t compared_states = 1'000'000;
     diagnostics::Budget* budget = nullptr;
 };
 
-/// System and sources outlive it. Throws Wrong where there is no such process, diagnostics::LimitReached.
+/// System and sources must outlive the result. Throws Wrong if there is no such process, and diagnostics::LimitReached.
 [[nodiscard]] std::unique_ptr<ExploredProcess> explore_process(const ir::System&, const ir::ComponentRef& subject,
                                                                ir::Instantiation,
                                                                const std::vector<ObservedEvent>& observed,

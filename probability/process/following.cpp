@@ -15,7 +15,7 @@ namespace {
 
 using csp_emit::MeaningKind;
 
-/// Whether the event is the one that lets time pass.
+/// True for the event by which time passes.
 class Ticks {
 public:
     Ticks(const lts::EventTable& events, const csp_emit::Provenance& provenance)
@@ -42,7 +42,7 @@ public:
     Follower(const ExploredProcess& process, const std::function<void()>& poll)
         : process_(process), poll_(poll), ticks_(process.session->event_table(), process.emission.provenance) {}
 
-    /// `leaves`: the states of the machine that no other state is inside of.
+    /// `leaves`: the states of the machine that contain no other state.
     Following operator()(const std::string& machine, const std::vector<std::string>& elements,
                          const std::set<std::string>& leaves, std::uint64_t units) {
         check_time(machine, leaves);
@@ -59,8 +59,9 @@ public:
     }
 
 private:
-    /// Generated code goes on where the model ends or time stops, and shows the source of a transition while time
-    /// passes in it: nothing follows for it there.
+    /// Rejects models in which the code may differ from the process. Generated code continues if the model terminates
+    /// or time stops, and it reports the source state while time passes in a transition. The process says nothing about
+    /// these cases.
     void check_time(const std::string& machine, const std::set<std::string>& leaves) {
         const Exploration& explored = *process_.exploration;
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
@@ -115,7 +116,7 @@ private:
                                         result_.classes.begin());
     }
 
-    /// The states behind a time unit that passes in the class, in front of it or behind it.
+    /// The states after a time unit that passes in the class, taken before or after the step.
     [[nodiscard]] std::vector<bool> behind_time(std::size_t from) {
         const Exploration& explored = *process_.exploration;
         std::vector<bool> result(explored.size());
@@ -127,7 +128,7 @@ private:
         return result;
     }
 
-    /// Adds what can be reached without time.
+    /// Adds the states that are reachable without time.
     void close(std::vector<bool>& states) {
         std::vector<lts::StateIndex> open;
         for (lts::StateIndex state = 0; state < states.size(); ++state)
@@ -144,7 +145,7 @@ private:
         }
     }
 
-    /// One time unit later, behind the step. Marks the classes on both sides of it.
+    /// Advances by one time unit, to the states after the step. Marks the classes before and after it.
     template <class Mark>
     std::vector<bool> mark(std::vector<bool> states, const Mark& seen) {
         close(states);
@@ -168,7 +169,7 @@ private:
             std::vector<bool> next = mark(states, [&](std::size_t each) { found[each] = true; });
             const bool same = next == states;
             states = std::move(next);
-            if (same) break;  // so they stay, and so do their classes
+            if (same) break;  // a fixed point, so the classes do not change
         }
         for (std::size_t to = 0; to < found.size(); ++to)
             if (found[to]) result_.after[from][to] = true;
@@ -177,7 +178,7 @@ private:
     const ExploredProcess& process_;
     const std::function<void()>& poll_;
     Ticks ticks_;
-    std::vector<std::uint32_t> bits_;  ///< of each state
+    std::vector<std::uint32_t> bits_;  ///< for each state
     Following result_;
 };
 
@@ -189,8 +190,8 @@ bool is_whole(const ir::System& system, ir::TypeId id) {
     return type.kind == ir::TypeKind::boolean || type.kind == ir::TypeKind::unit;
 }
 
-/// A finite instantiation has all truths and literals, but not all numbers, texts, sequences: code may do with other
-/// values what the process never does.
+/// A finite instantiation contains all truth values and literals, but not all numbers, strings or sequences. For other
+/// values, code may behave differently from the process.
 void check_values(const ir::System& system, const ir::Machine& machine) {
     constexpr const char* why = "the proof would be about the values of {} in the finite instantiation alone";
     for (const ir::Variable& each : machine.variables)

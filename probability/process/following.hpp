@@ -1,5 +1,5 @@
-// Which states of a machine may follow which some time units later, whatever its environment does: a proof about the
-// timed semantics of its component, by all of its states.
+// Which states of a machine can follow which after some time units, for any environment: a proof about the timed
+// semantics of its component that uses all states.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,22 @@
 
 namespace robochart::probability {
 
-/// Classes are sets of bits: bit i, whether the i-th state that was asked for is active.
+/// Classes are bit sets: bit i is set if the i-th of the given states is active.
 struct Following {
-    std::vector<std::uint32_t> classes;    ///< in which time passes, ascending
-    std::vector<bool> first;               ///< of each class: the component begins in it
-    std::vector<std::vector<bool>> after;  ///< [from][to], exactly so many time units later
+    std::vector<std::uint32_t> classes;    ///< classes in which time passes, ascending
+    std::vector<bool> first;               ///< for each class: the component can start in it
+    std::vector<std::vector<bool>> after;  ///< [from][to], after exactly this number of time units
 };
 
-/// Throws Wrong where a variable or event of the component's machines, or of an operation, has values that the finite
-/// instantiation leaves out.
+/// Throws Wrong if a variable or event of the component's machines, or of an operation, has values that are not in the
+/// finite instantiation.
 void check_finite(const ir::System&, const ir::ComponentRef& subject);
 
-/// `states`: of the component's first machine, by their paths in it, at most 32. A class is that of a state in which a
-/// time unit passes, taken both in front of that step and behind it, so it is that of the end of a control cycle
-/// whichever of them is meant. Throws Wrong where the machine has no such state, and where generated code may do what
-/// the process does not: values are left out, it may terminate, time may stop, or pass while a transition is taken.
+/// `states`: at most 32 states of the component's first machine, by their paths in it. A class belongs to a state in
+/// which a time unit passes; both the state before and the state after this step count. So it is the class at the end
+/// of a control cycle under either definition. Throws Wrong if the machine has no such state, or if generated code may
+/// do something that the process does not: values are missing, it may terminate, time may stop, or time may pass while
+/// a transition is taken.
 [[nodiscard]] Following following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
                                   const std::vector<std::string>& states, std::uint64_t units,
                                   const std::function<void()>& poll);

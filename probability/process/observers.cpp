@@ -32,7 +32,7 @@ std::vector<std::string> parts_of(const std::string& path) {
     return result;
 }
 
-/// The event in its component, under the name that it has in the script.
+/// The event of its component, with its name in the script.
 std::string name_in_script(const csp_emit::Provenance& provenance, const ObservedEvent& event) {
     const std::string direction = event.event.substr(event.event.find('.'));
     const std::string prefix = event.component + "::";
@@ -85,13 +85,13 @@ public:
     }
 
 private:
-    /// "e.in" as an event of the script.
+    /// "e.in" as an expression of the script.
     [[nodiscard]] cspm::ExprPtr channel() const {
         const std::size_t dot = channel_.find('.');
         return b::dot({b::name(channel_.substr(0, dot)), b::name(channel_.substr(dot + 1))});
     }
 
-    /// The component with its observer.
+    /// Adds the observer to the component's definition.
     void observed(DeclPtr& decl) {
         cspm::Decl made = *decl;
         const cspm::ExprPtr observer = b::call(first_, {b::number(0)});
@@ -131,7 +131,7 @@ private:
 
     const ObservedEvent& event_;
     const std::string channel_;
-    const std::string known_, first_;  ///< definitions: with a value, and before the first one
+    const std::string known_, first_;  ///< definitions: with a value, and before the first value
     bool done_ = false, declared_ = false;
 };
 

@@ -28,7 +28,7 @@ std::string magnitude(const boost::multiprecision::cpp_int& value) {
     return value < 0 ? digits.substr(1) : digits;
 }
 
-/// A number as a literal of RoboChart.
+/// A number as a RoboChart literal.
 std::string literal_of(const ir::System& system, const ir::Constant& constant, const prism::Value& value) {
     const ir::Type& type = system.type(constant.type);
     if (type.kind == ir::TypeKind::boolean) return value.integer != 0 ? "true" : "false";
@@ -38,7 +38,7 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
         return type.name + "::" + type.labels[static_cast<std::size_t>(value.integer)];
     }
     if (value.type != prism::Type::real) return value.text();
-    // A decimal, or none: thirds are no literals.
+    // Fails if there is no decimal: a third is not a literal.
     Rational rest = value.real.value();
     constexpr unsigned most_places = 18;
     for (unsigned places = 0; places <= most_places; ++places, rest *= 10)
@@ -62,13 +62,13 @@ prism::ExprPtr number(const Rational& value) {
 
 }  // namespace
 
-/// The process for values of the constants.
+/// The explored process for values of the constants.
 struct ProcessEncoding::Explored {
     std::string constants;  ///< the values, as text
     std::unique_ptr<ExploredProcess> process;
 };
 
-/// A question's states.
+/// The states for a question.
 struct ProcessEncoding::Answered {
     std::optional<prism::CheckedModel> model;
     diagnostics::Diagnostics findings;
@@ -107,7 +107,7 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
     ir::GivenConstants chosen;
     std::string text;
     for (const auto& [path, value] : constants) {
-        if (path.find("::") == std::string::npos) continue;  // of an assertion file
+        if (path.find("::") == std::string::npos) continue;  // a constant of an assertion file
         const ConstantHere found = names_->find_constant(path);
         const ir::Constant& declared = found.seat->machine->constants[found.id.index];
         const ir::ConstantSource source = ir::constant_source(system_, found.seat->module, found.seat->controller,
@@ -119,7 +119,7 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
     for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.valid() ? ".val;" : ";");
     if (explored_ && explored_->constants == text) return *explored_;
     answered_.reset();
-    explored_.reset();  // its memory is needed
+    explored_.reset();  // frees memory for the next
     auto made = std::make_unique<Explored>();
     made->constants = text;
     diagnostics::Diagnostics findings;
@@ -137,8 +137,8 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
 
 namespace {
 
-/// A reward of an event is one of each set of events that happen together and that it is in; `[]` is of every step but
-/// that of time.
+/// A reward of an event becomes one reward for each set of simultaneous events that contains it. `[]` applies to every
+/// step except tock.
 void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happening,
                std::vector<prism::RewardItem>& items) {
     if (!item.transition || item.action.text == tock_action) return items.push_back(item);
@@ -155,7 +155,7 @@ void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happe
 
 }  // namespace
 
-/// What PRISM's language is to know of the process: names of what is asked for, rewards.
+/// The declarations that PRISM's language needs: names of observables, and rewards.
 prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question,
                                                const std::vector<EventSet>& happening) const {
     const Weights weights(system_, found.process->instantiation);
@@ -171,7 +171,7 @@ prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Ques
     for (const Observable& each : names_->observables())
         file.globals.push_back(
             {{each.name, {}}, each.boolean ? prism::Type::boolean : prism::Type::integer, nullptr, nullptr, nullptr});
-    // PRISM asks for a variable and a module.
+    // PRISM requires a variable and a module.
     if (file.globals.empty()) file.globals.push_back({{"nothing__", {}}, prism::Type::boolean, {}, {}, {}});
     file.modules.push_back({{"process__", {}}, {}, {}, {}, {}});
     for (const prism::RewardStructure& each : question.rewards) {
@@ -181,7 +181,7 @@ prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Ques
     return file;
 }
 
-/// The value of something that is asked for, in a state. Throws Wrong where it has none.
+/// The value of an observable in a state. Throws Wrong if it has none.
 std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const {
     const std::vector<std::size_t>& parts = found.process->reader->parts(found.process->exploration->state(state));
     for (const std::size_t number : parts) {

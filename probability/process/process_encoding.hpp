@@ -1,5 +1,5 @@
-// The timed CSP semantics of a component as a Markov decision process: the encoding of RoboChart in which nothing is
-// decided that the model leaves open, and bounds count time units.
+// The timed CSP semantics of a component as a Markov decision process. This encoding resolves no choice that the model
+// leaves open, and bounds count time units.
 #pragma once
 
 #include <map>
@@ -17,11 +17,11 @@ namespace robochart::probability {
 
 struct ProcessOptions {
     Scheduler scheduler = Scheduler::any;
-    /// What the user asked for; values that assertions give to constants are added to it.
+    /// The user's options; values that assertions give to constants are added.
     ir::InstantiationOptions instantiation;
     std::uint64_t max_states = 500'000'000;
-    /// Up to so many states the process is compared with the one that is checked for refinement, and urgent steps with
-    /// all.
+    /// Up to this number of states, the process is compared with the one that is used for refinement checks, and the
+    /// urgent scheduler with all schedulers.
     std::uint64_t compared_states = 1'000'000;
     bool exact = false;
     diagnostics::Budget* budget = nullptr;
@@ -29,7 +29,7 @@ struct ProcessOptions {
 
 class ProcessEncoding final : public Encoding {
 public:
-    /// All outlive it. `subject`: a module, a controller or a machine.
+    /// All arguments must outlive the object. `subject`: a module, a controller or a machine.
     ProcessEncoding(const ir::System& system, const ir::ComponentRef& subject, diagnostics::SourceManager& sources,
                     ProcessOptions options);
     ~ProcessEncoding() override;
@@ -40,7 +40,7 @@ public:
     /// Throws NotExpressed.
     [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
-    /// How many states the comparison with the process that is checked for refinement had; 0: none was made.
+    /// The number of states in the comparison with the process for refinement checks; 0: not compared.
     [[nodiscard]] std::uint64_t compared() const;
 
 private:
@@ -59,7 +59,7 @@ private:
     diagnostics::SourceManager& sources_;
     ProcessOptions options_;
     std::unique_ptr<ProcessNames> names_;
-    std::unique_ptr<Explored> explored_;  ///< the latest: questions of one model come one after the other
+    std::unique_ptr<Explored> explored_;  ///< the latest one; questions about one model are asked consecutively
     std::unique_ptr<Answered> answered_;
 };
 

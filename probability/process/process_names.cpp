@@ -32,7 +32,7 @@ ExprPtr named(const std::string& name) {
     return prism::make_expr(Op::name, {}, {}, name);
 }
 
-/// Whether values of the type are numbers of PRISM.
+/// True if values of the type are numbers in PRISM.
 bool is_number(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     const bool plain = std::all_of(type.literal_args.begin(), type.literal_args.end(),
@@ -90,8 +90,8 @@ ExprPtr ProcessNames::variable(const std::string& path) {
     return prism::make_expr(Op::divide, {}, {read, named(units)});
 }
 
-/// A variable of the platform or of a controller is held by the machines that require it. One machine knows it as it
-/// is; with several, each may still hold the value before.
+/// The machines that require a variable of the platform or of a controller hold its value. If one machine requires it,
+/// that machine has the current value; if several do, some may still have the old value.
 ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string& name) {
     const Seat* only = nullptr;
     for (const Seat& each : seats_)
@@ -112,7 +112,7 @@ ConstantHere ProcessNames::find_constant(const std::string& path) const {
     const std::string name = last_of(path);
     const std::string owner = owner_of(path);
     for (const Seat& each : seats_) {
-        // What a module or controller provides is the constant of the machines that require it.
+        // A constant that a module or controller provides is that of the machines that require it.
         const bool inside =
             each.path == owner || each.path.starts_with(owner + "::") || owner.starts_with(subject_.path);
         const auto& constants = each.machine->constants;
@@ -141,7 +141,7 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
     absent("state", machine + "::" + state);
 }
 
-/// As seen from where the event is declared: `in` is into the software, so out of the platform.
+/// The direction is seen from the declaration of the event: `in` means into the software, so out of the platform.
 std::size_t ProcessNames::observed_event(const std::string& path, const std::string& direction, bool valued) {
     const std::string name = last_of(path);
     const ir::Event* event = nullptr;

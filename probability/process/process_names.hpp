@@ -1,4 +1,4 @@
-// What the names of properties are in the states of a process.
+// The meaning of names of properties in the states of a process.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace robochart::probability {
 
-/// Something that the states of a process are asked for: a variable of the model in PRISM's language.
+/// A value that is read from the states of a process: a variable of the PRISM model.
 struct Observable {
     std::string name;       ///< in PRISM
     std::string component;  ///< of the machine, in the CSP semantics
-    std::string variable;   ///< "": a state is asked for
+    std::string variable;   ///< "": a state is read
     std::string state;      ///< its element
     bool boolean = false;
-    bool carried = false;  ///< the value that an event carried last: before the first it is 0
+    bool carried = false;  ///< the last value that an event carried; 0 before the first
 };
 
-/// A constant of the model with the machine that reads it.
+/// A constant of the model, and the machine that uses it.
 struct ConstantHere {
     std::string name;  ///< in PRISM
     const Seat* seat = nullptr;
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] prism::ExprPtr in_state(const std::string& machine, const std::string& state) override;
     [[nodiscard]] std::string action(const std::string& path, const std::string& direction) override;
     [[nodiscard]] prism::ExprPtr value(const std::string& path, const std::string& direction) override;
-    /// Rewards of states are earned by time: once for each time unit that begins there.
+    /// State rewards are earned per time unit that begins in the state.
     [[nodiscard]] prism::RewardItem of_state(prism::RewardItem item) override;
     [[nodiscard]] bool taken(const std::string& name) const override;
 
@@ -45,17 +45,17 @@ public:
     [[nodiscard]] const std::vector<Observable>& observables() const { return observables_; }
     [[nodiscard]] const std::vector<ConstantHere>& constants() const { return constants_; }
     [[nodiscard]] const std::vector<ObservedEvent>& observed() const { return observed_; }
-    /// The machine's constant that a path leads to; throws NotExpressed.
+    /// The machine's constant with this path; throws NotExpressed.
     [[nodiscard]] ConstantHere find_constant(const std::string& path) const;
 
-    /// The name of the constant that is the scale of reals.
+    /// The name of the constant with the scale of reals.
     static constexpr const char* units = "units__";
 
 private:
     [[nodiscard]] const Seat* seat(const std::string& path) const;
     [[nodiscard]] std::string free_name(const std::string& path) const;
     [[nodiscard]] prism::ExprPtr observed(Observable observable);
-    /// The place of an event among `observed`. `valued`: its values are asked for.
+    /// The index of an event in `observed`. `valued`: its values are needed.
     [[nodiscard]] std::size_t observed_event(const std::string& path, const std::string& direction, bool valued);
     [[nodiscard]] prism::ExprPtr shared_variable(const std::string& path, const std::string& name);
 

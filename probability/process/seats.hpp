@@ -1,4 +1,4 @@
-// The machines inside a component, in the places where they run.
+// The machines inside a component, in the contexts in which they run.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace robochart::probability {
 
 struct Seat {
     const ir::Module* module = nullptr;          ///< null: not in a module
-    const ir::Controller* controller = nullptr;  ///< null: the machine is looked at on its own
+    const ir::Controller* controller = nullptr;  ///< null: the machine by itself
     std::string part;                            ///< its name in the controller
     const ir::Machine* machine = nullptr;
     std::string path;       ///< in properties: "Module::controller_ref::machine_ref"
-    std::string component;  ///< in the CSP semantics: the same behind the package
+    std::string component;  ///< in the CSP semantics: the same path after the package
 };
 
-/// Of a module, a controller or a machine.
+/// The machines of a module or controller, or a single machine.
 [[nodiscard]] std::vector<Seat> seats_in(const ir::System&, const ir::ComponentRef&);
 
 }  // namespace robochart::probability

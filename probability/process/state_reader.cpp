@@ -46,7 +46,7 @@ bool is_parallel(process::Op op) {
     return op == process::Op::parallel || op == process::Op::alphabetised;
 }
 
-/// Operators whose operands, or the first of them, are where the process is.
+/// True for operators whose operands, or the first of them, contain the components.
 bool is_around(process::Op op) {
     return op == process::Op::hide || op == process::Op::rename || op == process::Op::prioritise ||
            op == process::Op::prioritise_order || op == process::Op::sequential || op == process::Op::exception ||
@@ -55,8 +55,7 @@ bool is_around(process::Op op) {
 
 }  // namespace
 
-/// At the start a component is in definitions that say nothing of the model, one inside the other: they are looked
-/// through.
+/// Initially, a component is inside nested definitions without a meaning in the model, which are unfolded.
 void StateReader::collect(process::TermId term, int levels, std::vector<runs::Call>& calls) {
     process::TermStore& terms = reader_.context().session.terms();
     const process::Op op = terms[term].op;
@@ -68,7 +67,7 @@ void StateReader::collect(process::TermId term, int levels, std::vector<runs::Ca
     }
     if (levels == 0) return;
     if (!around) return collect(terms.unfolded(term, 1), levels - 1, calls);
-    const std::vector<process::TermId> operands = terms[term].children;  // more terms may be made
+    const std::vector<process::TermId> operands = terms[term].children;  // a copy, because terms may be added
     for (std::size_t i = 0; i < (is_parallel(op) ? operands.size() : 1); ++i) collect(operands[i], levels - 1, calls);
 }
 

@@ -9,7 +9,7 @@
 namespace robochart::probability {
 namespace {
 
-/// A choice in terms that two processes share.
+/// A choice in a form that both processes share.
 struct SharedChoice {
     std::string action;
     bool tock = false;

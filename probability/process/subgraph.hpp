@@ -1,4 +1,4 @@
-// What a scheduler of fewer ways can do is part of what all can do.
+// Checks that a process with a restricted scheduler is part of the process with all schedulers.
 #pragma once
 
 #include <functional>
@@ -7,10 +7,9 @@
 
 namespace robochart::probability {
 
-/// Whether each state of `fewer`, the initial one first, is a state of `all` (states are the same whose origins are),
-/// is a deadlock in both or in neither, and has only choices that it has there: the same action, time that passes or
-/// does not, and the same distribution. Both are made from one exploration. Then whatever a scheduler of `fewer` does,
-/// one of `all` does.
+/// True if each state of `fewer`, the initial one first, is a state of `all` (with the same origin), is a deadlock in
+/// both or in neither, and has only choices of that state: the same action, time passing or not, and distribution. Both
+/// must be made from one exploration. Then every scheduler of `fewer` corresponds to a scheduler of `all`.
 [[nodiscard]] bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all,
                                const std::function<void()>& poll);
 

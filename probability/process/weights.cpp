@@ -13,7 +13,7 @@ namespace {
 
 using ir::ExprKind;
 
-/// Constants that are defined by each other.
+/// Limits the nesting of constants, which may be defined by each other.
 constexpr unsigned most_depth = 100;
 
 Rational power_of_ten(std::uint32_t exponent) {
@@ -66,7 +66,8 @@ Rational Weights::constant(const ir::Machine& machine, ir::ConstantId id, const 
     return constant({machine, seat, nullptr, nullptr}, id);
 }
 
-/// The instantiation goes before the value in the model; that is in units of the scale, which reaches every decimal.
+/// The instantiation overrides the value in the model. Its values are in units of the scale, which represents every
+/// decimal exactly.
 Rational Weights::constant(const Scope& scope, ir::ConstantId id) const {
     const ir::Constant& declared = scope.machine.constants[id.index];
     std::string part = scope.seat.part;
@@ -137,7 +138,7 @@ Rational Weights::value(const Scope& scope, const ir::Expr& expr) const {
         case ExprKind::divide: {
             const Rational divisor = arg(1);
             if (divisor == 0) throw Wrong("a probability divides by 0");
-            // Numbers of probabilities are fractions: 1/3 is a third, whatever the types of 1 and 3.
+            // Numbers in probabilities are fractions: 1/3 is a third, whatever the types of 1 and 3 are.
             return arg(0) / divisor;
         }
         case ExprKind::if_then_else:

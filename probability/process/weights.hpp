@@ -1,5 +1,5 @@
-// How likely the ways of probabilistic junctions are: their expressions as fractions, exactly. Other than in the CSP
-// semantics nothing is clipped or rounded here: a probability is the number that the model says.
+// Computes the probabilities of the branches of probabilistic junctions exactly, as fractions. Unlike in the CSP
+// semantics, nothing is clipped or rounded: a probability is the number in the model.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace robochart::probability {
 
 using markov::Rational;
 
-/// The value of a variable, in the units of the CSP semantics; throws where it is not known.
+/// The value of a variable in the units of the CSP semantics; throws if it is unknown.
 using ValueOf = std::function<std::int64_t(const std::string& name)>;
 
 class Weights {
@@ -25,8 +25,8 @@ public:
     Weights(const ir::System& system, const ir::Instantiation& instantiation)
         : system_(system), instantiation_(instantiation) {}
 
-    /// Of a way, with those that are alike, where its machine has this seat. Throws Wrong where it is no fraction that
-    /// can be computed, or not from 0 to 1.
+    /// The probability of a branch together with its equivalent branches, if its machine has this seat. Throws Wrong if
+    /// it is not a computable fraction from 0 to 1.
     [[nodiscard]] Rational of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const;
     /// The value of a constant of a machine with this seat.
     [[nodiscard]] Rational constant(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const;
@@ -46,7 +46,8 @@ private:
     const ir::Instantiation& instantiation_;
 };
 
-/// The ways that no step tells apart: from one junction to one place, without actions and resets. Itself among them.
+/// The branches that no step distinguishes: from the same junction to the same target, without actions and resets.
+/// Includes the branch itself.
 [[nodiscard]] std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw);
 
 }  // namespace robochart::probability

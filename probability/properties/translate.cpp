@@ -25,7 +25,7 @@ using ast::ProbabilisticKind;
 using prism::ExprPtr;
 using prism::Op;
 
-/// Definitions inside definitions: more of them are taken for ones that use themselves.
+/// Nesting of definitions; a greater depth means that a definition uses itself.
 constexpr unsigned most_depth = 50;
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -82,7 +82,7 @@ Op relation_of(const std::string& text) {
     return text == ">" ? Op::greater : Op::greater_equal;
 }
 
-/// Definitions in the order in which names are looked up: what the assertion brings with it, its file, other files.
+/// The definitions in the order of lookup: those of the assertion, of its file, of other files.
 class Definitions {
 public:
     Definitions(const Assertions& all, const ast::File& file, const ast::ProbabilisticAssertion& assertion) {
@@ -94,13 +94,13 @@ public:
     }
 
     [[nodiscard]] const std::vector<const ProbabilisticDefinition*>& all() const { return found_; }
-    /// Null: there is none.
+    /// Null if there is none.
     [[nodiscard]] const ProbabilisticDefinition* find(ProbabilisticKind kind, const std::string& name) const {
         for (const ProbabilisticDefinition* each : found_)
             if (each->kind == kind && (name.empty() || each->name == name)) return each;
         return nullptr;
     }
-    /// What a clause names, or defines itself.
+    /// The definition that a clause names or contains.
     [[nodiscard]] const ProbabilisticDefinition* of(const ast::ProbabilisticClause& clause) const {
         return clause.name.empty() ? &clause.definition : find(clause.definition.kind, clause.name.parts.back());
     }
@@ -110,7 +110,7 @@ public:
                 if (function.name == name && function.result) return &function;
         return nullptr;
     }
-    /// Whether a constant is one of an assertion file.
+    /// True if the constant is one of an assertion file.
     [[nodiscard]] bool defines(const ast::Declaration* constant) const {
         return std::any_of(found_.begin(), found_.end(),
                            [&](const auto* each) { return each->constant.get() == constant; });
@@ -222,10 +222,10 @@ private:
     const Definitions& definitions_;
     Elements& elements_;
     Question question_;
-    std::map<const ast::Declaration*, ExprPtr> bound_;      ///< parameters of the function that is written out
+    std::map<const ast::Declaration*, ExprPtr> bound_;      ///< parameters of the function being expanded
     std::map<const ast::Declaration*, std::string> known_;  ///< constants of assertion files
-    ExprPtr simulated_;                                     ///< what `using sim` stands behind
-    bool in_model_ = false;                                 ///< rewards or modules are translated
+    ExprPtr simulated_;                                     ///< the expression before `using sim`
+    bool in_model_ = false;                                 ///< inside rewards or modules
     unsigned depth_ = 0;
 };
 
@@ -284,14 +284,14 @@ std::string Translator::full_path(const ast::QualifiedName& name) {
     Beginning begin = beginning(all_, file_, name);
     if (begin.used == 0) refuse(fmt::format("`{}`, which begins with no component", name.text()));
     for (std::size_t i = begin.used; i < name.parts.size(); ++i) {
-        // A platform is called by its own name, whatever the reference to it is.
+        // A platform is identified by its own name, whatever the name of the reference is.
         const ast::Context* const platform = i == begin.used ? ast::platform_of(begin.end, name.parts[i]) : nullptr;
         begin.parts.push_back(platform != nullptr ? platform->name : name.parts[i]);
     }
     return joined(begin.parts);
 }
 
-/// A name that is none of the model's and none of PRISM's words.
+/// A name that is neither used in the model nor a keyword of PRISM.
 std::string Translator::free_name(const std::string& wanted) const {
     std::string name = wanted;
     while (prism::is_reserved(name) || elements_.taken(name)) name += "_";
@@ -307,7 +307,7 @@ ExprPtr Translator::name(const ast::Expr& expr) {
         refuse(fmt::format("`{}`", expr.name.text()));
     }
     if (target->kind == ast::DeclKind::enum_literal) {
-        // Literals are numbered in the order of their declaration, in every encoding.
+        // In every encoding, literals are numbered in the order of their declaration.
         const auto* type = dynamic_cast<const ast::TypeDeclaration*>(target->parent);
         for (std::size_t i = 0; type != nullptr && i < type->literals.size(); ++i)
             if (type->literals[i].get() == target) return node(expr, Op::integer, {}, fmt::format("{}", i));
@@ -471,15 +471,15 @@ ExprPtr Translator::quantitative(const ast::Expr& expr) {
     return result;
 }
 
-/// A number that `using` gives, as a constant with that value: a name of PRISM's it cannot have.
+/// A number in `using`, as a constant with that value. Its name cannot clash with PRISM's names.
 std::string Translator::number(const std::string& what, const ast::Expr& expr) {
     std::string name = fmt::format("`{} {}`", what, ast::to_text(expr));
     question_.constants.push_back({prism::Type::real, {name, expr.span}, expression(expr)});
     return name;
 }
 
-/// PRISM's methods with RoboTool's names of their parameters: `-simwidth` is `w` or `epsilon`, `-simconf` `alpha` or
-/// `delta`, `-simsamples` `n`, `-simpathlen` `pathlen`; of SPRT `delta` is the half of the indifference region.
+/// PRISM's methods, with RoboTool's parameter names: `-simwidth` is `w` or `epsilon`, `-simconf` is `alpha` or `delta`,
+/// `-simsamples` is `n`, `-simpathlen` is `pathlen`. For SPRT, `delta` is half of the indifference region.
 void Translator::simulate(const ast::Expr& simulation) {
     using Names = std::map<std::string, std::string>;
     static const std::map<std::string, Names> parameters{
@@ -582,7 +582,7 @@ prism::Module Translator::module(const ast::ProbabilisticModule& source) {
     return made;
 }
 
-/// `(p : @x = e)` begins a branch; updates without a probability belong to the branch before them.
+/// `(p : @x = e)` begins a branch. Updates without a probability belong to the branch before them.
 prism::Command Translator::command(const ast::Command& source) {
     prism::Command made;
     made.span = source.guard->span;
@@ -604,7 +604,7 @@ prism::Assignment Translator::assignment(const ast::Update& update) {
     return {{update.variable->name.parts.back(), update.variable->span}, expression(*update.value)};
 }
 
-/// Notes the components that paths begin with.
+/// Records the components with which paths begin.
 class Recorder final : public Elements {
 public:
     ExprPtr variable(const std::string& path) override { return number(path); }
@@ -630,7 +630,7 @@ private:
     }
 };
 
-/// Has nothing of a model.
+/// Contains no elements.
 class NoElements final : public Elements {
 public:
     ExprPtr variable(const std::string& path) override { absent(path); }

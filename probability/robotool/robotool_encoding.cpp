@@ -38,7 +38,7 @@ std::set<std::string> names_of(const prism::ModelFile& model) {
 
 }  // namespace
 
-/// Elements by the names that the emission notes (R1).
+/// Finds elements by the names recorded in the emission (R1).
 class RoboToolEncoding::Names final : public Elements {
 public:
     Names(const prism_emit::Emission& emission, const ir::Module& module)
@@ -47,7 +47,7 @@ public:
     }
 
     ExprPtr variable(const std::string& path) override {
-        // What a machine requires is the platform's (R3).
+        // A variable that a machine requires is that of the platform (R3).
         const std::string shared = module_ + "::" + platform_ + "::" + last(path);
         for (const std::string& element : {path, shared})
             if (const std::string* name = find("variable", element)) return named(*name);
@@ -62,7 +62,7 @@ public:
         absent("constant", path);
     }
 
-    /// R3, R4: the counter of the state's region is at the state. It is at no state where the region is not active.
+    /// R3, R4: the counter of the state's region is at the state. If the region is not active, it is at no state.
     ExprPtr in_state(const std::string& machine, const std::string& state) override {
         const std::size_t inner = state.rfind("::");
         const std::string region = inner == std::string::npos ? machine : machine + "::" + state.substr(0, inner);
@@ -101,7 +101,8 @@ private:
     std::string module_, platform_;
 };
 
-/// The model with what a question adds, for values of its constants; explored, or to be walked through, on request.
+/// The model, extended as a question requires, for values of its constants; explored, or ready for random paths, on
+/// request.
 struct RoboToolEncoding::Prepared {
     std::string text;
     std::optional<prism::CheckedModel> model;
@@ -153,7 +154,7 @@ prism::Constant RoboToolEncoding::constant(const std::string& path) {
 
 namespace {
 
-/// The values of a setting, rounded down. What cannot be read is reported where it is used.
+/// The values of a setting, rounded down. Invalid values are reported when they are used.
 std::vector<std::int64_t> whole_values(prism::Constant constant, const std::vector<std::string>& texts) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() - 1;
     constant.name.text = "c";
@@ -195,7 +196,7 @@ prism_emit::Preferences RoboToolEncoding::ranges_for(const Question& question) {
     return result;
 }
 
-/// A constant that is given values loses the one of the model.
+/// If a constant gets values from the question, its value in the model is removed.
 prism::ModelFile RoboToolEncoding::model(const Question& question) {
     if (const prism_emit::Preferences wanted = ranges_for(question); wanted != emitted_for_) {
         emission_ = emitted(system_, module_, wanted, options_.budget, functions_);
@@ -214,7 +215,7 @@ prism::ModelFile RoboToolEncoding::model(const Question& question) {
     return result;
 }
 
-/// With those that the user gave for what is still open.
+/// Adds the user's values for constants that are still open.
 prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const prism::Values& given) const {
     prism::Values result = given;
     for (const prism::Constant& constant : prism::open_constants(model.constants)) {
@@ -244,7 +245,7 @@ RoboToolEncoding::Prepared& RoboToolEncoding::prepared(const Question& question,
     std::string text = prism::print(whole);
     for (const auto& [name, value] : values) text += fmt::format("{}={}\n", name, value.text());
     if (prepared_ && prepared_->text == text) return *prepared_;
-    prepared_.reset();  // its memory is needed
+    prepared_.reset();  // frees memory for the next
     auto made = std::make_unique<Prepared>();
     made->text = std::move(text);
     made->values = std::move(values);

@@ -1,5 +1,5 @@
-// RoboTool's encoding of a module (prism_emit) as what properties are asked of. What properties add to the model is
-// added to a copy of it, as RoboTool does for each assertion: rewards, modules, functions in the places of calls.
+// RoboTool's encoding of a module (prism_emit) as the model for properties. The additions of a property (rewards,
+// modules, functions in place of calls) are made in a copy of the model, as RoboTool does for each assertion.
 #pragma once
 
 #include <map>
@@ -26,8 +26,8 @@ struct RoboToolOptions {
 
 class RoboToolEncoding final : public Encoding {
 public:
-    /// The system and the module outlive it. `functions`: those of assertions, for calls in the model. Throws
-    /// NotExpressed where the encoding has nothing for the module.
+    /// The system and the module must outlive the object. `functions`: those of assertions, for calls in the model.
+    /// Throws NotExpressed if the encoding does not support the module.
     RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
                      const std::map<std::string, Function>& functions);
     ~RoboToolEncoding() override;
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
     [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return false; }
-    /// The model with what the question adds to it.
+    /// The model with the additions of the question.
     [[nodiscard]] prism::ModelFile model(const Question&);
 
 private:
@@ -45,8 +45,8 @@ private:
     struct Prepared;
 
     Prepared& prepared(const Question&, const prism::Values&);
-    /// Ranges that hold the values of the constants that a question sets, and one more: counters reach a limit, and go
-    /// beyond it where that is what is asked.
+    /// Ranges that contain the values of the constants that a question sets, and one more value: counters reach a limit
+    /// and must be able to exceed it.
     [[nodiscard]] prism_emit::Preferences ranges_for(const Question&);
     [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
 
@@ -58,7 +58,7 @@ private:
     prism_emit::Preferences emitted_for_;  ///< the ranges of `emission_`
     std::unique_ptr<Names> names_;
     Wording wording_;
-    std::unique_ptr<Prepared> prepared_;  ///< the latest: questions of one model come one after the other
+    std::unique_ptr<Prepared> prepared_;  ///< the latest one; questions about one model are asked consecutively
 };
 
 }  // namespace robochart::probability

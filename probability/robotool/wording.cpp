@@ -20,7 +20,7 @@ std::string last_of(const std::string& element) {
     return element.substr(element.rfind(':') + 1);
 }
 
-/// The value of a constant that is written as a number.
+/// The value of a constant that is defined as a number.
 std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::string& name) {
     const auto found = std::find_if(model.constants.begin(), model.constants.end(),
                                     [&](const prism::Constant& each) { return each.name.text == name; });
@@ -31,7 +31,7 @@ std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::s
     return error == std::errc() && end == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
 }
 
-/// R4: the counter of a region is at a node of it, or at the beginning of an entry action.
+/// R4: the counter of a region is at one of its nodes, or at the beginning of an entry action.
 Wording::Variable place_of(const prism_emit::Emission& emission, const std::string& region) {
     Wording::Variable result{region + " at ", {{0, "no state"}}};
     for (const prism_emit::NameOf& each : emission.names) {
@@ -50,7 +50,7 @@ Wording wording_of(const prism_emit::Emission& emission) {
     for (const prism_emit::NameOf& each : emission.names) {
         if (each.kind == "STM") result.modules[each.name] = each.element;
         if (each.kind == "event") {
-            // "M::c::s::e::IN"; a label has an end on each side.
+            // "M::c::s::e::IN"; a label has an end on both sides.
             const std::string end = owner_of(each.element) + (last_of(each.element) == "IN" ? ".in" : ".out");
             std::string& text = result.actions[each.name];
             text += (text.empty() ? "" : ", ") + end;

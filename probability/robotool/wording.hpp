@@ -1,4 +1,4 @@
-// What the names of RoboTool's encoding say to a reader of the model.
+// Translates names of RoboTool's encoding to terms of the model.
 #pragma once
 
 #include "prism_emit/emission.hpp"
@@ -6,8 +6,8 @@
 
 namespace robochart::probability {
 
-/// Places of machines and of composite states, variables, values of events. Locks, stages of exits, and what buffers
-/// hold serve the encoding.
+/// Includes the current places of machines and composite states, variables, and values of events. Locks, exit stages
+/// and contents of buffers are internal to the encoding.
 [[nodiscard]] Wording wording_of(const prism_emit::Emission& emission);
 
 }  // namespace robochart::probability
