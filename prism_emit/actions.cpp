@@ -1,4 +1,4 @@
-// Statements: one command for each (R9, R13, R14).
+// Statements: one command per statement (R9, R13, R14).
 #include <algorithm>
 #include <utility>
 
@@ -49,7 +49,7 @@ void MachineEmitter::statement(Part& part, std::size_t place, const std::string&
 }
 
 Channel* MachineEmitter::channel(const Part& part, ir::EventId event, Direction direction, diagnostics::Span span) {
-    // The events of operations are those of the machine that runs them.
+    // The events of an operation are those of the machine that runs it.
     const std::string& name = part.machine->events[event.index].name;
     const ir::Machine& host = context_.system.machine(instance_.machine);
     const auto found =

@@ -9,7 +9,7 @@
 namespace robochart::prism_emit {
 namespace {
 
-/// Values of an input of the platform, which has a command for each.
+/// The largest number of values of a platform input, which has a command for each value.
 constexpr std::int64_t most_values = 100'000;
 
 }  // namespace
@@ -50,7 +50,7 @@ void Channels::add_hops(const std::vector<ir::Connection>& connections, const En
         const End first = place(each.from);
         const End second = place(each.to);
         const bool forwards = direction == Direction::out;
-        // A connection with [mult] is one in both directions.
+        // A connection with [mult] connects both directions.
         if ((forwards || each.multiple) && first == from) result.push_back({second, each.async});
         if ((!forwards || each.multiple) && second == from) result.push_back({first, each.async});
     }
@@ -75,8 +75,8 @@ std::vector<Channels::Hop> Channels::hops(const End& from, Direction direction, 
     return result;
 }
 
-/// From a machine out of its controller, through the module, into another machine or to the platform. Each event on the
-/// way has one neighbour on each side: communication between more than two is not encoded.
+/// Follows an event from a machine out of its controller, through the module, into another machine or to the platform.
+/// Each event on the path has one neighbour on each side; communication between more than two is not encoded.
 std::optional<Channels::Route> Channels::follow(const End& from, Direction direction, std::string& problem) const {
     const Direction back = direction == Direction::out ? Direction::in : Direction::out;
     Route route{from, false};
@@ -149,9 +149,9 @@ void Channels::emit_modules() {
     emit_platform();
 }
 
-/// R12: "Untyped buffer: f:bool; OUT always possible (overwrites, loses), IN if full."
-/// R13: "Buffer: OUT needs both FINs, clears f, then one unlabelled step copies EVT__IN'=EVT__OUT, fills."
-/// An end that no machine uses has no command: nothing can happen there.
+/// R12: "Untyped buffer: f:bool; OUT always possible (overwrites, loses), IN if full." R13: "Buffer: OUT needs both
+/// FINs, clears f, then one unlabelled step copies EVT__IN'=EVT__OUT, fills." An end that no machine uses has no
+/// command, so nothing can happen there.
 void Channels::emit_buffer(const Channel& channel) {
     prism::Module module;
     module.name.text = context_.unique("BUF_" + channel.name);
@@ -184,7 +184,7 @@ void Channels::emit_platform() {
     prism::Module module;
     module.name.text = context_.unique(context_.module.name + "_" + context_.module.platform.name);
     for (const auto& channel : channels_) {
-        // What only one of two machines does cannot happen: nobody but them takes part in its label.
+        // An event that only one of two machines performs cannot happen, because its label needs both.
         if (channel->kind == Channel::Kind::joint && channel->sent != channel->received)
             module.commands.push_back(tree::command(channel->out_label(), tree::truth(false), {}));
         if (channel->kind != Channel::Kind::platform) continue;

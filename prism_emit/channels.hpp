@@ -1,5 +1,5 @@
-// Events of machines followed through the connections of controllers and module: which label of PRISM, which buffer
-// (R2, R12, R13).
+// Follows events of machines through the connections of controllers and modules to PRISM's labels and buffers (R2, R12,
+// R13).
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace robochart::prism_emit {
 
-/// A machine in the place where it runs, by indices of Module::controllers and Controller::machines.
+/// A machine in its context, by indices in Module::controllers and Controller::machines.
 struct Seat {
     std::uint32_t controller = 0, machine = 0;
     friend auto operator<=>(const Seat&, const Seat&) = default;
@@ -22,7 +22,7 @@ struct Seat {
 
 enum class Direction { out, in };  ///< as the machine sees it
 
-/// How an event of one machine reaches another, or the platform.
+/// The connection of a machine's event to another machine or to the platform.
 struct Channel {
     enum class Kind { platform, buffer, joint };
     Kind kind = Kind::platform;
@@ -33,7 +33,7 @@ struct Channel {
     /// The labels of the two ends.
     [[nodiscard]] std::string out_label() const;
     [[nodiscard]] std::string in_label() const;
-    /// The variable that holds the value at an end, and the one that is true between handshakes.
+    /// The variable with the value at an end, and the variable that is true between handshakes.
     [[nodiscard]] std::string value_at(Direction) const;
     [[nodiscard]] std::string ready_at(Direction) const;
 };
@@ -42,15 +42,14 @@ class Channels {
 public:
     explicit Channels(Context& context) : context_(context) {}
 
-    /// The channel that a machine's event belongs to, in one direction. Null, with a finding, where there is none that
-    /// can be encoded.
+    /// The channel of a machine's event in one direction. Null, with a finding, if it cannot be encoded.
     [[nodiscard]] Channel* find(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span);
 
     /// R12, R13: the modules of buffers and of the platform, for all channels that were used.
     void emit_modules();
 
 private:
-    /// An event of a part of a controller, of a controller, or of the platform.
+    /// An event of a controller's component, of a controller, or of the platform.
     struct End {
         enum class Level { machine, controller, platform } level = Level::machine;
         Seat seat;

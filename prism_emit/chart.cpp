@@ -30,7 +30,7 @@ private:
         context_.diagnostics.report(rules::unsupported_construct, span, {what, element_ + "::" + where});
     }
 
-    /// R15, "deadlines vanish, clocks are not emitted": so do statements that only reset clocks.
+    /// R15, "deadlines vanish, clocks are not emitted": statements that only reset clocks also vanish.
     void flatten(const ir::StmtPtr& stmt, const std::string& where, std::vector<ir::StmtPtr>& result) {
         if (!stmt) return;
         switch (stmt->kind) {
@@ -91,7 +91,7 @@ private:
         chart_.steps.push_back(std::move(step));
     }
 
-    /// R7: "Chains through a junction after a trigger are composed." Junctions that nothing leads to then go.
+    /// R7: "Chains through a junction after a trigger are composed." Junctions that become unreachable are removed.
     void compose_chains() {
         std::vector<Step> done;
         for (Step& step : chart_.steps)

@@ -1,4 +1,4 @@
-// A state machine in the normal form that RoboTool makes before it encodes it (R7, R11).
+// The normal form of a state machine that RoboTool makes before the encoding (R7, R11).
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace robochart::prism_emit {
 
-/// A node, of the model or added.
+/// A node of the model, or an added one.
 struct Place {
     ir::NodeKind kind = ir::NodeKind::state;
     std::string name;
@@ -17,10 +17,10 @@ struct Place {
     std::optional<std::size_t> parent, initial;
     std::vector<ir::StmtPtr> entry;
     bool composite = false;
-    bool dropped = false;  ///< nothing leads there any more
+    bool dropped = false;  ///< unreachable now
 };
 
-/// A transition, of the model or added.
+/// A transition of the model, or an added one.
 struct Step {
     std::string name;
     std::size_t source = 0, target = 0;
@@ -31,7 +31,7 @@ struct Step {
     diagnostics::Span span;
 };
 
-/// Places with the nodes of the machine first, by their ids.
+/// The places begin with the nodes of the machine, by id.
 struct Chart {
     std::vector<Place> places;
     std::vector<Step> steps;

@@ -9,7 +9,7 @@
 namespace robochart::prism_emit {
 
 std::string Context::unique(const std::string& wanted) {
-    const bool of_channels = wanted.starts_with("EVT__") || wanted.starts_with("FIN__");  // channels.hpp makes these
+    const bool of_channels = wanted.starts_with("EVT__") || wanted.starts_with("FIN__");  // prefixes of channels.hpp
     std::string name = of_channels ? "_" + wanted : wanted;
     while (prism::is_reserved(name) || !taken_.insert(name).second) name += "_";
     return name;

@@ -1,4 +1,4 @@
-// What all parts of one emission share: the module, the model that is made, its names.
+// Data that all parts of one emission share: the module, the model under construction, its names.
 #pragma once
 
 #include <cstdint>
@@ -31,31 +31,31 @@ public:
     diagnostics::Diagnostics& diagnostics;
     Emission emission;
 
-    /// The name, made one that is not reserved and not taken yet.
+    /// A name made from this one that is neither reserved nor used yet.
     [[nodiscard]] std::string unique(const std::string& wanted);
-    /// Notes what a variable of the model is called.
+    /// Records the PRISM name of a variable of the model.
     void note(const ir::Variable& variable, const std::string& element, const std::string& name);
-    /// Notes what an element is called.
+    /// Records the PRISM name of an element.
     void note(const std::string& kind, const std::string& element, const std::string& name);
-    /// "tick_16", "Action_20": numbers count on over the whole model.
+    /// "tick_16", "Action_20": the numbers increase over the whole model.
     [[nodiscard]] std::string numbered(const std::string& stem) { return unique(stem + "_" + std::to_string(next_++)); }
-    /// Numbers of what normalisation adds.
+    /// Numbers for elements that the normal form adds.
     [[nodiscard]] std::string added(const std::string& stem) { return stem + "_" + std::to_string(next_added_++); }
 
-    /// R3: the range of a type. Nothing, with a finding about `element`, where it is not encoded.
+    /// R3: the range of a type. No value, with a finding about `element`, if it is not encoded.
     [[nodiscard]] std::optional<Carrier> carrier(ir::TypeId type, const std::string& element,
                                                  const diagnostics::Span& span);
-    /// The declaration of a variable of a carrier.
+    /// The declaration of a variable with this range.
     [[nodiscard]] static prism::Variable variable(const std::string& name, const Carrier& carrier,
                                                   prism::ExprPtr initial);
-    /// R1: enumerations are constants, `SHuman_inRed`. The name of a literal.
+    /// The name of a literal. R1: enumerations are constants, `SHuman_inRed`.
     [[nodiscard]] const std::string& literal(ir::TypeId type, std::int64_t index);
 
 private:
     const Preferences& preferences_;
     std::set<std::string> taken_;
     std::map<std::pair<std::uint32_t, std::int64_t>, std::string> literals_;
-    unsigned next_ = 16;  ///< RoboTool's first ones are its own counters
+    unsigned next_ = 16;  ///< RoboTool's own counters have the numbers before
     unsigned next_added_ = 1;
 };
 

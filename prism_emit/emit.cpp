@@ -15,7 +15,7 @@
 namespace robochart::prism_emit {
 namespace {
 
-/// Above the names.
+/// The heading above the names.
 constexpr std::string_view names_heading = "// Renames of RoboChart elements";
 
 /// R10: the stages of an exit.

@@ -14,7 +14,7 @@ using ir::ExprKind;
 using prism::ExprPtr;
 using prism::Op;
 
-/// Operators with the same meaning in both languages.
+/// The operators with the same meaning in both languages.
 std::optional<Op> operator_of(ExprKind kind) {
     switch (kind) {
         case ExprKind::negate:
@@ -54,7 +54,7 @@ std::optional<Op> operator_of(ExprKind kind) {
     }
 }
 
-/// An exact decimal as PRISM writes it.
+/// An exact decimal in PRISM's notation.
 ExprPtr decimal(const ir::Decimal& value) {
     if (value.decimals == 0) return tree::number(value.unscaled);
     std::string digits = std::to_string(value.unscaled);
@@ -91,7 +91,7 @@ public:
             case ExprKind::modulus:
                 return tree::call("mod", operands(expr));
             case ExprKind::divide:
-                return tree::apply(Op::divide, operands(expr));  // of reals in both languages
+                return tree::apply(Op::divide, operands(expr));  // on reals in both languages
             case ExprKind::cast:
                 return cast(expr);
             case ExprKind::call:
@@ -123,7 +123,8 @@ private:
         return tree::name(context_.literal(expr.type, expr.number));
     }
 
-    /// Numbers are numbers; whole ones need no rounding, and others are refused where a variable takes them.
+    /// PRISM has one type of numbers: whole numbers need no rounding, and others are rejected where they are assigned
+    /// to a variable.
     ExprPtr cast(const ir::Expr& expr) {
         const bool rounds = context_.system.type(expr.type).kind != ir::TypeKind::real &&
                             context_.system.type(expr.args.front()->type).kind == ir::TypeKind::real;
@@ -131,8 +132,8 @@ private:
         return rounds ? tree::call("floor", {value}) : value;
     }
 
-    /// R16, "Functions stay as #CALLFUNC!f$args# until an assertion supplies pfunctions": such a hole is no PRISM.
-    /// Where an assertion, or the model itself, says what the result is, that is written in its place.
+    /// R16, "Functions stay as #CALLFUNC!f$args# until an assertion supplies pfunctions": such a placeholder is not
+    /// valid PRISM. If an assertion, or the model itself, defines the result, it is inserted instead.
     ExprPtr call(const ir::Expr& expr) {
         const ir::Function& function = context_.system.functions[expr.function.index];
         const auto given = context_.functions.find(function.name);
@@ -167,7 +168,7 @@ private:
     unsigned depth_ = 0;  ///< of calls inside functions
 };
 
-/// R15: "each clock atom becomes true". What a clock decides under a negation is not known of RoboTool: refused.
+/// R15: "each clock atom becomes true". RoboTool's treatment of clocks under a negation is unknown, so it is rejected.
 ExprPtr timeless(Context& context, const Scope& scope, const ir::Expr& expr) {
     bool timed = false;
     ir::visit_operands(expr, [&](const ir::Expr& each) { timed = timed || ir::reads_clock(each); });
@@ -181,7 +182,7 @@ ExprPtr timeless(Context& context, const Scope& scope, const ir::Expr& expr) {
     return tree::truth(true);
 }
 
-/// What of an expression is not a whole number; null if it is one.
+/// The part of an expression that is not a whole number; null if there is none.
 const ir::Expr* fraction(const Context& context, const ir::Expr& expr) {
     const bool real = context.system.type(expr.type).kind == ir::TypeKind::real;
     if (expr.kind == ExprKind::real && expr.decimal.decimals > 0) return &expr;

@@ -26,7 +26,7 @@ std::string joined(std::string path) {
     return path;
 }
 
-/// Assignments one after the other; of one variable only the last stays.
+/// Consecutive assignments; only the last one to a variable is kept.
 std::vector<prism::Assignment> both(std::vector<prism::Assignment> first,
                                     const std::vector<prism::Assignment>& second) {
     for (const prism::Assignment& each : second) {
@@ -147,7 +147,7 @@ std::string MachineEmitter::constant(Part& part, ir::ConstantId id) {
     return name;
 }
 
-/// The machine's reference, or that of an operation.
+/// The name of the reference to the machine or operation.
 std::string MachineEmitter::name_in_controller(const Part& part) const {
     for (std::size_t i = 0; i < controller_.definitions.size(); ++i)
         if (&context_.system.machine(controller_.definitions[i]) == part.machine)
@@ -351,7 +351,7 @@ void MachineEmitter::emit_steps(Part& part) {
     }
 }
 
-/// The assignments that begin the action of a step, or without one arrive at its target.
+/// The assignments that begin the action of a step or, without an action, enter its target.
 MachineEmitter::Assignments MachineEmitter::go_on(Part& part, const Step& step) {
     if (step.action.empty()) return arrive(part, step.target);
     const std::string first = context_.numbered("Action");
@@ -362,8 +362,8 @@ MachineEmitter::Assignments MachineEmitter::go_on(Part& part, const Step& step) 
 }
 
 /// R5: "[] scpc=i0 -> scpc'=target (a step of its own; plus unlock if the target is a simple state without entry
-/// action)." With an action the transition takes the lock; so it does on the way to a composite state, whose substates
-/// are not entered yet (R6: the lock is "free when the innermost entry is complete").
+/// action)." With an action, the transition takes the lock. It also does on the way to a composite state, whose
+/// substates are not entered yet (R6: the lock is "free when the innermost entry is complete").
 void MachineEmitter::from_initial(Part& part, const Step& step) {
     const std::string lock = add_lock(part, step);
     Assignments then = go_on(part, step);
@@ -476,8 +476,8 @@ void MachineEmitter::from_probabilistic(Part& part, std::size_t junction) {
 
 // ---------------------------------------------------------------- exits
 
-/// R10: "(4/2) simple substate current: Sub_ACT -> Sub_EXITED"; the steps "are emitted (dead code)" also where no
-/// composite state is.
+/// R10: "(4/2) simple substate current: Sub_ACT -> Sub_EXITED"; the steps "are emitted (dead code)" even if there is no
+/// composite state.
 void MachineEmitter::emit_exits(Part& part) {
     for (std::size_t i = 0; i < part.chart.places.size(); ++i) {
         const Place& place = part.chart.places[i];

@@ -14,24 +14,24 @@
 
 namespace robochart::prism_emit {
 
-/// A machine's top or a composite state: what has a current place.
+/// The top of a machine or a composite state, which has a current place.
 struct Region {
     std::optional<std::size_t> owner;  ///< the composite state
-    std::string stem;                  ///< in front of its names: "modUVC_ctrlUVC_stm_ref0"
-    std::string pc, exit;              ///< variables: the current place, how far its exit is
+    std::string stem;                  ///< prefix of its names: "modUVC_ctrlUVC_stm_ref0"
+    std::string pc, exit;              ///< variables: the current place, and the stage of its exit
     std::string inactive;
     unsigned points = 0;  ///< numbered from 1; 0 is `inactive`
 };
 
-/// A machine, or an operation that it calls: what has a lock.
+/// A machine, or an operation that it calls, which has a lock.
 struct Part {
     const ir::Machine* machine = nullptr;
-    std::string stem;     ///< in front of its names
+    std::string stem;     ///< prefix of its names
     std::string element;  ///< its name in the model, as "modUVC::ctrlUVC::stm_ref0"
     Chart chart;
     std::vector<Region> regions;                                  ///< the top first
     std::map<std::optional<std::size_t>, std::size_t> region_of;  ///< by owner
-    std::vector<std::string> points, entering;                    ///< program points of places; "" where there is none
+    std::vector<std::string> points, entering;                    ///< program points of places; "" if there is none
     std::vector<std::string> variables;                           ///< names of the machine's variables
     std::vector<std::string> constants;                           ///< names of the machine's constants
     std::string lock, free, terminated;
@@ -40,8 +40,8 @@ struct Part {
 
 class MachineEmitter {
 public:
-    /// `globals`: names of the platform's variables. `constants`: names of constants by where their value comes from,
-    /// all that are known so far.
+    /// `globals`: names of the platform's variables. `constants`: names of all constants found so far, by the source of
+    /// their values.
     MachineEmitter(Context& context, Channels& channels, const std::map<std::string, std::string>& globals,
                    std::map<std::string, std::string>& constants, Seat seat);
 
@@ -117,8 +117,9 @@ private:
     const ir::Controller& controller_;
     const ir::MachineInstance& instance_;
     prism::Module module_;
-    std::map<std::uint32_t, std::unique_ptr<Part>> parts_;  ///< by machine; the machine itself and its operations
-    std::set<std::uint32_t> open_;                          ///< operations being encoded: a call of one recurs
+    std::map<std::uint32_t, std::unique_ptr<Part>> parts_;  ///< by machine; includes the machine itself and its
+                                                            ///< operations
+    std::set<std::uint32_t> open_;                          ///< operations being encoded; a call of one is a recursion
     std::set<std::string> declared_;                        ///< EVT__ and FIN__ variables
 };
 

@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// A whole number of PRISM: of 32 bits.
+/// A whole number of PRISM, with 32 bits.
 bool read_number(std::string_view text, std::int64_t& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() &&
@@ -35,7 +35,8 @@ bool read_kind(std::string_view text, prism::ModelKind& kind) {
     return true;
 }
 
-/// Settings of RoboTool that say nothing about the model: those of logs and of the order of modules, and empty ones.
+/// True for settings of RoboTool that do not affect the model: those about logs and about the order of modules, and
+/// empty ones.
 bool means_nothing(std::string_view key, std::string_view value) {
     static constexpr std::string_view others[] = {"DBG_OPTION", "ERROR_LOG_FILE", "OUTPUT_LOG_FILE", "STM_GEN_ORDER"};
     return value.empty() || value == "false" || std::ranges::find(others, key) != std::end(others);
@@ -63,7 +64,7 @@ std::string read_line(std::string_view line, Preferences& preferences) {
         return read_number(value, range.*(bound->second.side)) ? "" : key + ": a whole number is expected";
     }
     if (key == kind_key) return read_kind(value, preferences.kind) ? "" : key + ": dtmc or mdp is expected";
-    // A misspelt key would leave a range what it was.
+    // A misspelt key would silently leave a range unchanged.
     std::vector<std::string> keys{kind_key};
     for (const auto& [name, each] : bounds) keys.push_back(name);
     const std::string meant = diagnostics::nearest(key, keys);

@@ -8,9 +8,8 @@
 
 namespace robochart::prism_emit {
 
-/// Takes over what the text says of ranges (NAT_MIN, NAT_MAX, INT_*, REAL_*) and of the kind of model
-/// (PRISM_MODELTYPE); its other keys are about RoboTool alone. Returns what is wrong with it, with the line; "":
-/// nothing. The line, counted from 1, is put into `wrong_line` too.
+/// Reads the ranges (NAT_MIN, NAT_MAX, INT_*, REAL_*) and the kind of model (PRISM_MODELTYPE); other keys concern only
+/// RoboTool. Returns the error with its line, or "". The line number, from 1, is also stored in `wrong_line`.
 [[nodiscard]] std::string read_preferences(std::string_view text, Preferences& preferences,
                                            std::size_t* wrong_line = nullptr);
 

@@ -53,7 +53,8 @@ private:
         if (low && high) ranges_[variable.name.text] = {low->low, high->high};
     }
 
-    /// That every branch that can be taken writes values of its variables' ranges; `true` where that is so anyway.
+    /// The condition that every possible branch writes values within the ranges of its variables; `true` if this is
+    /// always so.
     ExprPtr stays_inside(const prism::Command& command) const {
         std::vector<ExprPtr> all;
         for (const prism::Branch& branch : command.branches) {
@@ -79,7 +80,7 @@ private:
             conditions.push_back(tree::apply(Op::less_equal, {assignment.value, tree::number(range->second.high)}));
     }
 
-    /// That the other modules with an action are ready for it.
+    /// The condition that all other modules with this action can take part.
     ExprPtr others_take_part(std::size_t module, const std::string& action) const {
         std::vector<ExprPtr> all;
         for (std::size_t i = 0; i < model_.modules.size() && !action.empty(); ++i) {
@@ -92,7 +93,7 @@ private:
         return tree::all_of(all);
     }
 
-    /// Between which values an integer lies; nothing where that is not known.
+    /// The least and greatest value of an integer; no value if they are unknown.
     Known bounds(const Expr& expr) const {
         constexpr std::int64_t most = std::int64_t{1} << 40U;
         const Known result = computed(expr);

@@ -1,4 +1,5 @@
-// What RoboTool's encoding in PRISM has nothing for is refused by name: a wrong number is worse than none.
+// Rules about constructs that RoboTool's encoding in PRISM does not support. They are rejected by name, because a wrong
+// number is worse than none.
 #pragma once
 
 #include <span>

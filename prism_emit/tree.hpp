@@ -1,4 +1,4 @@
-// Short forms for making PRISM's syntax tree.
+// Short functions for constructing PRISM's syntax tree.
 #pragma once
 
 #include <concepts>
@@ -18,12 +18,12 @@ using prism::Op;
 [[nodiscard]] ExprPtr truth(bool value);
 [[nodiscard]] ExprPtr apply(Op op, std::vector<ExprPtr> operands);
 [[nodiscard]] ExprPtr call(const std::string& function, std::vector<ExprPtr> operands);
-/// `variable = value`, both by name.
+/// `variable = value`; both are names.
 [[nodiscard]] ExprPtr is(const std::string& variable, const std::string& value);
 [[nodiscard]] inline ExprPtr is(const std::string& variable, std::same_as<bool> auto value) {
     return apply(Op::equal, {name(variable), truth(value)});
 }
-/// The conjunction; `true` of none. Operands `true` are left out.
+/// The conjunction; `true` operands are omitted, and an empty conjunction is `true`.
 [[nodiscard]] ExprPtr all_of(const std::vector<ExprPtr>& operands);
 [[nodiscard]] bool is_true(const ExprPtr&);
 
@@ -34,10 +34,10 @@ using prism::Op;
 }
 
 [[nodiscard]] prism::Constant constant(const std::string& name, std::int64_t value);
-/// A variable low..high; `initial` null: as PRISM has it.
+/// A variable with the range low..high. If `initial` is null, PRISM's default applies.
 [[nodiscard]] prism::Variable range(const std::string& name, std::int64_t low, std::int64_t high, ExprPtr initial);
 [[nodiscard]] prism::Variable boolean(const std::string& name, ExprPtr initial);
-/// `[action] guard -> assignments`; no action: "".
+/// `[action] guard -> assignments`; "" means no action.
 [[nodiscard]] prism::Command command(const std::string& action, ExprPtr guard,
                                      std::vector<prism::Assignment> assignments);
 
