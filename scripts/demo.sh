@@ -7,7 +7,7 @@ This installs the Debian packages that are missing (with sudo unless you are roo
 build/release, and runs it on corpus/aggregation; CSP scripts and C++ go to out/. The first build takes about four
 minutes on two cores, the run a few seconds.
 SAY
-scripts/setup.sh
+scripts/setup.sh build
 cmake --preset release -DROBOCHART_TESTS=OFF >/dev/null
 cmake --build --preset release --target robochart-verify
 exec build/release/app/robochart-verify corpus/aggregation --out out "$@"

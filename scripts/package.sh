@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 sources="$PWD"
-scripts/setup.sh
+scripts/setup.sh build
 cmake --preset package >/dev/null
 cmake --build --preset package --target robochart-verify
 rm -rf build/package/packages

@@ -1,22 +1,34 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the project needs and that are missing. Can be run again; asks for sudo only if
-# something is missing and we are not root.
+# Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs; without an argument
+# the script also installs what the tests need. Can be run again. Asks for sudo only if a package is missing.
 set -euo pipefail
 
 packages=(
-  g++ clang clang-format cmake ninja-build ccache mold
-  libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev
-  libsodium-dev libexpat1-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev libenki-dev librsvg2-bin graphviz
-  openmpi-bin libopenmpi-dev  # robochart-verify-mpi; without them all else is built
-  pngcheck poppler-utils  # tests have pictures read by them
+  g++ cmake ninja-build ccache mold
+  libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev libsodium-dev libexpat1-dev
+  openmpi-bin libopenmpi-dev  # robochart-verify-mpi; everything else is built without them
 )
-# For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.
-command -v npm >/dev/null || packages+=(nodejs npm)
-# For the tests of pages in a browser: 126 MB to fetch, 420 MB on disk, half a minute. Not in continuous integration, whose
-# run has no three minutes to spare for them on two cores; there they are skipped.
-[ -n "${CI:-}" ] || packages+=(chromium)
-# The embedded profile is compiled in continuous integration: 0.4 GB to fetch, 2.5 GB on disk.
-[ -z "${CI:-}" ] || packages+=(gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)
+case "${1:-tests}" in
+  build) ;;
+  tests)
+    packages+=(
+      clang clang-format libclang-rt-14-dev
+      libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libenki-dev
+      librsvg2-bin graphviz pngcheck poppler-utils  # these programs read the pictures that the tests draw
+    )
+    # For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.
+    command -v npm >/dev/null || packages+=(nodejs npm)
+    if [ -n "${CI:-}" ]; then
+      packages+=(gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)  # the embedded profile: 0.4 GB to fetch, 2.5 GB on disk
+    else
+      packages+=(chromium)  # pages in a browser: 126 MB to fetch, 420 MB on disk, three minutes of tests
+    fi
+    ;;
+  *)
+    echo "usage: scripts/setup.sh [build|tests]" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -3,7 +3,7 @@
 # Arguments: another scenario, options of `robochart-verify simulate`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-scripts/setup.sh
+scripts/setup.sh build
 cmake --preset release -DROBOCHART_TESTS=OFF >/dev/null
 cmake --build --preset release --target robochart-verify
 [ "$#" -gt 0 ] || set -- corpus/aggregation/aggregation.scenario
