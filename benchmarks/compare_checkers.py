@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Generates the state spaces of the benchmark models with our checker, and with mCRL2, LTSmin and SPIN where they are
-installed, and sets them beside the recorded figures of these tools (PEERS.tsv beside the models).
+"""Generates the state spaces of benchmarks/models with our checker, and compares with the figures of mCRL2, LTSmin and SPIN
+that benchmarks/models/peers.tsv records. With --foreign FOLDER the tools that are installed also run, on the folder's
+MODEL.mcrl2 and MODEL.pml.
 
-Prints a table; exits with 1 if a count of states or transitions is not the recorded one, with 77 without the models."""
+Prints a table; exits with 1 if a count of states or transitions differs from the recorded one."""
 
 import argparse
 import csv
@@ -20,9 +21,10 @@ from measured import run
 
 SMALL = ["phils7", "milner15", "cbuf10", "buf12"]
 LARGE = ["cbuf11", "phils8", "milner18"]
-# The process whose states are counted; where it has hidden steps they count like any other.
-PROCESS = {"buf12": "IMPL"}
-# Models without a row in PEERS.tsv: 3^12 states, confirmed by mCRL2.
+MODELS = Path(__file__).parent / "models"
+# Scripts below MODELS, whose first definition is N.
+SCRIPTS = {"phils": "philosophers.csp", "milner": "scheduler.csp", "cbuf": "cells.csp", "buf": "buffers.csp"}
+# Models without a row in peers.tsv: 3^12 states, confirmed by mCRL2.
 COUNTS = {"buf12": (531441, 2007666)}
 
 
@@ -51,12 +53,14 @@ class Ours:
         empty.write_text("assert SKIP [T= STOP\n")
         self.base = run([program, "cspm", str(empty)], folder).rss
 
-    def explore(self, model: Path, threads: int) -> Run:
-        """All states, by a property that needs them all and nothing else of them."""
-        text = "\n".join(line for line in model.read_text().splitlines() if not line.startswith("assert"))
-        script = Path(self.folder, model.stem + ".csp")
-        script.write_text(text + f"\nassert {PROCESS.get(model.stem, 'SYSTEM')} :[deadlock free [F]]\n")
-        command = [self.program, "cspm", str(script), "--format", "json", "--progress", "never", *self.all_states]
+    def explore(self, model: str, threads: int) -> Run:
+        """All states: deadlock freedom holds, so the search visits all of them."""
+        family, size = re.fullmatch(r"([a-z]+)(\d+)", model).groups()
+        text = (MODELS / SCRIPTS[family]).read_text()
+        script = Path(self.folder, model + ".csp")
+        script.write_text(re.sub(r"^N = \d+", f"N = {size}", text, flags=re.M))
+        command = [self.program, "cspm", str(script), "--format", "json", "--progress", "never", "--no-cache",
+                   *self.all_states]
         if self.has_threads:
             command += ["--threads", str(threads)]
         child = run(command, self.folder)
@@ -65,7 +69,7 @@ class Ours:
         except (ValueError, LookupError):
             sys.exit(f"{' '.join(command)}: exit {child.exit}\n{child.said()}")
         if result["result"] != 1:
-            sys.exit(f"{model.stem}: our checker says {result['answer']} {result['errors']}")
+            sys.exit(f"{model}: our checker says {result['answer']} {result['errors']}")
         return Run(f"ours, {threads} thread{'s' if threads > 1 else ''}", result["visited_states"],
                    result["visited_transitions"], child.wall, child.cpu, child.rss)
 
@@ -122,9 +126,9 @@ PEERS = [("mCRL2", ["mcrl22lps", "lps2lts"], mcrl2), ("LTSmin", ["spins", "prom2
          ("SPIN", ["spin", "cc"], spin)]
 
 
-def recorded(folder: Path) -> dict[str, list[Run]]:
+def recorded() -> dict[str, list[Run]]:
     rows: dict[str, list[Run]] = {}
-    with open(folder / "PEERS.tsv", newline="") as file:
+    with open(MODELS / "peers.tsv", newline="") as file:
         for row in csv.DictReader(file, delimiter="\t"):
             rows.setdefault(row["model"], []).append(
                 Run(row["tool"] + " (recorded)", int(row["states"]), int(row["transitions"]), float(row["wall_s"]),
@@ -157,15 +161,12 @@ def show(run_: Run, base: int, peer: Optional[Run]) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", required=True, help="robochart-verify, in release form")
-    parser.add_argument("--models", type=Path, required=True, help="folder of the models and PEERS.tsv")
+    parser.add_argument("--foreign", type=Path, help="folder of the same models for mCRL2, LTSmin and SPIN")
     parser.add_argument("--quick", action="store_true", help="only models of about a million states or fewer")
     parser.add_argument("names", nargs="*", help="models (default: all)")
     options = parser.parse_args()
-    if not (options.models / "PEERS.tsv").exists():
-        print(f"{options.models} has no models: nothing is compared")
-        return 77
     program = str(Path(options.program).resolve())
-    peers = recorded(options.models)
+    peers = recorded()
     wrong = 0
     with tempfile.TemporaryDirectory() as folder:
         ours = Ours(program, folder)
@@ -174,6 +175,8 @@ def main() -> int:
         installed = []
         for name, tools, explore in PEERS:
             missing = [tool for tool in tools if shutil.which(tool) is None]
+            if options.foreign is None:
+                break
             if missing:
                 print(f"{name} is not installed ({', '.join(missing)} not on the path): recorded figures only")
             else:
@@ -183,11 +186,10 @@ def main() -> int:
         for model in options.names or SMALL + ([] if options.quick else LARGE):
             rows = peers.get(model, [])
             counts = expected_counts(model, rows)
-            path = options.models / (model + ".csp")
-            runs = [ours.explore(path, threads) for threads in ([1, 2] if ours.has_threads else [1])]
+            runs = [ours.explore(model, threads) for threads in ([1, 2] if ours.has_threads else [1])]
             for name, explore in installed:
                 with tempfile.TemporaryDirectory() as place:
-                    found = explore(path, place)
+                    found = explore(options.foreign / model, place)
                 if found is None:
                     print(f"{model}: {name} could not be run on it")
                 else:
@@ -196,10 +198,10 @@ def main() -> int:
             peer = best(rows + live, counts)
             print(f"{model}, against {peer.tool if peer else 'nobody'}"
                   + (f" with {peer.rate():.2f} M transitions a CPU second" if peer else ""))
-            for each in runs:
-                show(each, ours.base if each.tool.startswith("ours") else 0, peer)
-                if (each.states, each.transitions) != counts:
-                    print(f"  WRONG: {each.tool} counts {each.states} states and {each.transitions} transitions, "
+            for done in runs:
+                show(done, ours.base if done.tool.startswith("ours") else 0, peer)
+                if (done.states, done.transitions) != counts:
+                    print(f"  WRONG: {done.tool} counts {done.states} states and {done.transitions} transitions, "
                           f"recorded are {counts[0]} and {counts[1]}")
                     wrong += 1
             if len(runs) > 1 and runs[1].tool.startswith("ours"):

@@ -23,6 +23,8 @@ expected="$(
     echo share/fish/vendor_completions.d/robochart-verify.fish
     echo share/man/man1/robochart-verify.1.gz
     echo share/robochart-verify/cmake/robochart-verify-config.cmake
+    echo share/doc/robochart-verify/AUTHORS
+    echo share/doc/robochart-verify/CITATION.cff
     echo share/doc/robochart-verify/LICENSE
     echo share/doc/robochart-verify/copyright
     (cd "$sources/corpus" && find . -type f | sed 's|^\.|share/doc/robochart-verify/examples|')
