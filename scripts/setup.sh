@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs; without an argument
-# the script also installs what the tests need. Can be run again. Asks for sudo only if a package is missing.
+# Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs, `benchmarks` also what
+# the benchmarks need; without an argument the script also installs what the tests need. Can be run again. Asks for sudo only if a package is missing.
 set -euo pipefail
 
 packages=(
@@ -10,6 +10,7 @@ packages=(
 )
 case "${1:-tests}" in
   build) ;;
+  benchmarks) packages+=(libbenchmark-dev libenki-dev) ;;
   tests)
     packages+=(
       clang clang-format libclang-rt-14-dev
@@ -25,7 +26,7 @@ case "${1:-tests}" in
     fi
     ;;
   *)
-    echo "usage: scripts/setup.sh [build|tests]" >&2
+    echo "usage: scripts/setup.sh [build|benchmarks|tests]" >&2
     exit 2
     ;;
 esac
