@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs, `benchmarks` also what
-# the benchmarks need; without an argument the script also installs what the tests need. Can be run again. Asks for sudo only if a package is missing.
+# Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs; `quick` also what
+# `scripts/test.sh --quick` needs, `benchmarks` also what the benchmarks need. Without an argument the script installs what
+# a build and all tests need. Can be run again. Asks for sudo only if a package is missing.
 set -euo pipefail
 
 packages=(
@@ -10,6 +11,7 @@ packages=(
 )
 case "${1:-tests}" in
   build) ;;
+  quick) packages+=(clang-format libgtest-dev libgmock-dev) ;;
   benchmarks) packages+=(libbenchmark-dev libenki-dev) ;;
   tests)
     packages+=(
@@ -26,7 +28,7 @@ case "${1:-tests}" in
     fi
     ;;
   *)
-    echo "usage: scripts/setup.sh [build|benchmarks|tests]" >&2
+    echo "usage: scripts/setup.sh [build|quick|benchmarks|tests]" >&2
     exit 2
     ;;
 esac

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Installs missing packages, builds, runs the aggregation case study and the tests. Without arguments: all tests with g++ in
-# release form, then, with clang, AddressSanitizer and UndefinedBehaviorSanitizer, those of the components that read foreign
-# text and that decide. Arguments: presets to test completely (`scripts/test.sh asan`).
+# Installs missing packages, builds, runs the aggregation case study and the tests.
+#   scripts/test.sh            all tests with g++ in release form; then, with clang, AddressSanitizer and
+#                              UndefinedBehaviorSanitizer, those of the components that read foreign text and that decide
+#   scripts/test.sh --quick    the command, and the tests of the rules' examples and of the project's own rules
+#   scripts/test.sh PRESET...  all tests with these presets, for example asan
 set -euo pipefail
 cd "$(dirname "$0")/.."
 sanitized=(diagnostics frontend process lts machine refine cspm)
@@ -9,10 +11,13 @@ sanitized=(diagnostics frontend process lts machine refine cspm)
 configure() { # preset
   cmake --preset "$1" -DROBOCHART_TESTS=ON
 }
+case_study() { # preset
+  "build/$1/app/robochart-verify" corpus/aggregation --out out
+}
 whole() { # preset
   configure "$1"
   cmake --build --preset "$1"
-  "build/$1/app/robochart-verify" corpus/aggregation --out out
+  case_study "$1"
   ctest --preset "$1" -j "$(nproc)"
 }
 components() { # preset, components
@@ -23,10 +28,21 @@ components() { # preset, components
   ctest --preset "$1" -j "$(nproc)" -R "^(${names//tests_/})\\."
 }
 
-scripts/setup.sh
-if [ "$#" -gt 0 ]; then
-  for preset in "$@"; do whole "$preset"; done
-else
-  whole release
-  components asan "${sanitized[@]/#/tests_}"
-fi
+case "${1:-}" in
+  --quick)
+    echo "Builds the command and two test programs, and runs them: about five minutes on two cores."
+    scripts/setup.sh quick
+    components release tests_rules tests_sanity
+    case_study release
+    ;;
+  "")
+    echo "Builds everything twice (g++; clang with sanitizers) and runs all tests: 15 to 25 minutes on two cores."
+    scripts/setup.sh
+    whole release
+    components asan "${sanitized[@]/#/tests_}"
+    ;;
+  *)
+    scripts/setup.sh
+    for preset in "$@"; do whole "$preset"; done
+    ;;
+esac
