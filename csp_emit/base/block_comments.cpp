@@ -1,4 +1,4 @@
-// Comments are what is no token and no blank: so what looks like one inside a string is none.
+// Text between tokens that is not blank is a comment; text inside a string literal that looks like a comment is not.
 #include "csp_emit/base/block_comments.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using cspm::DeclPtr;
 
 struct Comment {
     std::size_t at = 0;
-    std::string text;  ///< its lines, each with a line end
+    std::string text;  ///< its lines, each terminated by a line end
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -34,7 +34,7 @@ void add(std::vector<Comment>& result, std::size_t at, std::string_view inside) 
     if (!comment.text.empty()) result.push_back(std::move(comment));
 }
 
-/// The end of the comment that begins there; block comments nest.
+/// Returns the end of the comment that begins at `at`; block comments nest.
 std::size_t end_of(std::string_view text, std::size_t at) {
     if (text.substr(at, 2) == "--") return std::min(text.find('\n', at), text.size());
     std::size_t depth = 1;
@@ -63,7 +63,7 @@ void between(std::string_view text, std::size_t from, std::size_t to, std::vecto
 }
 
 std::vector<Comment> comments_of(std::string_view text) {
-    diagnostics::Diagnostics unread;  // the text has been read before
+    diagnostics::Diagnostics unread;  // the text has been reported on before
     std::vector<Comment> result;
     std::size_t at = 0;
     for (const cspm::Token& token : cspm::lex(text, diagnostics::SourceId::none, unread)) {
@@ -89,7 +89,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t line_end(std::size_t at) const { return std::min(text_.find('\n', at), text_.size()); }
-    /// The comments that begin before this place and belong to nothing yet.
+    /// The comments that begin before `end` and are not yet attached to a declaration.
     std::string up_to(std::size_t end) {
         std::string result;
         for (; next_ < comments_.size() && comments_[next_].at < end; ++next_) result += comments_[next_].text;

@@ -1,5 +1,5 @@
-// Comments of CSP blocks, for scripts that are written down again: the tree has a place for them, and who only
-// evaluates it leaves it empty.
+// Keeps the comments of CSP blocks for scripts that are printed: they are attached to the syntax tree, which ignores
+// them during evaluation.
 #pragma once
 
 #include <string_view>
@@ -9,8 +9,9 @@
 
 namespace robochart::csp_emit {
 
-/// The declarations of this text, each with the comments that stand before it, in it, or behind it on its last line.
-/// What stands behind the last declaration is its comment too, so none is lost unless there is no declaration.
+/// Returns the declarations of `text`. Each declaration gets the comments before it, inside it, and after it on its
+/// last line. Comments after the last declaration are attached to it, so no comment is lost unless there is no
+/// declaration.
 [[nodiscard]] std::vector<cspm::DeclPtr> with_comments(const std::vector<cspm::DeclPtr>& decls, std::string_view text);
 
 }  // namespace robochart::csp_emit

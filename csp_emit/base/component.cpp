@@ -1,4 +1,4 @@
-// The channels that machines, controllers and modules declare alike (semantics 3.2).
+// The channels that machines, controllers and modules all declare (semantics 3.2).
 #include "csp_emit/base/component.hpp"
 
 #include <memory>
@@ -24,7 +24,7 @@ cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string
 
 namespace {
 
-/// At the place of the element that it is for, where an error about it is reported.
+/// The declaration with the place of the element that it was generated for; errors about it are reported there.
 cspm::DeclPtr placed(const cspm::DeclPtr& decl, const ir::Origin& origin) {
     cspm::Decl result = *decl;
     result.span = origin.span;

@@ -1,4 +1,4 @@
-// What machines, controllers and modules have in common once emitted: a CSPM module and the parameters of its
+// What the emitted forms of machines, controllers and modules have in common: a CSPM module and the parameters of its
 // process variants (semantics 3.12).
 #pragma once
 
@@ -16,11 +16,12 @@ struct ConstantParameter {
     std::string parameter;               ///< const_P_C_part_c
     std::string constant;                ///< name in the model
     std::string value;                   ///< the global definition that is passed unless an assertion says otherwise
-    const ir::Machine* owner = nullptr;  ///< the machine that declares it; null: the component itself does
-    ir::ConstantId id;                   ///< in the owner
+    const ir::Machine* owner = nullptr;  ///< the machine that declares it; null if the component itself declares it
+    ir::ConstantId id;                   ///< index in `owner`
     ir::TypeId type;
     std::string inside = {};  ///< machines: its short name in their processes
-    std::string source = {};  ///< where its value counts in this context (ir::constant_source): assertions set it there
+    std::string source = {};  ///< the element whose value counts in this context (ir::constant_source); assertions set
+                              ///< the value there
 };
 
 /// A parameter of a standalone operation.
@@ -31,21 +32,21 @@ struct ArgumentParameter {
 
 struct ComponentEmission {
     cspm::DeclPtr module;
-    std::vector<ArgumentParameter> arguments;  ///< operations: between id__ and the constants
+    std::vector<ArgumentParameter> arguments;  ///< operations: the parameters between id__ and the constants
     std::vector<ConstantParameter> constants;
     std::vector<std::string> visible;                  ///< channels of sem__events, relative to the component
-    std::size_t reads_of_watched = 0;                  ///< guards that read MachineContext::watched
+    std::size_t reads_of_watched = 0;                  ///< number of guards that read MachineContext::watched
     const ir::Machine* machine = nullptr;              ///< machines and operations
-    std::map<std::string, ir::MachineId> definitions;  ///< machines: operations defined where they run
-    bool large = false;  ///< it may have too many states to be worth compressing on its own
+    std::map<std::string, ir::MachineId> definitions;  ///< machines: the definitions of the operations that they call
+    bool large = false;                                ///< it may have too many states to be compressed on its own
 };
 
-/// Records what an event of a component, by its qualified CSPM name, means.
+/// Records the meaning of an event of a component; `event` is its qualified CSPM name.
 void mean(Provenance&, const std::string& component, const std::string& event, EventMeaning);
-/// The call of a function with what has the names of its parameters here.
+/// Returns the call of a function whose arguments are variables named like its parameters.
 [[nodiscard]] cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string>& parameters);
 
-/// The channels of a component (semantics 3.2), declared one by one; the meaning of each event is recorded in the
+/// The channels of a component (semantics 3.2), declared one by one. The meaning of each event is recorded in the
 /// provenance.
 class ChannelDeclarations {
 public:
@@ -56,9 +57,9 @@ public:
 
     /// `e : InOut` or `e : InOut.T`: `in` receives, `out` sends.
     void event(const ir::Event&);
-    /// `opCall.args`: a call that no definition of the context answers.
+    /// `opCall.args`: a call of an operation that has no definition in the context.
     void call(const ir::OperationSignature&);
-    /// `set_x` and, if others may write it too, `set_EXT_x`.
+    /// `set_x`, and also `set_EXT_x` if other components may write the variable.
     void variable(const std::string& name, ir::TypeId, bool written_by_others, const ir::Origin&);
 
 private:
@@ -70,20 +71,21 @@ private:
     std::vector<cspm::DeclPtr>& decls_;
 };
 
-/// A machine as it was emitted in one place, and what its names mean there.
+/// A machine as it was emitted in one place, and the meaning of its names there.
 struct EmittedMachine {
     std::string path;  ///< qualified CSPM name of that place
     ComponentEmission emission;
     Provenance provenance;
 };
 
-/// All that has been emitted so far: every component by its qualified CSPM name, nested ones included.
+/// Everything emitted so far: every component by its qualified CSPM name, including nested ones.
 struct Emitted {
     Provenance provenance;
     std::map<std::string, ComponentEmission> components;
-    /// Machines by their path in the model and the operations defined where they run: what they are in all places.
+    /// Machines by their path in the model and the definitions of the operations that they call. Machines with the same
+    /// key are emitted alike in all places.
     std::map<std::string, EmittedMachine> machines = {};
-    /// What names in the CSP blocks of each file have become, where they had to (name_clashes.hpp).
+    /// For each file: the new names of declarations in its CSP blocks that had to be renamed (name_clashes.hpp).
     std::map<std::string, std::map<std::string, std::string>> names_of_blocks = {};
 };
 

@@ -1,5 +1,5 @@
-// The library is kept as text: it is read by the reader that reads everybody's CSPM. Parameters end in `__`, because a
-// parameter named like somebody's channel or constructor would be a pattern.
+// The library is stored as text and parsed by the project's CSPM reader. Its parameters end in `__`, because a
+// parameter with the name of a channel or constructor of the model would become a constructor pattern.
 
 #include <algorithm>
 
@@ -72,9 +72,9 @@ clock_type_max(s__) = let largest__(<>,m__) = m__
                       within largest__(seq(s__),0)
 )";
 
-// Baxter, Ribeiro, Cavalcanti, Sound reasoning in tock-CSP (Acta Informatica 2022): what is refused is seen before
-// each tock and in the end, and nowhere else. Mestel, Roscoe, Reducing complex CSP models to traces via priority
-// (2016): an event `ref.e` that e has priority over is possible in stable states that refuse e.
+// Baxter, Ribeiro, Cavalcanti, Sound reasoning in tock-CSP (Acta Informatica 2022): refusals are observed only before
+// each tock and at the end of a trace. Mestel, Roscoe, Reducing complex CSP models to traces via priority (2016): an
+// event `ref.e` over which e has priority is possible in exactly the stable states that refuse e.
 const char* const tick_tock_part = R"(
 external prioritisepo
 
@@ -95,7 +95,7 @@ exports
 endmodule
 )";
 
-// What only csp blocks use: there where one names it.
+// Definitions that only CSP blocks use; emitted if a block names one of them.
 const char* const further_common = R"(
 -- injective sequences of at most n__ elements
 ILSeq(s__,0) = {<>}
@@ -128,7 +128,7 @@ Some__ = [] x__ : Events @ x__ -> SKIP
 DoClockReset(s__) = ||| c__ : s__ @ c__ -> SKIP
 )";
 
-/// Place i of a tuple of n: `tuple3_2((x1__,x2__,x3__)) = x2__`.
+/// Component i of an n-tuple: `tuple3_2((x1__,x2__,x3__)) = x2__`.
 std::string tuple_parts() {
     std::string result;
     for (int n = 2; n <= 5; ++n)
@@ -148,7 +148,7 @@ bool blocks_name(const ir::System& system, std::initializer_list<const char*> na
     });
 }
 
-/// What a csp block names of RoboTool's library beyond what generated scripts need.
+/// The definitions of RoboTool's library that CSP blocks name and generated scripts do not need.
 std::string further_text(const ir::System& system, Time time) {
     std::string result;
     if (blocks_name(system, {"ILSeq", "calc_type_"})) result += further_common;

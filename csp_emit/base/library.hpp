@@ -1,5 +1,5 @@
-// What every script starts with: directions of events, bounded data types, and for timed scripts the operators that
-// hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks run.
+// The beginning of every script: directions of events, bounded data types and, in timed scripts, the operators that
+// hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks work.
 #pragma once
 
 #include <set>
@@ -10,12 +10,12 @@
 
 namespace robochart::csp_emit {
 
-/// The library of one time, as CSPM text in our own wording.
+/// The library for untimed or timed scripts as CSPM text, in our own wording.
 [[nodiscard]] std::string library_text(Time);
-/// With what the system's CSP blocks and assertions name of RoboTool's library beyond that.
+/// The same with the further definitions of RoboTool's library that the system's CSP blocks and assertions name.
 [[nodiscard]] std::string library_text(const ir::System&, Time);
 
-/// Everything that the libraries of both times declare at the top, the toolkits and the tick-tock model included.
+/// All top-level names that the untimed and the timed library declare, including the toolkits and the tick-tock model.
 [[nodiscard]] const std::set<std::string>& library_names();
 
 }  // namespace robochart::csp_emit

@@ -145,7 +145,7 @@ constexpr std::array reserved_names{"and",
                                     "entered",
                                     "real_scale"};
 
-// Predefined functions that only the library and the instantiations call, which stand outside the modules.
+// Predefined functions that only the library and the instantiations call, both outside the modules.
 constexpr std::array only_at_top{"inter",  "diff", "Union",  "Inter", "set",  "seq",        "head", "tail",
                                  "concat", "elem", "length", "null",  "show", "extensions", "Map",  "productions"};
 
@@ -156,7 +156,7 @@ bool relied_on(const std::string& name) {
 }  // namespace
 
 std::string NameManager::unique(const std::string& name) {
-    // An identifier of CSPM begins with a letter.
+    // Identifiers in CSPM begin with a letter.
     const bool begins = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0;
     const std::string wanted = begins ? name : "n" + name;
     if (taken_.insert(wanted).second) return wanted;
@@ -207,7 +207,7 @@ bool is_reserved_inside(const std::string& name) {
     if (!is_identifier(name) || library_names().contains(name)) return true;
     const cspm::BuiltinName* builtin = cspm::find_builtin(name);
     if (builtin != nullptr && builtin->arguments < 0)
-        return true;  // a value: it is distinguished from an event by its name
+        return true;  // a value: only its name distinguishes it from an event
     return relied_on(name) && std::find(only_at_top.begin(), only_at_top.end(), name) == only_at_top.end();
 }
 

@@ -1,6 +1,6 @@
-// Names of the script. Elements of the model keep RoboTool's names (semantics 3.2, 3.12); names of our own
-// (parameters, program points) are made unique against everything that is a channel, constructor or function,
-// because a CSPM parameter of such a name would be a constructor pattern.
+// Names of the script. Elements of the model keep RoboTool's names (semantics 3.2, 3.12). Generated names (parameters,
+// program points) are made distinct from all channels, constructors and functions, because a CSPM parameter with such a
+// name would be a constructor pattern.
 #pragma once
 
 #include <map>
@@ -12,40 +12,41 @@
 
 namespace robochart::csp_emit {
 
-/// Hands out names that nothing else in scope has.
+/// Generates names that are unique in the scope.
 class NameManager {
 public:
     void reserve(const std::string& name) { taken_.insert(name); }
     [[nodiscard]] bool taken(const std::string& name) const { return taken_.count(name) != 0; }
-    /// `name` itself or `name_2`, `name_3`..., behind an `n` if it does not begin with a letter; the result is taken
-    /// from now on.
+    /// Returns `name`, or `name_2`, `name_3`... if it is in use. An `n` is prepended if `name` does not begin with a
+    /// letter. The result is in use from then on.
     [[nodiscard]] std::string unique(const std::string& name);
 
 private:
     std::set<std::string> taken_;
-    std::map<std::string, int> last_suffix_;  ///< tried so far for each name, so that long series stay linear
+    std::map<std::string, int> last_suffix_;  ///< the last suffix tried for each name, so that long series take linear
+                                              ///< time
 };
 
-/// `A::B` as `A_B`; letters, digits and underscores only.
+/// Converts `A::B` to `A_B`; the result contains only letters, digits and underscores.
 [[nodiscard]] std::string flatten(std::string_view name);
 /// `P::X`, or `X` if the package is unnamed.
 [[nodiscard]] std::string qualified(const std::string& package, const std::string& name);
 /// The module of a machine: its name, or `OP_o` for an operation.
 [[nodiscard]] std::string module_name(const ir::Machine&);
-/// A letter, then letters, digits and underscores: the names that CSPM can write.
+/// Whether CSPM can write the name: a letter, then letters, digits and underscores.
 [[nodiscard]] bool is_identifier(const std::string& name);
-/// Keywords of CSPM, its predefined names, those of our library and what is no identifier: no element at the top of the
-/// script may carry one.
+/// Whether an element at the top of the script must not have this name: keywords of CSPM, its predefined names, names
+/// of our library, and texts that are not identifiers.
 [[nodiscard]] bool is_reserved(const std::string& name);
-/// Those of them that mean something to what is written inside the modules of components.
+/// Whether the name is reserved and has a meaning inside the modules of components.
 [[nodiscard]] bool is_reserved_inside(const std::string& name);
-/// The name in the script of a parameter or bound variable of the model's: no element ends so.
+/// The script's name for a parameter or bound variable of the model; no name of an element ends like it.
 [[nodiscard]] std::string bound_name(const std::string& name);
-/// Whether a name ends as those of our own parameters and processes, or of bound variables, do.
+/// Whether a name ends like those of generated parameters and processes or of bound variables.
 [[nodiscard]] bool ends_as_ours(const std::string& name);
-/// What CSPM defines in every script, or in timed sections.
+/// Whether CSPM predefines the name, in every script or in timed sections.
 [[nodiscard]] bool is_predefined(const std::string& name);
-/// The reserved names, so that a NameManager can avoid them.
+/// Marks all reserved names as used in the NameManager.
 void reserve_all(NameManager&);
 
 }  // namespace robochart::csp_emit

@@ -52,7 +52,7 @@ bool Project::speaks_of(const std::string& path) const {
 }
 
 void Project::refuse(const std::string& construct, diagnostics::Span span) const {
-    const auto known = diagnostics.sorted();  // a statement may be written at several points
+    const auto known = diagnostics.sorted();  // a statement may be written at several points, but is reported once
     const bool again = std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
         return finding.rule == &rules::unsupported && finding.span.source == span.source &&
                finding.span.begin == span.begin && finding.arguments.at(0) == construct;

@@ -1,4 +1,4 @@
-// What every part of the emitter works with: the model, its finite instantiation, where to report.
+// The data that every part of the emitter uses: the model, its finite instantiation, the diagnostics.
 #pragma once
 
 #include <string>
@@ -18,24 +18,25 @@ struct Project {
     diagnostics::Diagnostics& diagnostics;
 
     [[nodiscard]] bool timed() const { return time == Time::timed; }
-    /// Whether a CSP block is for this time.
+    /// Whether a CSP block applies to this semantics (untimed or timed).
     [[nodiscard]] bool applies(const ir::CspBlock& block) const { return timed() ? block.timed : block.untimed; }
-    /// Whether a CSP block is there instead of the generated carriers, constants and functions (semantics 3.13).
-    /// RoboTool's documents write `Instantiations`, some models `instantiations`.
+    /// Whether a CSP block replaces the generated carriers, constants and functions (semantics 3.13). RoboTool's
+    /// documents write `Instantiations`, some models `instantiations`.
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
         return (block.name == "Instantiations" || block.name == "instantiations") && applies(block);
     }
-    /// Whether some block is.
+    /// Whether some block replaces them.
     [[nodiscard]] bool instantiations_replaced() const;
-    /// Reports RC-C01: the construct is named and refused.
+    /// Reports RC-C01 and names the unsupported construct.
     void refuse(const std::string& construct, diagnostics::Span span) const;
-    /// How often the CSP blocks of this time name it: a qualified or plain name, or its end behind `::`.
+    /// The number of times that the applicable CSP blocks mention the name: a qualified or plain name, or its last part
+    /// after `::`.
     [[nodiscard]] std::size_t occurrences(const std::string& name) const;
-    /// Whether they do.
+    /// Whether they mention it.
     [[nodiscard]] bool mentions(const std::string& name) const;
-    /// Whether a CSP block or an assertion of this time speaks of the component of this qualified CSPM name.
+    /// Whether an applicable CSP block or assertion mentions the component with this qualified CSPM name.
     [[nodiscard]] bool speaks_of(const std::string& path) const;
-    /// The model's text at a place, blanks folded, at most 80 characters; "" if the place is unknown.
+    /// The model's text at a place with blanks folded, at most 80 characters; "" if the place is unknown.
     [[nodiscard]] std::string text(diagnostics::Span span) const;
 };
 

@@ -1,4 +1,4 @@
-// Wording of the rules of csp_emit. Codes are ours; they do not change once published.
+// The messages of csp_emit's rules. The codes are ours; they do not change once published.
 #include "csp_emit/base/rules.hpp"
 
 #include <array>
@@ -35,7 +35,7 @@ const Rule one_name_for_two{
     "A component is a module of the script under its package's and its own name, `::` of a package's name being `_`; "
     "a constant is called after everything around it. Two elements of one name there would be taken for each other. "
     "Rename one of them, or check the files apart if they do not belong together."};
-// RC-C05 is retired: exits that race with the store of a trigger's value run beside it.
+// RC-C05 is retired: exits that race with the store of a trigger's value now run in parallel with the store.
 const Rule too_many_points{
     "RC-C06", Severity::error, "{} has more than {}",
     "During actions of nested states run concurrently, and each combination of their positions is a point of the "

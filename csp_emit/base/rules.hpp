@@ -1,4 +1,4 @@
-// The rule table of this component: what has no CSP semantics here, and what is wrong with a CSP block.
+// The rule table of this component: constructs without a CSP semantics here, and errors in CSP blocks.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// The library of emitted scripts, written in CSPM and read once: clipped arithmetic, time, toolkit functions that the
-// model calls.
+// The library of emitted scripts, written in CSPM and parsed once: clipped arithmetic, time, and the toolkit functions
+// that the model calls.
 #include "csp_emit/base/script_library.hpp"
 
 #include <algorithm>
@@ -41,7 +41,8 @@ std::set<std::string> called_by_model(const ir::System& system) {
     return names;
 }
 
-/// Definitions of the toolkit functions that the model calls and of those that these call, in a fixed order.
+/// The definitions of the toolkit functions that the model calls, directly or through other toolkit functions, in a
+/// fixed order.
 std::vector<cspm::DeclPtr> toolkit_definitions(const Project& project) {
     std::set<std::string> used = called_by_model(project.system);
     if (used.empty()) return {};

@@ -1,4 +1,4 @@
-// What a script of a project starts with, as a tree.
+// The beginning of a project's script, as a syntax tree.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace robochart::csp_emit {
 
-/// The library of the project's time, and of the toolkits the functions that the model calls.
+/// The library of the project's semantics (untimed or timed) and the toolkit functions that the model calls.
 [[nodiscard]] std::vector<cspm::DeclPtr> library(const Project&);
 
 }  // namespace robochart::csp_emit

@@ -1,7 +1,7 @@
-// What the contracts of frontend/toolkits/library say, written so that it can be computed. Sets are CSPM's; relations
-// and functions sets of pairs; sequences CSPM's. A function that depends on all values of a type takes that type's
-// values as last arguments (semantics/evaluate/toolkit.hpp). Preconditions are `pre_` and the function's name, as for
-// functions of the model (semantics 3.5).
+// The contracts of frontend/toolkits/library in a computable form. Sets and sequences are CSPM's; relations and
+// functions are sets of pairs. A function that depends on all values of a type takes these values as last arguments
+// (semantics/evaluate/toolkit.hpp). Preconditions are named `pre_` and the function's name, as for functions of the
+// model (semantics 3.5).
 #include "csp_emit/base/toolkits.hpp"
 
 #include <map>

@@ -1,5 +1,5 @@
-// Carriers: basic types are named sets of the instantiation; composed types are built from their parts
-// (semantics 3.13: records, products and vectors are tuples, functions sets of pairs).
+// Carriers: basic types are named sets of the instantiation; composed types are built from their parts (semantics 3.13:
+// records, products and vectors are tuples, functions are sets of pairs).
 #include "csp_emit/base/types.hpp"
 
 #include "checker/cspm/syntax/build.hpp"
@@ -14,7 +14,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// `{(x1__,x2__) | x1__ <- A, x2__ <- B}`; one set is itself.
+/// `{(x1__,x2__) | x1__ <- A, x2__ <- B}`; a single set is returned unchanged.
 ExprPtr tuples_of(const std::vector<ExprPtr>& sets) {
     if (sets.size() == 1) return sets[0];
     b::Exprs parts;

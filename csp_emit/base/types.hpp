@@ -11,15 +11,15 @@ namespace robochart::csp_emit {
 [[nodiscard]] cspm::ExprPtr type_set(const Project&, ir::TypeId);
 /// A value of a type.
 [[nodiscard]] cspm::ExprPtr value_literal(const Project&, ir::TypeId, const ir::Value&);
-/// The value of a variable without an initial one (semantics 3.6).
+/// The value of a variable that has no initial value in the model (semantics 3.6).
 [[nodiscard]] cspm::ExprPtr default_literal(const Project&, ir::TypeId);
 /// The CSPM name of a declared type: `P_T`.
 [[nodiscard]] std::string type_name(const ir::Type&);
-/// The CSPM constructor of an enumeration's literal: `P_E_L`.
+/// The CSPM constructor of an enumeration literal: `P_E_L`.
 [[nodiscard]] std::string literal_name(const ir::Type&, std::size_t literal);
-/// A tuple; of one part, the part (semantics 3.13 has products, records, vectors and rows of matrices so).
+/// A tuple; a single part is returned unchanged (semantics 3.13: products, records, vectors and rows of matrices).
 [[nodiscard]] cspm::ExprPtr tuple_or_one(const std::vector<cspm::ExprPtr>& parts);
-/// nat, int or real.
+/// Whether the type is nat, int or real.
 [[nodiscard]] bool numeric(const ir::Type&);
 
 }  // namespace robochart::csp_emit

@@ -1,4 +1,4 @@
-// What CSPM text declares at its top.
+// The names that CSPM text declares at its top level.
 #pragma once
 
 #include <set>
@@ -9,7 +9,7 @@
 
 namespace robochart::csp_emit {
 
-/// Names in CSP blocks, by what they can clash with.
+/// Names in CSP blocks, grouped by the names that they can clash with.
 struct UserNames {
     std::set<std::string> constructors;  ///< channels and constructors at the top
     std::set<std::string> all;           ///< everything declared at the top

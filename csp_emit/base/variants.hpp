@@ -1,12 +1,12 @@
-// What all components' process variants share (semantics 3.12).
+// Operators that the process variants of all components share (semantics 3.12).
 #pragma once
 
 #include "csp_emit/base/project.hpp"
 
 namespace robochart::csp_emit {
 
-/// Timed: hidden events and ✓ before tock, `prioritise(P,<{},{tock}>)`; untimed: P. With `urgent`, a set of
-/// events, these come before tock as well.
+/// Timed: gives hidden events and ✓ priority over tock, `prioritise(P,<{},{tock}>)`; untimed: returns P. The events of
+/// the set `urgent`, if given, get priority over tock as well.
 [[nodiscard]] cspm::ExprPtr maximal_progress(const Project&, const cspm::ExprPtr& process,
                                              const cspm::ExprPtr& urgent = nullptr);
 /// Untimed `sbisim(diamond(P))`, timed `dbisim(P)`.

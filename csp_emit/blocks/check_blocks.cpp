@@ -27,7 +27,7 @@ using diagnostics::Span;
 using frontend::AssertionTime;
 using frontend::CspBlock;
 
-/// A unit's texts, read and made finite by themselves.
+/// The texts of a unit, parsed and instantiated separately.
 struct Copy {
     SourceManager sources;
     std::unique_ptr<frontend::Model> model;
@@ -36,7 +36,7 @@ struct Copy {
     bool good = false;
 };
 
-/// `blank`: texts of blocks are left out.
+/// `blank`: the texts of CSP blocks are left out.
 Copy copy_of(const frontend::Model& model, const SourceManager& sources, const std::vector<std::size_t>& files,
              bool blank, diagnostics::Budget* budget) {
     Copy copy;
@@ -92,7 +92,7 @@ private:
         take(copy.sources, found);
     }
 
-    /// Blocks in a text that has no script.
+    /// Parses the blocks of a unit that has no script.
     void read_alone(const std::vector<std::size_t>& files) {
         for (const std::size_t index : files) {
             const frontend::File& file = *model_.files[index];
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    /// Findings about assertion files, at their places in the texts of the model; each once.
+    /// Reports findings about assertion files at their places in the texts of the model, each once.
     void take(const SourceManager& copy, const Diagnostics& found) {
         for (const diagnostics::Diagnostic& finding : found.sorted()) {
             if (finding.rule->severity == diagnostics::Severity::note || !finding.span.known()) continue;
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    /// The texts of blocks are sources of their own, with the path and the offsets of their file.
+    /// The texts of blocks are separate sources, with the path and the offsets of their file.
     [[nodiscard]] Span original(const SourceManager& copy, Span span) const {
         if (!span.known()) return {};
         const auto file = files_.find(copy.path(span.source));
@@ -136,7 +136,8 @@ private:
     const SourceManager& sources_;
     Diagnostics& out_;
     std::map<std::string, const frontend::File*> files_;
-    std::set<std::tuple<const diagnostics::Rule*, SourceId, std::uint32_t, std::string>> said_;  ///< only looked up
+    /// The findings reported so far; never iterated.
+    std::set<std::tuple<const diagnostics::Rule*, SourceId, std::uint32_t, std::string>> said_;
 };
 
 }  // namespace
@@ -156,7 +157,7 @@ std::optional<Emission> emission_without_blocks(const frontend::Model& model, co
         if (!copy.good) return std::nullopt;
         Diagnostics found;
         found.within(budget);
-        // What is found is about claims on the blocks that are left out.
+        // The findings are ignored: they concern claims about the blocks that were left out.
         return emit(copy.system, copy.instantiation, time, Options{}, copy.sources, found);
     }
     return std::nullopt;

@@ -1,4 +1,4 @@
-// CSP blocks checked as `check` reads them, without deciding anything: syntax, names and types in the emitted script.
+// Checks CSP blocks as `check` reads them, without a search: syntax, names and types in the emitted script.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace robochart::csp_emit {
 
-/// Reports what is wrong in the CSP blocks of a resolved model, at their places in its texts. Each unit of the model
-/// (frontend/project/units.hpp) is emitted with the generated instantiation, once for each time that a block is for. Of
-/// a unit with errors, or one that has no script, the blocks are only read (syntax).
+/// Reports errors in the CSP blocks of a resolved model, at their places in its texts. Each unit of the model
+/// (frontend/project/units.hpp) is emitted with the generated instantiation, once for each semantics (untimed, timed)
+/// that a block applies to. If a unit has errors or no script, only the syntax of its blocks is checked.
 void check_blocks(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// The script that the blocks of an assertion file are part of, without any block: for the names that a block can
-/// write. Nothing if the model has errors.
+/// The script of an assertion file without its blocks, for the names that a block can use. No value if the model has
+/// errors.
 [[nodiscard]] std::optional<Emission> emission_without_blocks(const frontend::Model&, const diagnostics::SourceManager&,
                                                               diagnostics::SourceId assertions, Time,
                                                               diagnostics::Budget*);

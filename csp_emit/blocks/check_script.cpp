@@ -23,7 +23,7 @@ cspm::ExprPtr placed(const cspm::ExprPtr& expr, diagnostics::Span span) {
     return std::make_shared<const cspm::Expr>(std::move(result));
 }
 
-/// The script with the places of the claims in the assertions that are made for them.
+/// The script, in which generated assertions have the places of their claims.
 cspm::Script with_places(const Emission& emission, const ir::System& system) {
     std::map<const cspm::Decl*, diagnostics::Span> places;
     for (const Obligation& obligation : emission.obligations) {

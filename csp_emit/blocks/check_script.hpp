@@ -1,4 +1,4 @@
-// The types of an emitted script, with what is wrong said in terms of the CSP blocks that the user wrote.
+// Checks the types of an emitted script and reports errors in terms of the CSP blocks that the user wrote.
 #pragma once
 
 #include "csp_emit/base/emission.hpp"
@@ -6,8 +6,9 @@
 
 namespace robochart::csp_emit {
 
-/// Checks the script by FDR's rules (cspm::check_types). A name that is not in scope is reported with what the script
-/// calls so; what is wrong with an assertion made for a claim of the model (`system`), with the place of the claim.
+/// Checks the script by FDR's rules (cspm::check_types). For a name that is not in scope, the finding suggests names of
+/// the script. An error in an assertion generated for a claim of the model (`system`) is reported at the place of the
+/// claim.
 void check_script(const Emission&, const ir::System& system, diagnostics::Diagnostics&);
 
 }  // namespace robochart::csp_emit

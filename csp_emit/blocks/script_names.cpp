@@ -27,7 +27,7 @@ ScriptNames::ScriptNames(const cspm::Script& script) {
     add(script.decls, "");
 }
 
-/// Blocks write what a module exports, or all of it where it exports nothing.
+/// Blocks can use the exported names of a module, or all of its names if it exports none.
 void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string& qualifier) {
     for (const cspm::DeclPtr& decl : decls) {
         switch (decl->kind) {
@@ -95,7 +95,7 @@ std::vector<std::string> ScriptNames::meant(std::string_view written) const {
         const std::string text = in(name.qualifier, name.name) + (name.directed ? ".in" : "");
         if (result.size() < most && std::ranges::find(result, text) == result.end()) result.push_back(text);
     };
-    // The same name elsewhere; modules of the model, whose names are in a script's outermost places, first.
+    // The same name in other modules; modules of the model, which are outermost in a script, come first.
     std::vector<const ScriptName*> same;
     for (const ScriptName& name : names_)
         if (name.name == last && name.qualifier != qualifier && name.qualifier.find("__") == std::string::npos)
@@ -105,7 +105,7 @@ std::vector<std::string> ScriptNames::meant(std::string_view written) const {
     std::ranges::stable_sort(same, {}, [](const ScriptName* name) { return std::ranges::count(name->qualifier, ':'); });
     if (qualifier.empty())
         for (const ScriptName* name : same) take(*name);
-    // One in the same place that is spelt nearly like it; else one anywhere.
+    // Names with similar spelling: those in the same module, or otherwise in any module.
     std::vector<std::string> near;
     for (const ScriptName* name : behind(qualifier)) near.push_back(name->name);
     const std::string meant = diagnostics::nearest(last, near);

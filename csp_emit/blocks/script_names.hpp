@@ -1,4 +1,4 @@
-// The names that CSP blocks can write: what the emitted script declares, module by module.
+// The names that CSP blocks can use: the declarations of the emitted script, module by module.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct ScriptName {
     std::string qualifier;  ///< "P::M"; "" at the top
     std::string name;
     cspm::DeclKind kind = cspm::DeclKind::value;
-    bool directed = false;  ///< a channel of an event: its first field is `in` or `out`
+    bool directed = false;  ///< a channel whose first field is `in` or `out`
 };
 
 class ScriptNames {
@@ -23,10 +23,10 @@ public:
     explicit ScriptNames(const cspm::Script& script);
 
     [[nodiscard]] const std::vector<ScriptName>& all() const { return names_; }
-    /// Those that can be written behind `QUALIFIER::`, in the order of the script.
+    /// The names that can follow `QUALIFIER::`, in the order of the script.
     [[nodiscard]] std::vector<const ScriptName*> behind(std::string_view qualifier) const;
-    /// What a name that is not in scope probably means, as it is written in a block: the same name in a component, or
-    /// one that is spelt nearly like it. The best ones first, at most three.
+    /// Suggestions for a name that a block uses and that is not in scope: the same name in a component, or names with
+    /// similar spelling. At most three, best first.
     [[nodiscard]] std::vector<std::string> meant(std::string_view written) const;
 
 private:

@@ -1,4 +1,4 @@
-// The shape is RoboTool's: ((parts \ connections) [| memory |] Memory) \ memory [| {|terminate|} |> SKIP.
+// The structure is RoboTool's: ((parts \ connections) [| memory |] Memory) \ memory [| {|terminate|} |> SKIP.
 #include "csp_emit/compose/composition.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ ExprPtr out(const std::string& channel) {
     return b::dot({b::name(channel), b::name("out")});
 }
 
-/// Which writes to the composition's own variables a variant leaves visible.
+/// The writes to the composition's own variables that a variant leaves visible.
 enum class Writes { none, provided, all };
 
 class Definer {
@@ -64,7 +64,7 @@ ExprPtr Definer::tocked(const ExprPtr& branches, const ExprPtr& self) const {
     return timed() ? b::choice({branches, b::prefix(b::name("tock"), self)}) : branches;
 }
 
-/// Event sets of parallel operators: all parts keep the same time.
+/// Adds tock to the event set of a parallel operator, so that all parts share the same time.
 ExprPtr Definer::with_tock(b::Exprs events) const {
     if (timed()) events.push_back(b::name("tock"));
     return b::productions(events);
@@ -129,7 +129,7 @@ ExprPtr Definer::parts_process(const std::string& variant) const {
 }
 
 /// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, the last one followed by Memory.
-/// A write of x reaches the parts that have x one after the other, the writer included.
+/// A write of x is passed on to all parts that have x, one after the other, including the writer.
 void Definer::define_propagation(const SharedVariable& variable) {
     std::vector<std::size_t> readers;
     for (std::size_t i = 0; i < c_.parts.size(); ++i)
@@ -165,7 +165,8 @@ void Definer::define_memory() {
     }
     const ExprPtr self = b::call("Memory", {b::name("id__")});
     decls_.push_back(b::function_decl("Memory", b::variables({"id__"}), tocked(b::choice(branches), self)));
-    // Declared initial values of the platform's variables are propagated like writes at the start (semantics 3.7).
+    // Initial values that the model declares for platform variables are propagated like writes at the start (semantics
+    // 3.7).
     ExprPtr next = self;
     std::vector<std::pair<std::string, ExprPtr>> chain;
     for (const SharedVariable& variable : c_.variables)
@@ -215,7 +216,7 @@ b::Exprs Definer::memory_sync() const {
     return result;
 }
 
-/// Propagation events, and the writes that the variant does not show.
+/// Propagation events, and the writes that the variant hides.
 ExprPtr Definer::hidden_writes(Writes shown) const {
     b::Exprs result;
     for (const SharedVariable& variable : c_.variables) {
@@ -240,7 +241,7 @@ ExprPtr Definer::with_memory(const ExprPtr& process) const {
     return b::parallel(process, with_tock(memory_sync()), b::call("MemoryStart__", {b::name("id__")}));
 }
 
-/// `(P [| {from.out, to.in} |] Buffer_empty ...) \ {from, to}`, one buffer for each asynchronous connection.
+/// `(P [| {from.out, to.in} |] Buffer_empty ...) \ {from, to}`, with one buffer for each asynchronous connection.
 ExprPtr Definer::with_buffers(const ExprPtr& process) const {
     ExprPtr result = process;
     for (std::size_t i = 0; i < c_.buffers.size(); ++i) {
@@ -282,8 +283,8 @@ void Definer::define() {
     const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
     define("D__", variant(large(c_) ? "O__" : "D__", Writes::provided));
     define("VS__", variant("VS__", Writes::provided));
-    // A large controller alone may be written to by everyone at any time; in the module the others are there, and the
-    // environment of a claim multiplies what is left.
+    // A large controller on its own is not compressed, because its environment may write at any time. A module is: its
+    // other controllers restrict the writes, and the environment of a claim multiplies the remaining states.
     define("O__", compressed(*c_.project, variant("O__", optimised), large(c_) && !c_.hides_termination));
     for (const char* name : {"FVS__", "FVS_C__"})
         if (c_.project->mentions(name)) define(name, variant(name, Writes::provided));

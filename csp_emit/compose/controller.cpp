@@ -84,7 +84,7 @@ void ControllerEmitter::add_constants() {
     }
 }
 
-/// The reference that a constant belongs to: the machine's, or that of the operation it calls.
+/// The instance that declares a constant: the machine, or the operation that it calls.
 std::string ControllerEmitter::part_of(const std::string& instance, const ir::Machine& owner) const {
     for (std::size_t i = 0; i < controller().definitions.size(); ++i)
         if (&project().system.machine(controller().definitions[i]) == &owner)
@@ -92,9 +92,9 @@ std::string ControllerEmitter::part_of(const std::string& instance, const ir::Ma
     return instance;
 }
 
-/// The controller's parameter for a machine's constant; added if it is a new one.
+/// The controller's parameter for a machine's constant; added if it does not exist yet.
 std::string ControllerEmitter::constant_argument(const std::string& part, const ConstantParameter& constant) {
-    // Alone: what the platform provides comes to the controller as a parameter of its own.
+    // If the controller is checked alone, constants that the platform provides become parameters of the controller.
     const ir::Machine& owner = *constant.owner;
     const auto source =
         ir::constant_source(project().system, nullptr, &controller(), part_of(part, owner), owner, constant.id);
@@ -108,7 +108,7 @@ std::string ControllerEmitter::constant_argument(const std::string& part, const 
     return source.name;
 }
 
-/// A machine in this controller: its operations are the controller's, and what it requires is provided.
+/// Emits a machine in this controller: the controller defines its operations and provides what it requires.
 ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const std::string& name,
                                                std::vector<DeclPtr>& decls) {
     MachineContext context;
@@ -130,7 +130,8 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
                                                 owner, constant.id);
         const bool provided = source.constant != &owner.constants.at(constant.id.index);
         constant.source = source.name;
-        // RoboTool binds the part's constant to the machine's own. A csp block that defines the part's alone means it.
+        // RoboTool sets the part's constant to the machine's. If a CSP block defines only the part's constant, that one
+        // counts.
         const auto given = [&](const std::string& each) {
             return context_.given != nullptr && context_.given->contains(each);
         };
@@ -162,7 +163,8 @@ void ControllerEmitter::add_part(const ir::MachineInstance& instance, std::vecto
     composition_.parts.push_back(std::move(part));
 }
 
-/// `C::OP_o`: an operation on its own, as the controller defines it. Only where somebody speaks of it.
+/// `C::OP_o`: an operation as a separate process, with the controller's definitions. Emitted only if an assertion or a
+/// CSP block mentions it.
 void ControllerEmitter::add_operations(std::vector<DeclPtr>& decls) {
     for (std::size_t i = 0; i < controller().definitions.size(); ++i) {
         const ir::Machine& machine = project().system.machine(controller().definitions[i]);
@@ -184,7 +186,7 @@ void ControllerEmitter::add_connections() {
     const auto place = [](const ir::ConnectionEnd& end) {
         return end.kind == ir::EndKind::part ? std::optional<std::size_t>(end.part) : std::nullopt;
     };
-    // Asynchronous connections between machines are synchronous (semantics 3.9).
+    // Asynchronous connections between machines are treated as synchronous (semantics 3.9).
     for (const ir::Connection& connection : controller().connections)
         connect(composition_, place(connection.from), connection.from.event, place(connection.to), connection.to.event);
 }

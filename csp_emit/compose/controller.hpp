@@ -1,4 +1,4 @@
-// Controllers (semantics 3.9): machines side by side, each in a module of its own inside the controller's.
+// Controllers (semantics 3.9): machines in parallel, each in its own module inside the controller's module.
 #pragma once
 
 #include <set>
@@ -12,15 +12,15 @@ namespace robochart::csp_emit {
 struct ControllerContext {
     const Project* project = nullptr;
     const ir::Controller* controller = nullptr;
-    std::string name;  ///< of the CSPM module
+    std::string name;  ///< name of the CSPM module
     std::string path;  ///< qualified CSPM name
     NameManager names;
-    const ir::Module* module = nullptr;  ///< the module that the controller runs in; null: it is checked alone
-    const std::set<std::string>* given = nullptr;  ///< constants that count by blocks; null: none
+    const ir::Module* module = nullptr;  ///< the module that contains the controller; null if it is checked alone
+    const std::set<std::string>* given = nullptr;  ///< constants that CSP blocks define; null if none
 };
 
 [[nodiscard]] ComponentEmission emit_controller(const ControllerContext&, Emitted&);
-/// Operations whose calls leave the controller, each once, in order of declaration.
+/// The operations whose calls leave the controller, each once, in order of declaration.
 [[nodiscard]] std::vector<ir::OperationSignature> leaving_calls(const ir::System&, const ir::Controller&);
 
 }  // namespace robochart::csp_emit

@@ -19,7 +19,7 @@ using Op = cspm::ExprKind;
 
 namespace {
 
-/// `{a..b}` where there are no gaps, `{a,c,...}` otherwise.
+/// `{a..b}` if the values are consecutive, `{a,c,...}` otherwise.
 ExprPtr number_set(const std::vector<std::int64_t>& values) {
     const bool range =
         !values.empty() && values.back() - values.front() == static_cast<std::int64_t>(values.size()) - 1;
@@ -69,7 +69,7 @@ void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
             decls.push_back(b::nametype(type_name(type), b::set_range(b::number(0), b::number(finite.given_size - 1))));
 }
 
-/// Every constant once: the instantiation's value, or the model's.
+/// Defines every constant once, with the instantiation's value or the model's.
 class Constants {
 public:
     Constants(const Project& project, std::vector<DeclPtr>& decls) : project_(project), decls_(decls) {}
@@ -78,7 +78,8 @@ public:
         if (!seen_.insert(name).second) return;
         decls_.push_back(b::value(name, value(name, constant, machine)));
     }
-    /// A machine's constant in a controller: as the machine's own unless the instantiation differs.
+    /// A machine's constant in a controller has the value of the machine's own constant unless the instantiation
+    /// differs.
     void add_part(const std::string& name, const std::string& own, const ir::Constant& constant,
                   const ir::Machine& machine) {
         if (!seen_.insert(name).second) return;
@@ -102,7 +103,7 @@ private:
     static bool calls_function(const ir::Expr& part) {
         return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
     }
-    /// What functions say is left to the script, where the user may define them.
+    /// Results of functions are left for the script to compute, because the user may define the functions there.
     ExprPtr computed(const ir::Constant& constant, const ir::Machine* machine) const {
         Scope scope;
         scope.constant = [machine](ir::ConstantId id) {
@@ -147,7 +148,7 @@ void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
             constants.add(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
 }
 
-/// A condition behind the preconditions of the functions that it calls itself.
+/// A condition preceded by the preconditions of the functions that it calls.
 b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
     b::Exprs result = preconditions(project, {}, condition);
     result.push_back(expression(project, {}, condition));
@@ -160,7 +161,7 @@ b::Patterns parameters_of(const ir::Function& function) {
     return result;
 }
 
-/// `f(x) = body`; without parameters `f() = body`, which is how RoboTool's instantiations define such functions.
+/// `f(x) = body`; without parameters `f() = body`, as in RoboTool's instantiations.
 DeclPtr function_definition(const std::string& name, const ir::Function& function, const ExprPtr& body,
                             const std::string& comment = "") {
     cspm::Decl decl = *b::function_decl(name, {b::wildcard()}, body, comment);
@@ -168,7 +169,7 @@ DeclPtr function_definition(const std::string& name, const ir::Function& functio
     return std::make_shared<const cspm::Decl>(std::move(decl));
 }
 
-/// The default value where it satisfies the postconditions, else the first value that does.
+/// The default value if it satisfies the postconditions, otherwise the first value that does.
 ExprPtr searched(const Project& project, const ir::Function& function) {
     b::Exprs conditions;
     for (const auto& condition : function.postconditions)
@@ -184,8 +185,8 @@ ExprPtr searched(const Project& project, const ir::Function& function) {
                    b::if_(b::call("ok__", {constant}), constant, b::let_({b::value("found__", candidates)}, first)));
 }
 
-/// Functions have contracts, not bodies: by postcondition, or 0 or the first literal as RoboTool has it, unless the
-/// user overrides it.
+/// Functions in RoboChart have contracts and no bodies. The generated body returns a value that satisfies the
+/// postcondition, or 0 or the first literal as in RoboTool; the user may override it.
 void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
     for (const ir::Function& function : project.system.functions) {
         const bool specified = !function.postconditions.empty();
@@ -231,7 +232,7 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
 
 namespace {
 
-/// What stands at the top of the script beside records.
+/// The names at the top of the script, except those for records.
 std::set<std::string> names_at_top(const ir::System& system) {
     std::set<std::string> names;
     const auto component = [&](const auto& each) {

@@ -1,5 +1,5 @@
-// Modules: platform events and calls are visible, writes of platform variables are propagated, asynchronous connections
-// between controllers are buffers; termination is hidden.
+// Modules: events and calls of the platform are visible, writes to platform variables are propagated, asynchronous
+// connections between controllers are buffers, and termination is hidden.
 #include "csp_emit/compose/module.hpp"
 
 #include <algorithm>
@@ -62,8 +62,8 @@ void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     for (const ir::OperationSignature& call : calls()) channels.call(call);
 }
 
-/// Provided variables are the platform's to see; an explicit initial value is propagated to the controllers at the
-/// start.
+/// Writes to provided variables are visible to the platform; an explicit initial value is propagated to the controllers
+/// at the start.
 void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Variable& variable : platform().variables) {
@@ -99,7 +99,7 @@ void ModuleEmitter::add_constants() {
     }
 }
 
-/// The module's parameter for a controller's constant: the platform's if the controller requires it.
+/// The module's parameter for a controller's constant: the platform's constant if the controller requires it.
 std::string ModuleEmitter::constant_argument(const ir::Controller& controller, const ConstantParameter& constant) {
     std::string name = constant.parameter;
     const bool own = constant.owner == nullptr && controller.constants.at(constant.id.index).required;
@@ -137,7 +137,7 @@ void ModuleEmitter::add_connection(const ir::Connection& connection) {
     };
     const auto from = place(connection.from);
     const auto to = place(connection.to);
-    // Connections with the platform are rendezvous with the environment, though they are written `_async`.
+    // Connections with the platform synchronise with the environment even if they are declared `_async`.
     if (!connection.async || !from || !to) {
         connect(composition_, from, connection.from.event, to, connection.to.event);
         return;

@@ -1,4 +1,4 @@
-// Modules (semantics 3.9): controllers side by side with the robotic platform as their environment.
+// Modules (semantics 3.9): controllers in parallel, with the robotic platform as their environment.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@ struct ModuleContext {
     const ir::Module* module = nullptr;
     std::string path;
     NameManager names;
-    const std::set<std::string>* given = nullptr;  ///< constants that count by blocks; null: none
+    const std::set<std::string>* given = nullptr;  ///< constants that CSP blocks define; null if none
 };
 
 [[nodiscard]] ComponentEmission emit_module(const ModuleContext&, Emitted&);

@@ -1,4 +1,4 @@
-// The clipping functions return their first operand where the result is no value of the type.
+// A clipping function returns its first operand if the result is not a value of the type.
 #include "csp_emit/expressions/clipping.hpp"
 
 #include <array>
@@ -20,7 +20,7 @@ const Operator* find(const std::string& function) {
     return nullptr;
 }
 
-/// Whether the operation, were it not clipped, gives its first operand.
+/// Whether the operation without clipping returns its first operand.
 bool unchanged(const std::string& function, std::int64_t a, std::int64_t b, std::int64_t scale) {
     if (function == "Plus" || function == "Minus") return b == 0;
     if (function == "Mult") return a == 0 || b == 1;
@@ -31,7 +31,7 @@ bool unchanged(const std::string& function, std::int64_t a, std::int64_t b, std:
     return a == 0;
 }
 
-/// A number of the script; with its unit where it counts parts of a real.
+/// A number of the script, with its unit if it counts fractions of a real.
 std::string shown(const std::string& function, std::int64_t value, std::int64_t scale) {
     const bool real = scale != 1 && function.rfind("Real", 0) == 0;
     return real ? std::to_string(value) + "/" + std::to_string(scale) : std::to_string(value);

@@ -1,6 +1,6 @@
-// Where finite instantiation clips values: arithmetic that leaves its type is clipped, functions without a body have
-// a value chosen (semantics 3.13). The checker tells which calls of the functions behind it were evaluated while it
-// explored processes; this component knows what they mean.
+// Where the finite instantiation changes values: results of arithmetic outside their type are clipped, and functions
+// without a body return a chosen value (semantics 3.13). The checker records the calls of these functions that it
+// evaluates while it explores processes; this file explains them in terms of the model.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace robochart::csp_emit {
 
-/// The tree with this place at every call whose place is not known yet.
+/// The tree in which every call without a known place has this place.
 [[nodiscard]] cspm::ExprPtr placed(const cspm::ExprPtr&, diagnostics::Span);
 
-/// What the call leaves out or chooses, in words; nothing if its value is what the model says.
-/// "2 + 1 leaves its type and is taken as 2", "f has no body here and is taken as 0".
+/// Describes how the call deviates from the model; no value if its result is the model's. Examples: "2 + 1 leaves its
+/// type and is taken as 2", "f has no body here and is taken as 0".
 [[nodiscard]] std::optional<std::string> reached_bound(const Emission&, const ir::Instantiation&,
                                                        const cspm::ObservedCall&);
 

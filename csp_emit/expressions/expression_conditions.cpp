@@ -1,6 +1,6 @@
-// Preconditions of the functions that an expression calls: `pre_f(args) & ...` in front of the statement or transition
-// (semantics 3.5). Inner calls come first: the condition of an outer one may need their values. Under a binder the
-// condition is asked for every value that the body is evaluated for.
+// Preconditions of the functions that an expression calls: `pre_f(args) & ...` before the statement or transition
+// (semantics 3.5). Preconditions of inner calls come first, because the precondition of an outer call may need their
+// values. Under a binder, the precondition is required for every value for which the body is evaluated.
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/translator.hpp"
 #include "semantics/evaluate/preconditions.hpp"
@@ -39,8 +39,8 @@ b::Exprs Translator::preconditions(const ir::Expr& expr) const {
     return result;
 }
 
-/// No combination of the bound variables makes a condition false: those of the predicate for all, those of the body
-/// where the predicate holds.
+/// The conditions hold for all values of the bound variables: preconditions of the predicate for all values,
+/// preconditions of the body for the values that satisfy the predicate.
 b::Exprs Translator::bound_preconditions(const ir::Expr& expr) const {
     b::Exprs result;
     std::vector<cspm::Clause> clauses = generators(expr);

@@ -1,5 +1,5 @@
-// Values with parts: vectors and matrices as tuples (of rows), components read and replaced, conversions between types
-// that CSPM writes differently (semantics 3.13).
+// Values with parts: vectors and matrices as tuples (of rows), selection and replacement of components, conversions
+// between types that CSPM represents differently (semantics 3.13).
 #include <algorithm>
 
 #include "csp_emit/base/types.hpp"
@@ -23,12 +23,12 @@ cspm::PatternPtr pattern_of(b::Patterns parts) {
     return parts.size() == 1 ? parts[0] : b::tuple_pattern(std::move(parts));
 }
 
-/// The number that a place is written as, if it is written as one.
+/// The number if the index is a literal; otherwise null.
 const std::int64_t* literal_place(const ExprPtr& place) {
     return place->kind == Op::integer ? &place->number : nullptr;
 }
 
-/// `if index__ == 1 then first else ...`; outside there is no value.
+/// `if index__ == 1 then first else ...`; indices out of range have no value.
 ExprPtr choose(const std::string& index, const b::Exprs& alternatives) {
     ExprPtr result = b::call("error", {b::string("index outside 1.." + std::to_string(alternatives.size()))});
     for (std::size_t i = alternatives.size(); i-- > 0;)
@@ -180,7 +180,7 @@ ExprPtr Translator::replaced(ir::TypeId id, const ExprPtr& whole, const b::Exprs
     return b::call("update_", {whole, replaced(found.args.at(0), old, path, from + 1, value), path[from]});
 }
 
-/// Fields count from 0, places of tuples from 1; both are written as numbers.
+/// Fields are counted from 0, parts of tuples from 1; both are written as numbers.
 ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
                                    const ExprPtr& value) const {
     const std::int64_t number = path[from]->number - (found.kind == TypeKind::record ? 0 : 1);
@@ -197,8 +197,8 @@ ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, 
     return b::apply(b::lambda({b::tuple_pattern(patterns)}, b::tuple(parts)), {whole});
 }
 
-/// Entries of vectors and matrices are numbers or other values without a path into them further down being common:
-/// the new one is computed once and put where the indices say.
+/// The entry of a vector or matrix at the indices is replaced. The new entry is computed once; if the path continues
+/// inside the entry, only that part of it changes.
 ExprPtr Translator::replaced_entry(ir::TypeId id, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
                                    const ExprPtr& value) const {
     const Block shape = block(id);
@@ -236,7 +236,7 @@ bool is_set_like(TypeKind kind) {
     return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
 }
 
-/// The types of a tuple's parts; empty for what is no tuple.
+/// The types of a tuple's parts; empty for other types.
 std::vector<ir::TypeId> tuple_types(const ir::Type& type) {
     if (type.kind == TypeKind::product || type.kind == TypeKind::record) return type.args;
     if (type.kind == TypeKind::vector)
@@ -246,7 +246,7 @@ std::vector<ir::TypeId> tuple_types(const ir::Type& type) {
 
 }  // namespace
 
-/// The two types of a relation, function or set of pairs; else empty.
+/// The two types of a relation, function or set of pairs; otherwise empty.
 std::vector<ir::TypeId> Translator::pair_types(const ir::Type& found) const {
     if (found.kind == TypeKind::relation || found.kind == TypeKind::function) return found.args;
     if (found.kind != TypeKind::set) return {};
@@ -309,7 +309,7 @@ ExprPtr Translator::converted_tuple(const ExprPtr& value, const std::vector<ir::
     return b::apply(b::lambda({pattern_of(patterns)}, tuple_or_one(parts)), {value});
 }
 
-/// Element by element; a sequence that stands for a set is the set of its pairs of place and element.
+/// Converts element by element. A sequence that is used as a set becomes the set of its pairs of index and element.
 ExprPtr Translator::converted_elements(const ExprPtr& value, const ir::Type& source, const ir::Type& target) const {
     const ExprPtr elem = b::name("elem__");
     if (source.kind == TypeKind::sequence && target.kind == TypeKind::sequence)

@@ -36,7 +36,7 @@ ExprPtr Translator::refused(const std::string& what, const ir::Expr& expr) const
     return b::number(0);
 }
 
-/// A decimal in units of 1/scale. The scale is chosen from the model's literals, so nothing is rounded off there.
+/// A decimal in units of 1/scale. The scale is chosen from the model's literals, so no literal is rounded.
 ExprPtr Translator::real_literal(const ir::Expr& expr) const {
     const auto units = ir::scaled(expr.decimal, scale());
     return units ? b::number(*units) : refused("a real literal beyond 64 bits", expr);
@@ -60,7 +60,7 @@ ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
     return b::binary(Op::times, value, b::number(scale()));
 }
 
-/// Both sides in the same unit: a real on either side makes the other one real.
+/// Both operands in the same unit: if one operand is a real, the other is converted to a real.
 ExprPtr Translator::comparison(const ir::Expr& expr, cspm::ExprKind op) const {
     const ir::Expr& left = *expr.args.at(0);
     const ir::Expr& right = *expr.args.at(1);
@@ -73,7 +73,7 @@ namespace {
 struct Clipping {
     ExprKind kind;
     const char* whole;
-    const char* real;  ///< where reals have a scale
+    const char* real;  ///< the function for reals with a scale
 };
 
 constexpr Clipping clippings[] = {{ExprKind::plus, "Plus", "Plus"},          {ExprKind::minus, "Minus", "Minus"},
@@ -89,7 +89,7 @@ const char* clipping_function(ExprKind kind, bool scaled_real) {
 }  // namespace
 
 ExprPtr Translator::clipped(ExprKind kind, b::Exprs operands, ir::TypeId type) const {
-    // -3 is a literal, not an operation: RoboTool's carriers hold every literal of the model with its sign.
+    // -3 is a literal, not an operation: RoboTool's carriers contain every literal of the model with its sign.
     if (kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
     operands.push_back(type_set(project_, type));
     return b::call(clipping_function(kind, is_real(type) && scale() != 1), operands);
@@ -102,7 +102,7 @@ ExprPtr Translator::arithmetic(const ir::Expr& expr) const {
     if (result == nullptr || !numeric(*result)) return refused("arithmetic on a type that is not a number", expr);
     b::Exprs operands;
     for (const auto& part : expr.args) operands.push_back(as_type(*part, expr.type));
-    // RoboTool's bounds of clocks divide by 1 where a value of the type is 0; the guard itself does not.
+    // RoboTool's clock bounds divide by 1 if a value of the type is 0; the guard itself does not.
     const bool divides = expr.kind == ExprKind::divide || expr.kind == ExprKind::modulus;
     if (divides && !scope_.placed && operands[1]->kind != Op::integer)
         operands[1] = b::call("no_zero_div", {operands[1]});
@@ -128,7 +128,7 @@ ExprPtr Translator::cast(const ir::Expr& expr) const {
     return converted(translate(inner), inner.type, expr.type);
 }
 
-/// `member(v,T)`; of a real, only if it is a whole number.
+/// `member(v,T)`; a real must also be a whole number.
 ExprPtr Translator::type_test(const ir::Expr& expr) const {
     const ir::TypeId wanted = expr.bound_types.at(0);
     const ir::TypeId own = expr.args.at(0)->type;
@@ -144,7 +144,7 @@ ExprPtr Translator::type_test(const ir::Expr& expr) const {
         {value});
 }
 
-/// `{low..high}` for whole numbers; of the reals those of the type that lie between.
+/// `{low..high}` for whole numbers; for reals, the values of the type within the bounds.
 ExprPtr Translator::range(const ir::Expr& expr) const {
     const bool open_low = expr.number == 1 || expr.number == 3;
     const bool open_high = expr.number >= 2;
@@ -161,7 +161,7 @@ ExprPtr Translator::range(const ir::Expr& expr) const {
                                          b::condition(b::binary(open_high ? Op::less : Op::less_equal, elem, high))});
 }
 
-/// A function is applied even without arguments: RoboTool's instantiations define `f() = 0`.
+/// A function is applied even if it has no arguments: RoboTool's instantiations define `f() = 0`.
 ExprPtr Translator::call(const ir::Expr& expr) const {
     return b::apply(b::name(function_name(project_.system.functions.at(expr.function.index))), call_arguments(expr));
 }
@@ -199,7 +199,7 @@ ExprPtr Translator::apply(const ir::Expr& expr) const {
     return b::call("callFunc", {function, tuple_or_one(arguments)});
 }
 
-/// `{(x,f(x)) | x <- T}`, where the precondition holds.
+/// `{(x,f(x)) | x <- T}`, restricted to the x that satisfy the precondition.
 ExprPtr Translator::function_value(const ir::Expr& expr) const {
     const ir::Function& function = project_.system.functions.at(expr.function.index);
     std::vector<cspm::Clause> clauses;
@@ -236,7 +236,7 @@ std::vector<cspm::Clause> Translator::satisfying(const ir::Expr& expr) const {
     return clauses;
 }
 
-/// The bound values that satisfy the predicate and for which the body holds, or with `negated` does not hold.
+/// The bound values that satisfy the predicate and the body; with `negated`, the predicate and not the body.
 ExprPtr Translator::witnesses(const ir::Expr& expr, bool negated) const {
     std::vector<cspm::Clause> clauses = satisfying(expr);
     const ExprPtr body = arg(expr, 1);
@@ -244,7 +244,7 @@ ExprPtr Translator::witnesses(const ir::Expr& expr, bool negated) const {
     return b::set_comprehension({bound_tuple(expr)}, clauses);
 }
 
-/// The body's values, or the bound ones where it is left out.
+/// The values of the body, or the bound values if there is no body.
 ExprPtr Translator::comprehension(const ir::Expr& expr) const {
     const std::vector<cspm::Clause> clauses = satisfying(expr);
     return b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : bound_tuple(expr)}, clauses);
@@ -255,7 +255,8 @@ ExprPtr Translator::lambda(const ir::Expr& expr) const {
     return b::set_comprehension({b::tuple({bound_tuple(expr), arg(expr, 1)})}, clauses);
 }
 
-/// The first bindings around a body. CSPM's own `let` is recursive; each value here sees only the bindings before it.
+/// Wraps the first `count` bindings around a body. CSPM's own `let` is recursive; here each value sees only the
+/// bindings before it.
 ExprPtr Translator::bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const {
     for (std::size_t i = count; i-- > 0;)
         body = b::apply(b::lambda({b::variable(bound_name(expr.bound_names.at(i)))}, body), {arg(expr, i)});

@@ -1,6 +1,6 @@
-// The class behind expressions.hpp: one member function per family of ir::ExprKind, over three sources. Private to
-// csp_emit. Names that its templates bind end in `__` and are reserved (names.cpp): what is put into a template never
-// has them free.
+// The class that implements expressions.hpp: one member function for each family of ir::ExprKind, in three sources.
+// Private to csp_emit. Names that its templates bind end in `__` and are reserved (names.cpp), so expressions inserted
+// into a template never contain them as free names.
 #pragma once
 
 #include "checker/cspm/syntax/build.hpp"
@@ -16,7 +16,7 @@ public:
     cspm::ExprPtr translate(const ir::Expr& expr) const;
     cspm::ExprPtr as_type(const ir::Expr& expr, ir::TypeId wanted) const;
     cspm::build::Exprs preconditions(const ir::Expr& expr) const;
-    /// The value with the part at `path[from..]` replaced.
+    /// The value in which the part at `path[from..]` is replaced.
     cspm::ExprPtr replaced(ir::TypeId type, const cspm::ExprPtr& whole, const cspm::build::Exprs& path,
                            std::size_t from, const cspm::ExprPtr& value) const;
 
@@ -44,7 +44,7 @@ private:
     ExprPtr type_test(const ir::Expr& expr) const;
     ExprPtr range(const ir::Expr& expr) const;
     ExprPtr call(const ir::Expr& expr) const;
-    bool is_open(ir::TypeId id) const;  ///< a part of the type is not known
+    bool is_open(ir::TypeId id) const;  ///< whether a part of the type is unknown
     ExprPtr toolkit(const ir::Expr& expr) const;
     ExprPtr apply(const ir::Expr& expr) const;
     ExprPtr function_value(const ir::Expr& expr) const;
@@ -61,7 +61,7 @@ private:
     ExprPtr refused(const std::string& what, const ir::Expr& expr) const;
 
     // expression_parts.cpp: components of values, conversions between types
-    struct Block {  ///< a vector is one column
+    struct Block {  ///< a vector has one column
         std::size_t rows = 0, columns = 0;
         bool vector = false;
     };
