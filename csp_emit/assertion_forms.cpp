@@ -64,7 +64,7 @@ std::vector<ExprPtr> outputs_of(const Provenance& provenance, const std::string&
         const std::size_t dot = own.find('.');
         const ExprPtr channel = b::name(prefix + own.substr(0, dot));
         if (dot == std::string::npos) result.push_back(channel);
-        // Another ending is of a hidden step that does an output or call, which the process does not show.
+        // Other hidden events stand for an output or call that the process does not show.
         if (own.ends_with(".out")) result.push_back(b::dot({channel, b::name("out")}));
     }
     return result;
@@ -80,8 +80,8 @@ ExprPtr WatchedCopy::only(const std::string& event, const std::vector<ExprPtr>& 
 
 namespace {
 
-/// The channels of the component around a machine by which operations that it defines call the platform: they are not
-/// the machine's own, and the copy stands elsewhere.
+/// The channels, in the component around a machine, that operations defined there use to call the platform. They do not
+/// belong to the machine, and the copy is in another place.
 std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& path) {
     std::vector<DeclPtr> result;
     const std::size_t end = path.rfind("::");
@@ -97,7 +97,7 @@ std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& 
     return result;
 }
 
-/// The copy of the machine at the path that `context` describes further.
+/// The copy of the machine at `path`; the caller has set in `context` what the copy observes.
 WatchedCopy watched_copy(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
                          const std::string& name, MachineContext context) {
     const ComponentEmission& machine = emitted.components.at(path);

@@ -1,4 +1,4 @@
-// The CSPM forms of what is asserted of one process, as RoboTool generates them and FDR decides them.
+// The CSPM forms of assertions about one process, as RoboTool generates them and FDR decides them.
 #pragma once
 
 #include <string>
@@ -10,51 +10,51 @@
 
 namespace robochart::csp_emit {
 
-/// `P :[deadlock free]`, a terminated process being deadlocked. Timed, with Ev = Events \ {tock, tock'}:
+/// `P :[deadlock free]`, which counts a terminated process as deadlocked. Timed, with Ev = Events \ {tock, tock'}:
 ///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock} is divergence-free.
-/// A hidden tock is performed only where P offers no other event but tock', so a divergence is a run in which, from
-/// some point on, time passes for ever and nothing else is on offer.
+/// A hidden tock is performed only if P offers no other event than tock'. So a divergence is a run in which, from some
+/// point on, time passes forever and P offers nothing else.
 [[nodiscard]] cspm::DeclPtr deadlock_free(const cspm::ExprPtr& process, bool timed, cspm::Model, bool negated = false);
-/// `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`, that is, every stable state of P accepts tock.
+/// `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`: every stable state of P accepts tock.
 [[nodiscard]] cspm::DeclPtr timelock_free(const cspm::ExprPtr& process, bool negated = false);
-/// `STOP [T= (P; r__ -> STOP) |\ {r__}`, so no ✓ is reachable, after which r__ would follow.
+/// `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.
 [[nodiscard]] cspm::DeclPtr never_terminates(const cspm::ExprPtr& process);
-/// P; RUN({event}): P, which goes on with the event for ever where it has terminated.
+/// P; RUN({event}): P, which performs the event forever after it has terminated.
 [[nodiscard]] cspm::ExprPtr running_on(const cspm::ExprPtr& process, const std::string& event);
-/// `SKIP [T= P`: P performs no event but ✓; negated: it performs one. RoboTool's specification is STOP, which forbids ✓
-/// as well, so that every state of a terminating machine seems reachable.
+/// `SKIP [T= P`: P performs no event except ✓; negated: it performs one. RoboTool's specification is STOP, which also
+/// forbids ✓, so that every state of a terminating machine seems reachable.
 [[nodiscard]] cspm::DeclPtr never(const cspm::ExprPtr& process, bool negated);
 
-/// What a component does to its platform: its calls, outputs, and writes of variables that others share.
+/// The effects of a component on its platform: its calls, outputs, and writes of variables that others share.
 [[nodiscard]] std::vector<cspm::ExprPtr> outputs_of(const Provenance&, const std::string& path);
 
 /// A copy of a machine that an assertion watches.
 struct WatchedCopy {
     cspm::DeclPtr module;
-    std::string name;       ///< of the module
-    std::size_t reads = 0;  ///< clock_watch: guards that read the clock
+    std::string name;       ///< name of the module
+    std::size_t reads = 0;  ///< clock_watch: number of guards that read the clock
 
     [[nodiscard]] cspm::ExprPtr process(const std::vector<cspm::ExprPtr>& arguments) const;
     [[nodiscard]] std::string event(const std::string& own) const { return name + "::" + own; }
-    /// The copy with these arguments, of which one event alone is seen.
+    /// The copy with these arguments, in which all events except one are hidden.
     [[nodiscard]] cspm::ExprPtr only(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
-/// A copy that performs `unset__` where a guard reads the clock before its first reset, and `reset__` at a reset.
-/// `machine`: the path of one that has been emitted. `purpose`: what the module's name ends in. What its names mean is
-/// added to the provenance of `emitted`.
+/// A copy that performs `unset__` when a guard reads the clock before its first reset, and `reset__` at a reset.
+/// `machine`: the path of an emitted machine. `purpose`: the ending of the module's name. The meaning of the copy's
+/// names is added to the provenance of `emitted`.
 [[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& clock, const std::string& purpose);
-/// A copy that shows where an event is on offer, in the state or outside it (MachineContext::offered); null: anywhere.
+/// A copy that shows where an event is offered, in the state or outside it (MachineContext::offered); null: anywhere.
 [[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& event, const ir::Node* state, const std::string& purpose);
-/// `event` can be missed for so many time units of a copy with these arguments, if this process performs `missed__`;
-/// `name` is that of a function which `preparation` gets. Of the copy W, with O its calls, outputs and writes:
+/// A process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy with these
+/// arguments. `name` is the name of a function that is added to `preparation`. Let W be the copy and O its calls,
+/// outputs and writes:
 ///     L = prioritise(prioritise(W[[inside__ <- inside__, inside__ <- refused__]], <O, {tock}>), <{| E.in |},
 ///     {refused__}>)
-/// lets no time pass where the platform could take something, and performs `refused__` only where W is inside and
-/// refuses E. The process is
-/// (L [| {| inside__, outside__, refused__, E.in, tock |} |] R(n + 1)) |\ {missed__}, where R counts the tocks since
-/// the first refusal behind which nothing but `refused__` has happened:
+/// L lets no time pass while the platform could accept an event of O, and performs `refused__` only if W is inside and
+/// refuses E. The process is (L [| {| inside__, outside__, refused__, E.in, tock |} |] R(n + 1)) |\ {missed__}, where R
+/// counts the tocks since the first refusal that has been followed only by `refused__`:
 ///     R(k) = inside__ -> R(n + 1) [] outside__ -> R(n + 1) [] E.in -> R(n + 1) [] refused__ -> R(min(k, n))
 ///            [] tock -> (if k > n then R(k) else if k > 1 then R(k - 1) else missed__ -> STOP)
 [[nodiscard]] cspm::ExprPtr missing(const WatchedCopy&, const Emitted&, const std::string& event, std::int64_t units,

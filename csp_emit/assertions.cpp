@@ -1,4 +1,4 @@
-// Each kind of property has its CSPM form, as RoboTool generates it and FDR decides it.
+// One CSPM form for each kind of property, as RoboTool generates it and FDR decides it.
 #include "csp_emit/assertions.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ std::string wording(const ir::Property& property) {
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
 }
 
-/// What is so where the claim fails and no single run shows it.
+/// What is true if the claim fails without a single run as evidence.
 std::string opposite(const ir::Property& property) {
     switch (property.kind) {
         case PropertyKind::deadlock_free:
@@ -104,7 +104,7 @@ private:
     const Project& project_;
     NameManager& names_;
     Emitted& emitted_;
-    std::map<std::string, std::string> own_;  // of constants of parts the machines'
+    std::map<std::string, std::string> own_;  // for constants of parts: the machine's own constant
 };
 
 const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const {
@@ -112,14 +112,14 @@ const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const 
     return found == emitted_.components.end() ? nullptr : &found->second;
 }
 
-/// What the assertion sets one of these names to; null if nothing.
+/// The value that the assertion gives to one of these names; null if it gives none.
 ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Property& property) const {
     for (const auto& [name, given] : property.constants)
         if (std::find(names.begin(), names.end(), name) != names.end()) return expression(project_, {}, *given);
     return nullptr;
 }
 
-/// The machine's own constant of which it is that of a part; "" if it is none.
+/// The machine's own constant if the parameter is a part's constant; "" otherwise.
 std::string Asserter::own(const ConstantParameter& constant) const {
     const auto found = own_.find(constant.source);
     return found == own_.end() ? "" : found->second;
@@ -137,7 +137,7 @@ bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) c
                        [&](const ArgumentParameter& argument) { return argument.name == constant; });
 }
 
-/// RC-C08, once for the two times.
+/// Reports RC-C08, once for the untimed and the timed script.
 void Asserter::report_unused(const ir::Property& property) const {
     if (timed() && property.untimed) return;
     for (const auto& [name, value] : property.constants)
@@ -145,7 +145,7 @@ void Asserter::report_unused(const ir::Property& property) const {
             project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
 }
 
-/// What a process of a CSP block, or what belongs to it, is called in the script.
+/// The script's name for a process of a CSP block, or for something that belongs to it.
 std::string Asserter::name_of(const ir::ComponentRef& process, const std::string& ending) const {
     const std::string name = process.path + ending;
     if (process.definition >= project_.system.csp_blocks.size()) return name;
@@ -163,7 +163,8 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
     return b::call(path(ref) + "::" + variant, arguments(ref, property));
 }
 
-/// `0`, an operation's parameters, the constants: those that the assertion sets, otherwise those of the instantiations.
+/// `0`, an operation's parameters, then the constants: values set by the assertion, otherwise those of the
+/// instantiations.
 b::Exprs Asserter::arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
     const ComponentEmission* found = component(ref);
     b::Exprs arguments{b::number(0)};
@@ -194,7 +195,7 @@ std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model m
             b::assert_property(running_on(process, "r__"), AssertionKind::deadlock_free, model, false)};
 }
 
-/// Two components of the model are compared by the names of their events (csp-gen issue 91): one side is renamed.
+/// Two components of the model are compared by the names of their events (csp-gen issue 91), so one side is renamed.
 ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const {
     const ComponentEmission* from = component(ref);
     const ComponentEmission* to = component(other);
@@ -211,7 +212,8 @@ ExprPtr Asserter::alphabet(const ir::ComponentRef& ref) const {
     return b::name(process ? name_of(ref, "__sem__events") : path(ref) + "::sem__events");
 }
 
-/// That no CSP block of this time defines the alphabet of its process, and what to write there; "" if one does.
+/// Explains that no CSP block of this semantics defines the alphabet of its process, and how to define it; "" if one
+/// does.
 std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const {
     if (ref.kind != ir::ComponentKind::process) return "";
     const std::string wanted = ref.path + "__sem__events";
@@ -227,7 +229,7 @@ std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::Co
         wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path(other) + "::sem__events");
 }
 
-/// The events of both sides; those of the subject that are renamed to the other's are no more.
+/// The events of both sides, without those of the subject that are renamed to events of the other side.
 ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
     const ComponentEmission* from = component(property.subject);
     const ComponentEmission* to = component(property.other);
@@ -240,7 +242,7 @@ ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
     return rest.empty() ? alphabet(property.other) : b::call("union", {alphabet(property.other), b::productions(rest)});
 }
 
-/// An instance of the library's module for the events of both sides; its name.
+/// Adds an instance of the library's module for the events of both sides; returns its name.
 std::string Asserter::model_shifting(const ir::Property& property, Obligation& out) {
     const std::string name = names_.unique("MS_" + flatten(property.name));
     out.preparation.push_back(b::instance(name, "model_shifting", {joint_alphabet(property)}));
@@ -249,8 +251,8 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
     return name;
 }
 
-/// `X refines Y` is `Y [M= X`; `equals` is both directions, and its negation the failure of either. The tick-tock
-/// model is that of traces after model shifting.
+/// `X refines Y` is `Y [M= X`; `equals` is both directions, and its negation the failure of either. In the tick-tock
+/// model, traces are compared after model shifting.
 void Asserter::refinement(const ir::Property& property, Obligation& out) {
     ExprPtr subject = renamed_to(property.subject, property.other, process(property.subject, property, "D__"));
     ExprPtr other = process(property.other, property, "D__");
@@ -276,8 +278,8 @@ std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const 
     return {never(only, !property.negated)};
 }
 
-/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. Of an instrumented copy W
-/// of the machine (clock_initialisation.cpp):
+/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. With an instrumented copy
+/// W of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::initialisation(const ir::Property& property, Obligation& out) {
     const WatchedCopy watch =
@@ -290,8 +292,9 @@ void Asserter::initialisation(const ir::Property& property, Obligation& out) {
     out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
 
-/// `event E is missed in S for n time units`: while the machine is in S, n time units in a row pass in which E is never
-/// on offer; calls, outputs and writes are taken at once. `is not missed` is SKIP [T= M |\ {missed__} (missing).
+/// `event E is missed in S for n time units`: while the machine is in S, n consecutive time units pass in which E is
+/// never offered; the platform accepts calls, outputs and writes at once. `is not missed` is SKIP [T= M |\ {missed__}
+/// (see `missing`).
 void Asserter::missed_event(const ir::Property& property, Obligation& out) {
     const ir::Node* state = nullptr;
     for (const ir::Node& node : component(property.subject)->machine->nodes)
@@ -314,7 +317,7 @@ void Asserter::missed_event(const ir::Property& property, Obligation& out) {
                                  property.event, times);
 }
 
-/// Why the property cannot be asked in its model; "" if it can.
+/// Why the property cannot be checked in its model; "" if it can.
 std::string Asserter::unavailable_model(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool of_traces = property.kind == PropertyKind::reachable ||
@@ -359,7 +362,7 @@ std::string Asserter::unavailable(const ir::Property& property) const {
 
 void Asserter::forms(const ir::Property& property, Obligation& out) {
     const auto subject = [&] { return process(property.subject, property, "D__"); };
-    // FDR's default for the properties of a process, which RoboTool leaves to it, is failures-divergences.
+    // RoboTool leaves the model of process properties to FDR, whose default is failures-divergences.
     const cspm::Model model = property.model == ir::PropertyModel::failures ? cspm::Model::failures : cspm::Model::none;
     switch (property.kind) {
         case PropertyKind::deadlock_free:

@@ -6,13 +6,13 @@
 
 namespace robochart::csp_emit {
 
-/// One obligation for each property that is decided in this time. What they add to the script gets names of its own,
-/// and its meaning goes to the provenance.
+/// One obligation for each property that is decided in this semantics. Declarations that they add to the script get
+/// unique names, whose meaning is added to the provenance.
 [[nodiscard]] std::vector<Obligation> obligations(const Project&, NameManager&, Emitted&);
 /// The component's process of this variant ("D__") with defaults for its parameters.
 [[nodiscard]] cspm::ExprPtr default_process(const Project&, const std::string& path, const ComponentEmission&,
                                             const std::string& variant);
-/// The arguments that these defaults are, `id__` first.
+/// The default arguments, `id__` first.
 [[nodiscard]] std::vector<cspm::ExprPtr> default_arguments(const Project&, const ComponentEmission&);
 
 }  // namespace robochart::csp_emit

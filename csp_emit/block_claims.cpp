@@ -1,4 +1,5 @@
-// See block_claims.hpp. Definitions are followed by their names, whatever their arguments: what a set may hold counts.
+// See block_claims.hpp. Definitions are followed by name, for all arguments: a set counts with all events that it may
+// contain.
 #include "csp_emit/block_claims.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ void each_part(const cspm::Expr& expr, const std::function<void(const ExprPtr&)>
         if (each->body) visit(each->body);
 }
 
-/// The definitions of a file of blocks, as claims about their processes see them.
+/// The definitions in the blocks of a file, as far as claims about processes need them.
 class Definitions {
 public:
     Definitions(const std::vector<DeclPtr>& decls, const Provenance& provenance) : provenance_(provenance) {
@@ -42,7 +43,7 @@ public:
     }
 
     [[nodiscard]] bool defines(const std::string& name) const { return declared_.contains(name); }
-    /// The inputs that the process hides, as it names them.
+    /// The inputs that the process hides, under the names that it uses.
     [[nodiscard]] std::set<std::string> hidden_inputs(const std::string& process) {
         followed_.clear();
         hidden_.clear();
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    /// What is in timed sections is in the scope around them.
+    /// Declarations in timed sections belong to the enclosing scope.
     void declare(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& decl : decls) {
             if (decl->kind == cspm::DeclKind::timed) declare(decl->decls);
@@ -72,7 +73,8 @@ private:
         each_part(*expr, [&](const ExprPtr& part) { follow(part); });
     }
 
-    /// The names in an expression, and in what these names stand for. An event `e.out` is not all of `e`.
+    /// The names in an expression and in the definitions of these names. An event `e.out` does not stand for all of
+    /// `e`.
     void names(const ExprPtr& expr, std::set<std::string>& result) const {
         if (!expr) return;
         if (expr->kind == ExprKind::dot && expr->args.size() > 1 && expr->args[0]->kind == ExprKind::name &&
@@ -86,7 +88,7 @@ private:
         each_part(*expr, [&](const ExprPtr& part) { names(part, result); });
     }
 
-    /// What the environment decides: events received, variables written from outside.
+    /// Whether the environment decides the event: inputs, and external writes to variables.
     [[nodiscard]] static bool decided_outside(MeaningKind kind) {
         return kind == MeaningKind::trigger || kind == MeaningKind::external_write;
     }
@@ -101,7 +103,7 @@ private:
         for (const std::string& name : all)
             if (is_input(name) || is_input(name + ".in")) hidden_.insert(name);
     }
-    /// All inputs of the components that the process is made of, but those of the set.
+    /// Adds all inputs of the components in the process except those in the set.
     void project(const ExprPtr& process, const ExprPtr& set) {
         std::set<std::string> kept, inside;
         names(set, kept);
@@ -166,7 +168,7 @@ std::vector<Obligation> block_obligations(const Project& project, const std::vec
 
 void check_block_claims(const Project& project, const DeclsOfFiles& files, const Provenance& provenance) {
     std::set<std::string> reported;
-    std::map<std::string, Definitions> definitions;  // of a file
+    std::map<std::string, Definitions> definitions;  // by file
     for (const ir::Property& property : project.system.properties) {
         const bool both = property.timed && property.untimed;
         if (project.timed() ? !property.timed : !property.untimed) continue;
@@ -183,7 +185,7 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
                 continue;
             }
             const auto decls = files.find(block.file);
-            if (decls == files.end() || (project.timed() && both)) continue;  // seen in the other time
+            if (decls == files.end() || (project.timed() && both)) continue;  // reported for the other semantics
             Definitions& defined = definitions.try_emplace(block.file, decls->second, provenance).first->second;
             if (!defined.defines(block.name)) {
                 if (reported.insert(block.name).second)

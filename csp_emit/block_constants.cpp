@@ -19,17 +19,17 @@ namespace {
 using cspm::ExprKind;
 using DefinitionsByName = std::map<std::string, std::vector<BlockDefinition>>;
 
-/// What a definition of a constant says, as far as it is known without evaluating a script.
+/// The value in a definition of a constant, as far as it is known without evaluating a script.
 struct Value {
     std::string text;
-    bool known = false;  ///< it is a number, a truth value or a name that no block defines
+    bool known = false;  ///< it is a number, a truth value, or a name that no block defines
 };
 
 class Values {
 public:
     explicit Values(const DefinitionsByName& definitions) : definitions_(definitions) {}
 
-    /// The expression behind `name = expression`; null where no block defines it so.
+    /// The expression in `name = expression`; null if no block has such a definition.
     [[nodiscard]] cspm::ExprPtr body(const std::string& name) const {
         const auto found = definitions_.find(name);
         if (found == definitions_.end() || found->second.front().decl->kind != cspm::DeclKind::value) return nullptr;
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// Without parentheses, and behind names that a block defines.
+    /// Removes parentheses and replaces names by their definitions in blocks.
     [[nodiscard]] cspm::ExprPtr resolved(cspm::ExprPtr expr) const {
         std::set<std::string> followed;
         for (;;) {
@@ -76,7 +76,7 @@ private:
     const DefinitionsByName& definitions_;
 };
 
-/// The script of the other time has been looked at before, with the same findings.
+/// Whether the script of the other semantics has already led to the same finding.
 bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted();
     return std::ranges::any_of(

@@ -8,7 +8,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Part of a file as the user gave it: its blocks are read from copies.
+/// The place in the user's file; blocks are parsed from copies.
 diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
     const auto& blocks = project.system.csp_blocks;
     const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const ir::CspBlock& each) {

@@ -1,4 +1,4 @@
-// What blocks Instantiations define, with the places in the files that users wrote.
+// The definitions in blocks Instantiations, with their places in the users' files.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct BlockDefinition {
     diagnostics::Span place;
 };
 
-/// By name, under the names that the model's elements have in the script; a function has several clauses.
+/// By name in the script of the model's elements; a function has several clauses.
 [[nodiscard]] std::map<std::string, std::vector<BlockDefinition>> block_definitions(
     const Project&, const std::vector<FileBlocks>& files, const NamesForBlocks& of_model);
 

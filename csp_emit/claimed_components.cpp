@@ -58,7 +58,7 @@ std::set<std::string> components_in(const Emission& emission, const std::vector<
     std::set<std::string> paths, found;
     for (const ComponentProcesses& component : emission.components) paths.insert(component.path);
     visit_named(emission, expressions, [&](const cspm::ExprPtr& expr) {
-        // "P::C::s::D__" is of "P::C::s"; events and their sets are of no process.
+        // "P::C::s::D__" belongs to "P::C::s"; events and event sets do not belong to a process
         const std::size_t end = expr->kind == cspm::ExprKind::name ? expr->text.rfind("::") : std::string::npos;
         if (end == std::string::npos) return;
         const std::string last = expr->text.substr(end + 2);

@@ -1,4 +1,4 @@
-// What expressions of a script are about: themselves and the definitions of CSP blocks that they name.
+// Finds the components that expressions of a script mention, directly or through definitions of CSP blocks.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace robochart::csp_emit {
 
-/// Calls `visit` on the expressions and all their parts, and on those of the definitions outside of components that
-/// they name; of each definition once.
+/// Calls `visit` on the expressions and all their parts, and on the definitions outside components that they name, once
+/// for each definition.
 void visit_named(const Emission&, const std::vector<cspm::ExprPtr>&,
                  const std::function<void(const cspm::ExprPtr&)>& visit);
 

@@ -64,11 +64,11 @@ private:
         return obligation;
     }
 
-    /// Of a machine; each in an instrumented copy of it.
+    /// For a machine; each clock is checked in an instrumented copy of it.
     void clocks() {
         if (component_.machine == nullptr) return;
         for (const ir::Clock& clock : component_.machine->clocks) {
-            if (clock.entry_of.valid()) continue;  // set by the entry
+            if (clock.entry_of.valid()) continue;  // reset by the entry of a state
             const WatchedCopy watch =
                 clock_watch(project_, names_, emitted_, path_, clock.name, flatten(path_ + "_" + clock.name));
             if (watch.reads == 0) continue;
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// Of the machines inside, in the component's own context.
+    /// For the machines inside, in the component's own context.
     void states() {
         const ExprPtr visible = default_process(project_, path_, component_, "VS__");
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
@@ -97,7 +97,7 @@ private:
                 if (node.kind == ir::NodeKind::state) state(path, node, visible);
         });
     }
-    /// In VS__ no part is compressed, so that each of its states tells where the machines are.
+    /// VS__ compresses no part, so each of its states determines the states of the machines.
     void transitions() {
         FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {

@@ -1,4 +1,4 @@
-// The script of one time: library, data, instantiations, components by package, CSP blocks, assertions.
+// The untimed or timed script: library, data, instantiations, components by package, CSP blocks, assertions.
 #include "csp_emit/emit.hpp"
 
 #include <algorithm>
@@ -119,7 +119,7 @@ void emit_components(const Project& project, const NameManager& names, const std
     Packages packages;
     const ir::System& system = project.system;
     for (const ir::Machine& machine : system.machines) {
-        if (machine.path != machine.name) continue;  // inline: inside its controller
+        if (machine.path != machine.name) continue;  // inline: emitted inside its controller
         MachineContext context;
         context.project = &project;
         context.machine = &machine;
@@ -144,7 +144,7 @@ void emit_components(const Project& project, const NameManager& names, const std
     decls.insert(decls.end(), modules.begin(), modules.end());
 }
 
-/// Reads a block so that its diagnostics point into the .assertions file: the text around it is blanked out.
+/// Parses a block so that its diagnostics point into the .assertions file: the text around it is replaced by blanks.
 std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& block) {
     std::string text = block.text;
     if (block.text_span.known()) {
@@ -156,7 +156,7 @@ std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& bloc
     return with_comments(cspm::read(project.sources, source, project.diagnostics).decls, text);
 }
 
-/// `transparent` lines need not repeat what the library declares so.
+/// Removes `transparent` lines that repeat those of the library.
 std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std::vector<DeclPtr>& library) {
     const auto announces = [](const DeclPtr& decl) {
         return decl->kind == cspm::DeclKind::transparent || decl->kind == cspm::DeclKind::external;
@@ -177,7 +177,7 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
     return result;
 }
 
-/// The blocks of this time, file by file; of the instantiations all but `transparent` lines that the library has too.
+/// The blocks for this semantics, file by file; instantiations without `transparent` lines that repeat the library's.
 std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<DeclPtr>& library) {
     std::vector<FileBlocks> result;
     std::set<std::string> instantiations;
@@ -187,7 +187,7 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
         FileBlocks& file = result.back();
         const std::vector<DeclPtr> decls = read_block(project, block);
         if (project.replaces_instantiations(block)) {
-            if (!instantiations.insert(block.text).second) continue;  // two files that agree
+            if (!instantiations.insert(block.text).second) continue;  // two files with the same block
             project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
             append(file.instantiations, declared_once(decls, library));
         } else {
@@ -197,8 +197,8 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
     return result;
 }
 
-/// The generated instantiations of all names that the user's leave out; of these the functions whose values are the
-/// finite instantiation's choice, and all of these names.
+/// Adds the generated instantiations of all names that the user's leave out, and collects these names and, among them,
+/// the functions whose values the finite instantiation chooses.
 void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
                         std::set<std::string>& bounded, std::vector<std::string>& left_out) {
     for (const DeclPtr& decl : instantiations(project)) {
@@ -208,11 +208,12 @@ void add_instantiations(const Project& project, const std::set<std::string>& giv
         decls.push_back(decl);
         if (decl->kind == cspm::DeclKind::function) bounded.insert(name);
     }
-    for (const ir::Function& function : project.system.functions)  // what a postcondition says is the model's
+    for (const ir::Function& function : project.system.functions)  // values determined by a postcondition are the
+                                                                   // model's
         if (!function.postconditions.empty()) bounded.erase(function_name(function));
 }
 
-/// What a block may give another meaning or speak of.
+/// The names that a block may redefine or use.
 std::set<std::string> names_for_blocks(const Project& project, const std::vector<DeclPtr>& core,
                                        const std::vector<DeclPtr>& generated, const NamesForBlocks& of_model) {
     std::set<std::string> result = user_names(core).all;
@@ -222,7 +223,7 @@ std::set<std::string> names_for_blocks(const Project& project, const std::vector
     return result;
 }
 
-/// Every word of the blocks: a name of ours is none of them.
+/// Reserves every word in the blocks, so that no generated name is one of them.
 void reserve(const Project& project, NameManager& names) {
     const auto in_name = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
@@ -238,7 +239,7 @@ void reserve(const Project& project, NameManager& names) {
     }
 }
 
-/// Above what is checked stands the claim as reports have it, with its place.
+/// Adds above an assertion the claim as reports print it, with its place.
 void name_claim(const Project& project, Obligation& obligation) {
     std::vector<DeclPtr>& first = obligation.preparation.empty() ? obligation.assertions : obligation.preparation;
     if (first.empty()) return;
@@ -250,7 +251,7 @@ void name_claim(const Project& project, Obligation& obligation) {
     first.front() = std::make_shared<const cspm::Decl>(std::move(named));
 }
 
-/// The name that the script has for one of ours.
+/// The script's name for a generated name.
 std::string in(const cspm::NewNames& names, const std::string& name) {
     const auto found = names.find(name);
     return found == names.end() ? name : found->second;
@@ -294,7 +295,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     std::vector<std::string> left_out;
     Emitted emitted;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
-    std::set<std::string> deciding = given;  // of two names of one constant that which counts
+    std::set<std::string> deciding = given;  // for a constant with two names, the one that counts
     add_instantiations(project, given, generated, result.bounded, left_out);
     if (project.instantiations_replaced()) {
         const auto definitions = block_definitions(project, files, safe.for_blocks);

@@ -1,6 +1,6 @@
-// From the shared IR to the CSP semantics as one CSPM syntax tree: what FDR is handed and what we check.
-// Names and alphabets are RoboTool's (docs/semantics.md); the inside is our own: each machine is one
-// sequential process whose parameters are its variables and clocks.
+// Converts the shared IR to the CSP semantics, one CSPM syntax tree that FDR and our checker read. Names and alphabets
+// are RoboTool's (docs/semantics.md). The structure is our own: each machine is one sequential process whose parameters
+// are its variables and clocks.
 #pragma once
 
 #include <string>
@@ -13,8 +13,9 @@
 
 namespace robochart::csp_emit {
 
-/// Emits all components of the system for one time. CSP blocks are read with the CSPM reader; their syntax errors are
-/// reported at their place in the .assertions file. Constructs without CSP semantics are reported by name.
+/// Emits all components of the system for one semantics (untimed or timed). CSP blocks are parsed by the CSPM reader;
+/// their syntax errors are reported at their place in the .assertions file. Constructs without CSP semantics are
+/// reported by name.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, Time, const Options&,
                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

@@ -10,14 +10,14 @@ namespace robochart::csp_emit {
 
 namespace {
 
-/// The model's file may have any name; one that an include can name and a file can have.
+/// A name for the script that an include can contain and a file can have; the model's file may have any name.
 std::string script_name(const std::string& model) {
     std::string name;
     for (const char c : model) name += c > 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '/' ? c : '_';
     return name;
 }
 
-/// Of the claims, what no assertion says.
+/// Lists the claims that no assertion expresses.
 std::string left_out(const Emission& emission) {
     std::string claims;
     for (const Obligation& each : emission.obligations) {

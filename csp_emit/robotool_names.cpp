@@ -1,7 +1,7 @@
-// What names in CSP blocks have become. Generators of 2021 and 2022 had no modules: `S_e`, `S_O` and `S_moveCall` for
-// what is `P::S::e`, `P::S::O__` and `P::S::moveCall` now; an event `moveRet` where a call of `move` ends; and
-// `enteredV.SID_s` where a state is entered. Today's names, which the script has, are read off scripts of 2024 and 2026
-// (docs/semantics.md). A later generation had modules for components, and none for packages.
+// Maps old names in CSP blocks to today's. Generators of 2021 and 2022 had no modules: they wrote `S_e`, `S_O` and
+// `S_moveCall` for today's `P::S::e`, `P::S::O__` and `P::S::moveCall`, an event `moveRet` at the end of a call of
+// `move`, and `enteredV.SID_s` for the entry of a state. Today's names, which the script has, are taken from scripts of
+// 2024 and 2026 (docs/semantics.md). A later generation had modules for components, and none for packages.
 #include "csp_emit/robotool_names.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Channels by which RoboTool's processes of states and transitions run together.
+/// Channels on which RoboTool's processes of states and transitions synchronise.
 constexpr std::array<std::string_view, 9> inner = {"MachineBody", "Memory",  "enter",      "exit",    "exited",
                                                    "interrupt",   "share__", "internal__", "entered_"};
 
@@ -40,17 +40,17 @@ bool is_any(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A name of an older generator: what it is now, or why there is nothing in its place.
+/// A name of an older generator: today's name, or the reason why there is none.
 struct OldName {
     std::string now;
     std::string instead;
-    bool left_out = false;  ///< an event that is not seen any more
+    bool left_out = false;  ///< an event that no longer exists
 };
 
 const char* const no_return =
     "is of an older generator; today a call is one event, and nothing is seen of its return: leave it out";
 
-/// What was `COMPONENT_LAST` or `COMPONENT::LAST`.
+/// Today's name for `COMPONENT_LAST` or `COMPONENT::LAST`.
 std::optional<OldName> of_component(const ComponentEmission& component, const std::string& path,
                                     const std::string& last) {
     constexpr std::string_view returned = "Ret";
@@ -92,7 +92,7 @@ private:
         for_each_part(each, [&](const cspm::Expr& part) { expr(part); });
     }
 
-    /// `S::moveRet -> P`, which is P now.
+    /// `S::moveRet -> P`, which is written as P today.
     bool left_out(const cspm::Expr& prefix) {
         const cspm::Expr& event = *prefix.args.at(0);
         if (event.kind != cspm::ExprKind::name || !prefix.fields.empty()) return false;
@@ -125,7 +125,7 @@ private:
 
     using Component = std::map<std::string, ComponentEmission>::const_iterator;
 
-    /// The innermost component that a qualified name is of.
+    /// The innermost component that contains a qualified name.
     [[nodiscard]] Component component_around(const std::string& name) const {
         for (std::size_t end = name.rfind(separator); end != std::string::npos && end > 0;
              end = name.rfind(separator, end - 1))
@@ -144,7 +144,7 @@ private:
         return declared_.contains(first_of(name)) ? std::nullopt : without_package(name);
     }
 
-    /// `S_e` for `P::S::e`. Of several components that it may be of the outermost counts, if there is one.
+    /// `S_e` for `P::S::e`. If it may belong to several components, the outermost counts, if there is one.
     [[nodiscard]] std::optional<OldName> flattened(const std::string& name) const {
         std::optional<OldName> found;
         std::size_t depth = 0;
@@ -199,7 +199,7 @@ private:
 
     const Project& project_;
     const std::map<std::string, ComponentEmission>& components_;
-    std::set<std::string> declared_;  ///< names that mean something in the script, and the packages
+    std::set<std::string> declared_;  ///< names declared in the script, and the packages
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Names in CSP blocks that RoboTool has or had and this script has not.
+// Names in CSP blocks that RoboTool has or had and that this script does not have.
 #pragma once
 
 #include <map>
@@ -10,13 +10,13 @@
 
 namespace robochart::csp_emit {
 
-/// Reports names in the declarations of a file, such as `P::S::enteredV` or `S_e`, with what is there instead (RC-C15):
-/// those of older generators of RoboTool, and those of what is inside a machine in its scripts. `definitions`: what
-/// else the script declares.
+/// Reports names in the declarations of a file, such as `P::S::enteredV` or `S_e`, with their replacements (RC-C15):
+/// names of older generators of RoboTool, and names inside a machine in RoboTool's scripts. `definitions`: the other
+/// declarations of the script.
 void check_robotool_names(const Project&, const std::map<std::string, ComponentEmission>& components,
                           const std::vector<cspm::DeclPtr>& definitions, const std::vector<cspm::DeclPtr>& decls);
 
-/// What the carrier of a basic type, such as `nat`, is called in scripts of today; "" for another name.
+/// Today's name for the carrier of a basic type such as `nat`; "" for other names.
 [[nodiscard]] std::string name_of_carrier(const std::string& name);
 
 }  // namespace robochart::csp_emit

@@ -12,7 +12,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// The script of the other time has been looked at before, with the same findings.
+/// Whether the script of the other semantics has already led to the same finding.
 bool is_known(const Project& project, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted();
     return std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
@@ -27,7 +27,7 @@ diagnostics::Span name_in(const Project& project, diagnostics::Span place, const
     return {place.source, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + name.size())};
 }
 
-/// Named as RoboTool names carriers and constants.
+/// Whether the name has the form of RoboTool's names of carriers and constants.
 bool is_of_instantiations(const std::string& name) {
     return name.starts_with("core_") || name.starts_with("const_");
 }

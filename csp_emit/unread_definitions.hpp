@@ -1,6 +1,6 @@
-// Definitions of blocks Instantiations that nothing reads. The script has the generated value where a block leaves one
-// out, so a misspelt name would change verdicts silently; FDR, with RoboTool's script, stops at the name that is
-// missing.
+// Finds definitions in blocks Instantiations that nothing reads. The script contains the generated value if a block
+// leaves one out, so a misspelt name would silently change verdicts. With RoboTool's script, FDR stops at the missing
+// name.
 #pragma once
 
 #include <set>
@@ -11,9 +11,9 @@
 
 namespace robochart::csp_emit {
 
-/// Warns (RC-C13) of each definition of a block Instantiations whose name nothing has that is generated or that another
-/// definition mentions, if it is named like a carrier or constant, or nearly like a name that the block leaves out.
-/// `known`: all that is generated; `left_out`: of these the instantiations that no block defines.
+/// Warns (RC-C13) of each definition of a block Instantiations whose name is neither generated nor mentioned by another
+/// definition, if it has the form of a carrier's or constant's name, or resembles a name that the block leaves out.
+/// `known`: all generated names; `left_out`: those of them that are instantiations and that no block defines.
 void check_instantiations_read(const Project&, const std::map<std::string, std::vector<BlockDefinition>>&,
                                const std::set<std::string>& known, const std::vector<std::string>& left_out);
 

@@ -62,7 +62,8 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
     for (DeclPtr& channel : memory_channels(remembered_)) decls.push_back(std::move(channel));
 }
 
-/// Channels of RoboTool's that are nothing here, private or plumbing, but that CSP blocks may name (semantics 3.2).
+/// RoboTool's channels that this encoding does not use, or that are internal, but that CSP blocks may name (semantics
+/// 3.2).
 void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
     for (std::size_t i = 0; i < tables_.machine().variables.size(); ++i) {
         const ir::Variable& variable = tables_.machine().variables[i];
@@ -75,7 +76,7 @@ void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
     }
 }
 
-/// Resets that are events, clocks that are asked for, and the values of clocks where CSP blocks name them.
+/// Resets that are events, clocks that are read by events, and the values of clocks that CSP blocks name.
 void ModuleDeclarations::declare_clocks(std::vector<DeclPtr>& decls) {
     if (!tables_.timed()) return;
     std::vector<cspm::Constructor> constructors;

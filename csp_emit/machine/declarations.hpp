@@ -1,4 +1,5 @@
-// The machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around our points.
+// The machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around the functions
+// of the points.
 #pragma once
 
 #include <string>
@@ -9,19 +10,20 @@
 
 namespace robochart::csp_emit {
 
-/// `id__`, the operation's parameters, then the constants in order of declaration (semantics 3.12), given by name.
+/// `id__`, the operation's parameters, then the given constants in order of declaration (semantics 3.12).
 [[nodiscard]] std::vector<std::string> parameters_with(const MachineTables&, const std::vector<std::string>& constants);
 
-/// Owns what one declaration says and another needs: the calls and clock events that are in the alphabet.
+/// Builds the declarations of the module. It stores what several declarations need: the calls and clock events in the
+/// alphabet.
 class ModuleDeclarations {
 public:
     /// `remembered`: the variables that have memory processes.
     ModuleDeclarations(MachineTables& tables, const std::vector<Remembered>& remembered)
         : tables_(tables), remembered_(remembered) {}
 
-    /// The module around the definitions of the points; `initial`: the machine's process.
+    /// The module around the definitions of the points. `initial` is the machine's process.
     [[nodiscard]] cspm::DeclPtr module(const std::vector<cspm::DeclPtr>& points, const cspm::ExprPtr& initial);
-    /// Channels of `sem__events`, once the module is there.
+    /// Channels of `sem__events`; valid after `module`.
     [[nodiscard]] const std::vector<std::string>& visible() const { return visible_; }
 
 private:
@@ -39,8 +41,8 @@ private:
     const std::vector<Remembered>& remembered_;
     std::vector<std::string> calls_;           ///< operations that remain events
     std::vector<std::string> visible_;         ///< channels of sem__events
-    std::vector<cspm::ExprPtr> clock_events_;  ///< of sem__events: readings and resets of the caller's clocks
-    bool local_resets_ = false;                ///< resets of own clocks are events: a CSP block speaks of them
+    std::vector<cspm::ExprPtr> clock_events_;  ///< events of sem__events that read and reset the caller's clocks
+    bool local_resets_ = false;                ///< resets of own clocks are events, because a CSP block mentions them
 };
 
 }  // namespace robochart::csp_emit

@@ -1,5 +1,6 @@
-// A machine that runs in several places, on its own, in a controller, in that controller within a module, is the same
-// module of the script in each, but for its name: it is made once. Where other operations are defined, it is another.
+// A machine that runs on its own, in a controller, and in that controller within a module has the same module of the
+// script in each place, except for its name. It is emitted once and renamed. If other operations are defined in a
+// place, the machine is emitted again.
 #include "csp_emit/machine/machine.hpp"
 
 #include "csp_emit/machine/machine_module.hpp"
@@ -14,7 +15,8 @@ std::string key_of(const MachineContext& context) {
     return result;
 }
 
-/// The name with the new path for the old one, in front and behind the channel of an event (emit.hpp: Provenance).
+/// The name in which the new path replaces the old one, at the beginning of the name and after the channel of an event
+/// (emit.hpp: Provenance).
 std::string moved(const std::string& name, const std::string& from, const std::string& to) {
     const std::string before = from + "::";
     std::string result;
@@ -46,7 +48,7 @@ cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {
 }  // namespace
 
 ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
-    // The copy that an assertion watches is there once.
+    // the copy that an assertion watches occurs only once
     if (context.copied()) return machine_module(std::move(context), emitted);
     const std::string path = context.path;
     const std::string name = context.name;

@@ -22,7 +22,7 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// What the probabilities of ways from a junction read, by the names of the parameters that hold it.
+/// The names of the parameters that the probabilities of transitions from a junction read.
 void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& cells, std::vector<std::string>& read) {
     for (const ir::Transition& way : frame.machine->transitions) {
         if (way.source != junction || !way.probability) continue;
@@ -32,7 +32,8 @@ void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& 
     }
 }
 
-/// By point: what it has to hold because a machine or operation in it is at a probabilistic junction.
+/// For each point: the parameters that it must keep because a machine or operation in it is at a probabilistic
+/// junction.
 std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) {
     std::vector<std::vector<std::string>> result;
     for (const Point& point : tables.points.all()) {
@@ -47,7 +48,7 @@ std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) 
     return result;
 }
 
-/// Everything that points may have as parameters: constants, then cells in the order in which they came up.
+/// All possible parameters of points: the constants, then the cells in order of creation.
 Candidates parameter_candidates(const MachineTables& tables) {
     Candidates result;
     result.names = tables.calls.constants_inside();
@@ -64,13 +65,14 @@ Candidates parameter_candidates(const MachineTables& tables) {
     return result;
 }
 
-/// For arguments that nothing reads: the value that makes the fewest states.
+/// For arguments that are never read: the values that lead to the fewest states.
 std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
     std::map<std::string, ExprPtr> result;
     for (const ConstantParameter& constant : tables.calls.constants())
         result[constant.inside] = default_literal(tables.project(), constant.type);
     for (const Cell& cell : tables.cells.all()) {
-        if (cell.kind == CellKind::clock)  // at its limit a clock stands still; one of constants may not be known there
+        if (cell.kind == CellKind::clock)  // a clock at its limit no longer changes; a limit that depends on constants
+                                           // may be unknown here
             result[cell.name] = cell.limit->kind == cspm::ExprKind::integer ? cell.limit : b::number(0);
         else if (cell.kind == CellKind::variable && cell.type.valid())
             result[cell.name] = tables.defaults.of(cell.type);
@@ -81,14 +83,14 @@ std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
     return result;
 }
 
-/// The initial process has values for everything but constants and an operation's parameters.
+/// The initial process has values for everything except constants and an operation's parameters.
 void check_initial(const std::vector<std::string>& needed, const std::vector<std::string>& known) {
     for (const std::string& name : needed)
         if (std::find(known.begin(), known.end(), name) == known.end())
             throw std::logic_error("csp_emit: parameter " + name + " has no value");
 }
 
-/// By function.
+/// By function: its parameters.
 using Parameters = std::vector<std::vector<std::string>>;
 
 Parameters parameters_of(const std::vector<Function>& functions) {
@@ -97,8 +99,8 @@ Parameters parameters_of(const std::vector<Function>& functions) {
     return result;
 }
 
-/// The definitions of the points, and what they use: memories, places that calls return to, sets of events.
-/// `needed`: what each function reads or hands on, whether it has it as a parameter or a memory holds it.
+/// The definitions of the points and of what they use: memories, return points, sets of events. `needed` lists for each
+/// function what it reads or passes on, as a parameter or through a memory.
 std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Function>& functions,
                                        const std::vector<Remembered>& remembered, const Parameters& needed) {
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered, tables.timed());
@@ -122,7 +124,7 @@ std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Functi
     return result;
 }
 
-/// The parameters of an operation on its own. Assertions name them like constants, with another prefix
+/// The parameters of an operation that is checked on its own. Assertions name them like constants, with another prefix
 /// (ir::Property::constants).
 std::vector<ArgumentParameter> arguments_of(const ir::Machine& machine) {
     std::vector<ArgumentParameter> result;

@@ -6,7 +6,7 @@
 
 namespace robochart::csp_emit {
 
-/// Makes the module and adds to the provenance and the components.
+/// Emits the module and records its meaning in the provenance and the components.
 [[nodiscard]] ComponentEmission machine_module(MachineContext, Emitted&);
 
 }  // namespace robochart::csp_emit

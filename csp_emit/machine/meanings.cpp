@@ -1,4 +1,4 @@
-// A configuration in the words of the model.
+// Describes a configuration in terms of the model.
 #include "csp_emit/machine/meanings.hpp"
 
 #include <algorithm>
@@ -67,7 +67,8 @@ void DefinitionMeanings::add_parameters(const Function& function, DefinitionMean
     }
 }
 
-/// States that have been entered and not left yet, in the order of the calls; a state around an active one is active.
+/// States that have been entered and not left yet, in the order of the calls; the parents of an active state are
+/// active.
 std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const {
     std::vector<ir::Origin> result;
     for (const RunningMachine& running : now.machines) {
@@ -105,7 +106,7 @@ std::vector<DefinitionMeanings::Offer> DefinitionMeanings::offers(const View& no
     return result;
 }
 
-/// Of a transition with a trigger: its input.
+/// For a transition with a trigger: its input.
 DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t frame = running.activation->frame;
     const ir::Machine& owner = *tables_.frames[frame].machine;
@@ -119,7 +120,7 @@ DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& runnin
     return known;
 }
 
-/// Of a statement that is an event of its own: a communication, a call that leaves the machine, a write.
+/// For a statement with its own event: a communication, a call that leaves the machine, a write.
 DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningThread& running) {
     const Item& item = running.head();
     const Frame& frame = tables_.frames[running.frame()];

@@ -1,5 +1,5 @@
-// What the definitions of a machine mean to the reader of the model: the active states, what each parameter holds, and
-// which transition or statement each event comes from that the configuration offers.
+// What the definitions of a machine mean in the model: the active states, the content of each parameter, and the
+// transition or statement that causes each event offered by the configuration.
 #pragma once
 
 #include <map>

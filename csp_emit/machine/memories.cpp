@@ -1,4 +1,4 @@
-// An estimate by the sizes of the carriers, and a search for the least number of memories.
+// Estimates the number of states from the sizes of the carriers and searches for the least number of memories.
 #include "csp_emit/machine/memories.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// How many values a cell may have; what is not known counts as a small type.
+/// The number of values that a cell may have; an unknown type counts as small.
 double values_of(const MachineTables& tables, const Cell& cell) {
     const Project& project = tables.project();
     constexpr std::size_t many = 1'000;
@@ -32,8 +32,8 @@ double values_of(const MachineTables& tables, const Cell& cell) {
     }
 }
 
-/// An upper bound of the states of the machine's process with these variables in memories, by the sizes of the
-/// carriers.
+/// An upper bound on the number of states of the machine's process if these variables are in memories, computed from
+/// the sizes of the carriers.
 double estimate(const std::vector<Function>& functions, const Evaluations& evaluations,
                 const std::map<std::string, double>& sizes, const std::vector<Remembered>& remembered) {
     const auto held = evaluations.held(remembered);
@@ -52,7 +52,7 @@ double estimate(const std::vector<Function>& functions, const Evaluations& evalu
     return sum;
 }
 
-/// The machine's own and shared variables, the largest types first.
+/// The variables of the machine, own and shared, those with the largest types first.
 std::vector<CellId> by_size(const MachineTables& tables) {
     const ParameterTable& cells = tables.cells;
     std::vector<CellId> result;
@@ -106,8 +106,8 @@ std::vector<Remembered> choose_memories(MachineTables& tables, const std::vector
         const Options& options = tables.project().options;
         return options.whole_states || estimate(functions, evaluations, sizes, first) <= options.states_of_a_process;
     };
-    // One variable more never makes the estimate larger: it counts no longer, or where a function holds it as before,
-    // and what is held because of it shrinks.
+    // The estimate is monotone: another variable in a memory no longer counts, or counts as before in functions that
+    // hold it, and the sets of variables held because of it shrink. This allows a binary search.
     std::size_t least = 0;
     std::size_t most = candidates.size();
     while (least < most) {

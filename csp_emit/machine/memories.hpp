@@ -1,4 +1,4 @@
-// Which variables are parameters of the machine's process and which have a memory of their own (semantics 3.6).
+// Chooses which variables are parameters of the machine's process and which get a memory process (semantics 3.6).
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace robochart::csp_emit {
 
-/// Largest variables first, as few as make the rest small enough to be parameters (Options::states_of_a_process).
+/// Returns the largest variables, as few as needed to keep the process with the others as parameters small enough
+/// (Options::states_of_a_process).
 [[nodiscard]] std::vector<Remembered> choose_memories(MachineTables&, const std::vector<Function>& functions);
 
 }  // namespace robochart::csp_emit

@@ -1,4 +1,4 @@
-// The work list of points, and the processes that the rules' answers are.
+// The work list of points, and the conversion of the rules' results to processes.
 #include "csp_emit/machine/processes.hpp"
 
 #include <algorithm>
@@ -17,17 +17,18 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Statements done at once before a function of their own follows: bounds recursion and the size of expressions.
+/// Maximal number of statements executed before a new function begins; bounds recursion and the size of expressions.
 constexpr std::size_t max_run = 100;
 
-/// An operation without a body: `SKIP |~| STOP`, with `terminates` `SKIP`. In time it may end at any time.
+/// An operation without a body: `SKIP |~| STOP`; `SKIP` if it is declared `terminates`. In the timed semantics it may
+/// end at any time.
 ExprPtr without_body(const MachineTables& tables) {
     const ExprPtr skip = tables.timed() ? b::name("SKIP_ANYTIME") : b::skip();
     const ExprPtr stop = tables.timed() ? b::call("RUN", {b::set({b::name("tock")})}) : b::stop();
     return tables.machine().terminates ? skip : b::internal_choice({skip, stop});
 }
 
-/// Parameters of a standalone operation keep the value that the caller gives.
+/// Parameters of a standalone operation keep the values that the caller passes.
 Values initial_values(MachineTables& tables) {
     Values result;
     const Frame& root = tables.frames.root();
@@ -75,8 +76,9 @@ std::vector<Function> Processes::all() {
     std::vector<Function> functions;
     while (functions.size() < points.size() || behind_calls.size() < continuations.size()) {
         if (functions.size() < points.size()) {
-            const Point point = points[functions.size()];  // others are added while its body is made
-            const bool wanted = !point.returns && !tables_.points.overflow();  // of too many points no bodies are made
+            const Point point = points[functions.size()];  // a copy, because others are added while its body is made
+            // if there are too many points, no bodies are made
+            const bool wanted = !point.returns && !tables_.points.overflow();
             functions.push_back({point.name, {}, wanted ? body(point.config) : point.returns ? nullptr : b::stop()});
         } else {
             const Continuation continuation = continuations[behind_calls.size()];
@@ -91,14 +93,15 @@ std::vector<Function> Processes::all() {
     return functions;
 }
 
-/// Whether the configuration is a shared operation at its end.
+/// Whether the configuration is the end of a shared operation.
 bool Processes::returns(const Activation& config) const {
     return config.frame != 0 && is_final(tables_, config);
 }
 
-/// The process in this configuration with these values: does what needs no event, then names the rest.
+/// The process in this configuration with these values: executes what needs no event, then calls the function of the
+/// resulting point.
 ExprPtr Processes::at(const Activation& config, const Values& values) {
-    if (tables_.points.overflow()) return b::stop();  // reported
+    if (tables_.points.overflow()) return b::stop();  // reported already
     if (run_ >= max_run) return point(config, values);
     if (returns(config)) return tables_.sharing.return_from(config.frame, values, after_tock_);
     const auto next = silent(tables_, config, values, branching_ > 0);
@@ -111,7 +114,7 @@ ExprPtr Processes::at(const Activation& config, const Values& values) {
 
 ExprPtr Processes::point(const Activation& config, const Values& values) {
     const Point* point = tables_.points.at(config);
-    if (point == nullptr) return b::stop();  // too many, reported
+    if (point == nullptr) return b::stop();  // too many points, reported already
     Values passed = with_monitors(tables_, config, values);
     if (passed_) passed[*passed_] = b::number(passing_ ? 1 : 0);
     tables_.points.count_call(passed.size());
@@ -145,7 +148,7 @@ ExprPtr Processes::of(const Next& next) {
         case Next::Kind::interval: {
             cspm::Expr chosen = *b::replicated(cspm::ExprKind::replicated_internal, {b::generator("d__", next.expr)},
                                                of(next.parts.at(0)));
-            chosen.span = next.span;  // a report says where the interval is empty
+            chosen.span = next.span;  // the place at which an empty interval is reported
             return std::make_shared<const cspm::Expr>(std::move(chosen));
         }
         case Next::Kind::process:
@@ -167,8 +170,9 @@ void Processes::add(const std::vector<Branch>& branches, std::vector<ExprPtr>& o
     for (const Branch& branch : branches) out.push_back(of(branch));
 }
 
-/// The choice of its branches. Where it matters when an event is on offer (MachineContext::offered), the others come
-/// behind an event that says whether the machine is within; the point's parameter knows whether it has been.
+/// The external choice of its branches. If the copy observes when an event is offered (MachineContext::offered), the
+/// point first performs an event that says whether the machine is in the state; its parameter records that it has done
+/// so. The other branches follow only then.
 ExprPtr Processes::choice(const Activation& config) {
     const b::Exprs all = branches(config);
     if (!passed_) return b::choice(all);
@@ -196,7 +200,7 @@ ExprPtr Processes::body(const Activation& config) {
     return tables_.watch.with_reset(ends ? b::skip() : choice(config));
 }
 
-/// The body of a continuation.
+/// The body of the function that continues after a shared call.
 ExprPtr Processes::behind(const Continuation& continuation) {
     run_ = 0;
     branching_ = 0;

@@ -1,9 +1,9 @@
-// From configurations to functions: the rules are followed from the initial configuration, and each configuration that
-// does not go on at once gets a function, whose body is the external choice of its branches.
+// Converts configurations to functions: the rules are applied from the initial configuration. Each configuration that
+// waits for an event gets a function, whose body is the external choice of its branches.
 //
-// What needs no event is done at once by changing arguments (`at`); what does is a branch (`branches`). A step is an
-// event of its own, hidden, wherever something else could happen between it and its neighbours: external writes to
-// required variables, other threads, and the transitions that may cut a during action.
+// Steps that need no event are executed at once by changing arguments (`at`); steps that need one are branches
+// (`branches`). A step gets its own hidden event if something else could happen between it and its neighbours: external
+// writes to required variables, other threads, and transitions that may interrupt a during action.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,16 @@
 
 namespace robochart::csp_emit {
 
-/// Owns only the depth of the present recursion.
+/// Its only state is the depth of the current recursion.
 class Processes {
 public:
     explicit Processes(MachineTables&);
 
     /// The machine's process at its start.
     [[nodiscard]] cspm::ExprPtr initial();
-    /// The functions of all points reachable from the initial one, in their order, then those behind shared calls:
-    /// points and places to return to are found while bodies are made. Calls between them are sparse (liveness.hpp).
+    /// The functions of all points reachable from the initial one, in order, then those that continue after shared
+    /// calls. Points and return points are found while bodies are made. Calls between the functions are sparse
+    /// (liveness.hpp).
     [[nodiscard]] std::vector<Function> all();
 
 private:
@@ -39,11 +40,11 @@ private:
     bool returns(const Activation& config) const;
 
     MachineTables& tables_;
-    std::size_t run_ = 0;           ///< statements done at once so far
-    std::size_t branching_ = 0;     ///< conditionals around the present one
-    bool after_tock_ = false;       ///< the branch of a tock is being made
-    std::optional<CellId> passed_;  ///< MachineContext::offered: 1 where the point has said whether it is within
-    bool passing_ = false;          ///< the call is being made that says so
+    std::size_t run_ = 0;           ///< number of statements executed since the last function began
+    std::size_t branching_ = 0;     ///< number of enclosing conditionals
+    bool after_tock_ = false;       ///< the branch of a tock is being emitted
+    std::optional<CellId> passed_;  ///< MachineContext::offered: 1 if the point has said whether it is in the state
+    bool passing_ = false;          ///< the call after that event is being emitted
 };
 
 }  // namespace robochart::csp_emit

@@ -1,4 +1,4 @@
-// Factors branches of a choice whose continuations are equal: one branch over the union of their events.
+// Factors branches of a choice with equal continuations into one branch over the union of their events.
 #include "csp_emit/passes/choice_factoring.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool mentions(const Expr& expr, const std::string& name) {
     return found;
 }
 
-/// `c -> P`, or `c?x -> P` where P does not look at x.
+/// `c -> P`, or `c?x -> P` if P does not use x.
 bool only_event_matters(const Expr& branch) {
     if (branch.kind != ExprKind::prefix || branch.args[0]->kind != ExprKind::name) return false;
     if (branch.fields.empty()) return true;
@@ -53,7 +53,7 @@ private:
         operands(expr, branches);
         b::Exprs result;
         for (std::size_t i = 0; i < branches.size(); ++i) {
-            if (!branches[i]) continue;  // gathered already
+            if (!branches[i]) continue;  // already merged into another branch
             b::Exprs events;
             if (only_event_matters(*branches[i])) events = alike(branches, i);
             const ExprPtr single = rewritten(branches[i]);
@@ -62,7 +62,7 @@ private:
         return b::choice(result);
     }
 
-    /// The events of branch `first` and of those behind it that go on alike, which are taken away.
+    /// The events of branch `first` and of later branches with the same continuation, which are removed.
     static b::Exprs alike(b::Exprs& branches, std::size_t first) {
         const ExprPtr& model = branches[first];
         b::Exprs result{model->args[0]};

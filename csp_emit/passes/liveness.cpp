@@ -1,7 +1,8 @@
 // A parameter is live if its name occurs in the body outside calls within the family, or in an argument for a live
-// parameter; one that a call does not mention keeps its value. The least such set is found by going backwards along
-// the calls. A function that several calls share has the parameters of all of them: a call passes on only what the
-// function itself reads, or what is read behind this very call; for the others any value will do.
+// parameter; a parameter that a call does not mention keeps its value. A backward analysis along the calls finds the
+// least such set. A function that several calls share has the parameters needed by all of them: a call passes on only
+// what the function itself reads, or what is read after this particular call; the values of other parameters do not
+// matter.
 #include "csp_emit/passes/liveness.hpp"
 
 #include <optional>
@@ -33,7 +34,7 @@ private:
         std::size_t caller, target;
         std::map<std::size_t, Names> given;
         bool after_tock;
-        std::vector<std::size_t> behind;  ///< functions that go on behind the calls made here, the innermost first
+        std::vector<std::size_t> behind;  ///< functions that continue after the calls made here, the innermost first
     };
     /// Parameters by function.
     using Live = std::vector<std::set<std::size_t>>;
@@ -54,16 +55,17 @@ private:
 
     const FamilyCalls& sparse_;
     const Candidates& candidates_;
-    std::vector<ExprPtr> read_;  ///< each candidate's name: most arguments of most calls, so they are one tree
+    std::vector<ExprPtr> read_;  ///< a tree for each candidate's name, shared because most arguments of most calls are
+                                 ///< such names
     FamilyIndex index_;
     std::unordered_map<std::string, std::size_t> number_;  ///< of each candidate; looked up only
     std::vector<Names> used_;                              ///< by function; last: the initial process
     std::vector<Call> calls_;
     std::map<const Expr*, std::size_t> call_of_;
     std::vector<std::vector<std::size_t>> calls_to_;    ///< by function
-    std::vector<std::vector<std::size_t>> calls_over_;  ///< by function: calls that it goes on behind
-    std::set<std::size_t> returning_;                   ///< functions that go on behind calls
-    Live live_, within_;                                ///< at all; before the operation that runs returns
+    std::vector<std::vector<std::size_t>> calls_over_;  ///< by function: the calls after which it continues
+    std::set<std::size_t> returning_;                   ///< functions that continue after calls
+    Live live_, within_;                                ///< live; live before the current operation returns
     std::vector<std::pair<std::size_t, std::size_t>> work_;
 };
 
@@ -110,7 +112,7 @@ void Family::survey(std::size_t caller, const Expr& expr) {
     for_each_part(expr, [&](const Expr& part) { survey(caller, part); });
 }
 
-/// The functions behind the calls whose places are pushed in a value of the places to return to.
+/// The functions that continue after the calls whose return addresses a value of the stack contains.
 std::vector<std::size_t> Family::behind(const Expr& value) const {
     std::vector<std::size_t> result;
     for (auto found = candidates_.entries.find(&value); found != candidates_.entries.end();
@@ -120,7 +122,7 @@ std::vector<std::size_t> Family::behind(const Expr& value) const {
 }
 
 void Family::survey_call(std::size_t caller, const Expr& expr, const SparseCall& sparse) {
-    if (call_of_.count(&expr) != 0) return;  // one tree in several places of the same body
+    if (call_of_.count(&expr) != 0) return;  // one tree occurs in several places of the same body
     Call call{caller, index_.at(sparse.function), {}, sparse.after_tock, {}};
     for (const auto& [name, value] : sparse.changed) {
         const auto found = number_.find(name);
@@ -139,7 +141,7 @@ const Expr* Family::ticking(std::size_t parameter) const {
     return found == candidates_.ticking.end() ? nullptr : found->second.get();
 }
 
-/// What the caller needs to pass the parameter.
+/// The parameters that the caller needs to pass this parameter.
 const Names& Family::passed(const Call& call, std::size_t parameter, Names& kept) const {
     if (const auto found = call.given.find(parameter); found != call.given.end()) return found->second;
     const Expr* counting = call.after_tock ? ticking(parameter) : nullptr;
@@ -160,13 +162,13 @@ void Family::spread() {
     while (!work_.empty()) {
         const auto [function, parameter] = work_.back();
         work_.pop_back();
-        if (function == calls_to_.size()) continue;  // nobody calls the initial process
+        if (function == calls_to_.size()) continue;  // the initial process is never called
         for (const std::size_t call : calls_to_[function]) spread(calls_[call], parameter);
         for (const std::size_t call : calls_over_[function]) spread(calls_[call], parameter);
     }
 }
 
-/// What is live in the called function, or behind it and not overwritten before, the caller needs.
+/// The caller needs what is live in the called function, or live after it and not overwritten before.
 void Family::spread(const Call& call, std::size_t parameter) {
     if (live_[call.target].count(parameter) == 0) return;
     const bool returns = returning_.count(call.target) != 0;
@@ -176,12 +178,13 @@ void Family::spread(const Call& call, std::size_t parameter) {
     Names kept;
     const Names& names = passed(call, parameter, kept);
     mark(live_, call.caller, names);
-    // What gives the parameter a value is read here, before the operation returns, wherever the parameter is read.
+    // Expressions for a changed parameter are evaluated here, before the operation returns, even if the parameter is
+    // read only later.
     const bool given = call.given.count(parameter) != 0;
     if (within || given) mark(within_, call.caller, names);
 }
 
-/// Whether the parameter is read in what is called, or behind this call.
+/// Whether the parameter is read in the called function, or after this call.
 bool Family::needed(const Call& call, std::size_t parameter) const {
     if (call.behind.empty() || within_[call.target].count(parameter) != 0) return true;
     for (const std::size_t function : call.behind) {

@@ -1,7 +1,7 @@
 // Which parameters the functions of a family need. Calls are first written with only those arguments that differ from
-// what the caller holds; what matters at all is found by going backwards along the calls. A variable that will be
-// overwritten before it is read, a clock that will be reset, is no parameter: the processes stay the same, their states
-// become fewer.
+// the caller's values; a backward analysis along the calls then finds the live parameters. A variable that will be
+// overwritten before it is read, or a clock that will be reset, is not a parameter: the processes stay equivalent and
+// have fewer states.
 #pragma once
 
 #include <map>
@@ -15,7 +15,8 @@
 
 namespace robochart::csp_emit {
 
-/// One of a family of mutually recursive functions, called `name(arguments)`, or `name` if it has no parameters.
+/// A function of a family of mutually recursive functions, called as `name(arguments)`, or `name` if it has no
+/// parameters.
 struct Function {
     std::string name;
     std::vector<std::string> parameters;
@@ -23,9 +24,9 @@ struct Function {
 };
 
 /// The index of each function of a family, by its name.
-using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // looked up only
+using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // never iterated
 [[nodiscard]] FamilyIndex index_of(const std::vector<Function>& functions);
-/// The function that an expression calls, with arguments or without, if it is one of the family; else null.
+/// The function that an expression calls, with or without arguments, if it belongs to the family; otherwise null.
 [[nodiscard]] const std::size_t* called(const FamilyIndex& index, const cspm::Expr& expr);
 /// Calls `visit` on the direct parts of an expression.
 template <class Visit>
@@ -38,7 +39,7 @@ void for_each_part(const cspm::Expr& expr, const Visit& visit) {
         if (clause.value) visit(*clause.value);
 }
 
-/// The expression with `change` done to its arguments; itself where they stay what they are.
+/// The expression with `change` applied to its arguments; the same object if no argument changes.
 template <class Change>
 [[nodiscard]] cspm::ExprPtr with_parts(const cspm::ExprPtr& expr, const Change& change) {
     std::shared_ptr<cspm::Expr> result;
@@ -53,48 +54,48 @@ template <class Change>
 
 /// Arguments by the name of the parameter.
 using Arguments = std::vector<std::pair<std::string, cspm::ExprPtr>>;
-/// A call within a family that gives only some arguments: the other parameters keep the caller's values.
+/// A call within a family that gives only some arguments; the other parameters keep the caller's values.
 struct SparseCall {
     std::string function;
     Arguments changed;
-    bool after_tock = false;  ///< parameters that count time count on
+    bool after_tock = false;  ///< parameters that count time advance
 };
 
-/// The calls within a family before its parameters are known, and the arguments that nobody needs. In the trees a node
-/// stands for each, which is known here by its address.
+/// The calls within a family before the parameters of its functions are known, and placeholders for unneeded arguments.
+/// In the trees each call is a node, identified by its address.
 class FamilyCalls {
 public:
-    /// The node for such a call.
+    /// The node for a call.
     [[nodiscard]] cspm::ExprPtr add(std::string function, Arguments changed = {}, bool after_tock = false);
-    /// The call that the node stands for; null if it stands for none.
+    /// The call that the node represents; null for other nodes.
     [[nodiscard]] const SparseCall* find(const cspm::Expr&) const;
-    /// The function that is called with nothing changed, if the expression is such a call; else null.
+    /// The called function if the expression is a call that changes no parameter; otherwise null.
     [[nodiscard]] const std::string* only_calls(const cspm::Expr&) const;
-    /// Makes a call one of another function.
+    /// Changes the target of a call.
     void redirect(const cspm::Expr& call, const std::string& function);
 
-    /// The argument for a parameter that nothing reads where this call returns to.
+    /// The argument for a parameter that is not read after this call returns.
     [[nodiscard]] const cspm::ExprPtr& unneeded() const { return unneeded_; }
     [[nodiscard]] bool is_unneeded(const cspm::ExprPtr& argument) const { return argument == unneeded_; }
 
 private:
     struct Known {
-        cspm::ExprPtr node;  ///< kept, so that no other gets its address
+        cspm::ExprPtr node;  ///< owned, so that no other node gets its address
         SparseCall call;
     };
-    std::unordered_map<const cspm::Expr*, Known> calls_;  // looked up only
+    std::unordered_map<const cspm::Expr*, Known> calls_;  // never iterated
     cspm::ExprPtr unneeded_ = std::make_shared<const cspm::Expr>();
 };
 
-/// What the functions of a family may have as parameters.
+/// The possible parameters of the functions of a family.
 struct Candidates {
     std::vector<std::string> names;                ///< in the order in which they become parameters
-    std::map<std::string, cspm::ExprPtr> ticking;  ///< what one that counts time becomes with a tock
-    std::vector<std::string> kept;                 ///< those that every function has, whether or not it reads them
-    std::vector<std::vector<std::string>>
-        read;             ///< by function: what it reads although its body does not; may be short
-    std::string returns;  ///< the one that holds where calls return to; may be empty
-    /// For a value given to it: the function that goes on behind the call, and the value before.
+    std::map<std::string, cspm::ExprPtr> ticking;  ///< the value after a tock of each parameter that counts time
+    std::vector<std::string> kept;                 ///< parameters of every function, even if it does not read them
+    std::vector<std::vector<std::string>> read;    ///< by function: parameters that it needs although its body does not
+                                                   ///< read them; may be shorter than the family
+    std::string returns;                           ///< the parameter that holds return addresses; may be empty
+    /// For a value of that parameter: the function that continues after the call, and the previous value.
     struct Entry {
         std::string behind;
         cspm::ExprPtr outer;
@@ -102,11 +103,11 @@ struct Candidates {
     std::map<const cspm::Expr*, Entry> entries;
 };
 
-/// Gives every function the parameters that matter, and every call of `calls`, in `initial` too, arguments for them.
-/// What `initial` needs and is not given stays as a name there: its result is those names.
+/// Gives every function its live parameters, and arguments for them to every call of `calls`, including those in
+/// `initial`. Parameters that `initial` needs without a given value remain as free names in it; returns these names.
 [[nodiscard]] std::vector<std::string> find_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial,
                                                        const FamilyCalls& calls, const Candidates&);
-/// Puts values of no interest, by parameter, for the unneeded arguments of all calls.
+/// Replaces the unneeded arguments of all calls by arbitrary values, given for each parameter.
 void fill_unneeded(std::vector<Function>& functions, const FamilyCalls& calls,
                    const std::map<std::string, cspm::ExprPtr>& values);
 

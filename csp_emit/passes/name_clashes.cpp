@@ -1,5 +1,5 @@
-// See name_clashes.hpp. What both declare at the top under one name and nobody can rename, a channel of RoboTool's
-// library or a component, stays as it is: the type checker says where it is declared twice.
+// See name_clashes.hpp. A name that both sides declare at the top and that cannot be renamed (a channel of RoboTool's
+// library or a component) stays; the type checker reports the second declaration.
 #include "csp_emit/passes/name_clashes.hpp"
 
 #include <map>
@@ -23,22 +23,22 @@ cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<Decl
 
 namespace {
 
-/// Channels and types of the library that are RoboTool's: who declares them too declares them twice.
+/// RoboTool's channels and types in the library; declaring them in a block is a second declaration.
 bool is_shared(const std::string& name) {
     return name == "InOut" || name == "in" || name == "out" || name == "tock" || name == "tock'";
 }
 
-/// Whether a declaration of a block under this name would be taken for something of CSPM's or of the library's.
+/// Whether a block's declaration with this name would hide one of CSPM or of the library.
 bool means_ours(const std::string& name) {
     return is_predefined(name) || (library_names().contains(name) && !is_shared(name));
 }
 
-/// Whether instantiations define what the model calls so.
+/// Whether the instantiations define the model's element with this name.
 bool defines(const std::set<std::string>& given, const std::string& name) {
     return given.contains(name) && !is_shared(name);
 }
 
-/// Chooses the names of one script's blocks.
+/// Chooses new names for the declarations of one script's blocks.
 class Theirs {
 public:
     Theirs(const std::vector<FileBlocks>& files, const NamesForBlocks& of_model, const std::vector<DeclPtr>& generated,
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// What is the same in all files: the model's elements, and what the instantiations declare.
+    /// Names that are the same in all files: the model's elements, and the declarations of the instantiations.
     void choose_common() {
         for (const auto& [before, after] : of_model_.data)
             if (defines(given_, before) || !is_reserved(before)) common_.emplace(before, after);
@@ -86,19 +86,21 @@ private:
 
     const NamesForBlocks& of_model_;
     NameManager& names_;
-    std::vector<UserNames> own_;             ///< of each file, but its instantiations
+    std::vector<UserNames> own_;             ///< of each file, except its instantiations
     std::set<std::string> given_, modules_;  ///< of the instantiations
-    std::set<std::string> values_;           ///< of the generated modules, and a block's channels too
+    std::set<std::string> values_;           ///< values of the generated modules that are also a block's channels or
+                                             ///< constructors
     std::map<std::string, int> files_that_declare_;
     cspm::NewNames common_;
 };
 
-/// Looks for names of CSPM or the library that a surrounding declaration hides.
+/// Finds names of CSPM or the library that a surrounding declaration hides.
 class Capture {
 public:
     std::set<std::string> found;
 
-    /// The top of the script: our own declarations there are the library's, and those that no library name is.
+    /// The top of the script. No declaration there may have a predefined name; the names of the library are declared
+    /// there.
     void top(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& each : decls) {
             for (const std::string& name : names_of(*each))
@@ -120,13 +122,13 @@ private:
         for (const auto& part : pattern->args) names_of(part, names);
     }
 
-    /// A name of CSPM's that stands for a value, so that it is used without being called.
+    /// Whether CSPM predefines the name as a value, which is used without a call.
     static bool is_value(const std::string& name) {
         const cspm::BuiltinName* builtin = cspm::find_builtin(name);
         return builtin != nullptr && builtin->arguments < 0;
     }
 
-    /// Names in force while it lives.
+    /// Adds names that are declared while it lives.
     class Around {
     public:
         explicit Around(std::multiset<std::string>& names) : names_(names) {}
@@ -191,7 +193,8 @@ private:
         for (const DeclPtr& each : expr->decls) decl(*each);
     }
 
-    std::multiset<std::string> around_;  ///< predefined and library names that are declared or bound here
+    std::multiset<std::string> around_;  ///< predefined and library names that surrounding declarations or bindings
+                                         ///< hide
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
-// What is generated and what users write in CSP blocks is one script. A name that both use for something of their own
-// gets a number on one side: a parameter called like a channel or constructor would be a pattern that matches only that
-// value, a function called like one of the library, or like a predefined one, would do the other's work.
+// Generated code and the CSP blocks of users form one script. If both use the same name for different things, one of
+// them gets a number: a generated parameter with the name of a channel or constructor would be a pattern that matches
+// only that value, and a function with the name of a library or predefined function would replace it.
 //
-// The rule that holds everywhere: no declaration of a block has at the top of the script a name that CSPM
-// predefines or that the library has. So the library and all that is generated mean what is written there, whatever
-// a block defines. What a block defines for the model, in its Instantiations, goes by the name that the model's element
-// has in the script. Each .assertions file is a scope of its own: RoboTool makes a script of each.
+// The rule that holds everywhere: no declaration of a block at the top of the script has a name that CSPM predefines or
+// that the library has. So the library and all generated code keep their meaning, independently of what a block
+// defines. A block's definition for the model (in its Instantiations) gets the name that the model's element has in the
+// script. Each .assertions file is a scope: RoboTool makes a script for each.
 #pragma once
 
 #include "checker/cspm/syntax/rename.hpp"
@@ -22,23 +22,24 @@ struct FileBlocks {
     std::vector<cspm::DeclPtr> others;
 };
 
-/// What the instantiations define, under the names that the model's elements have in the script.
+/// The definitions of the instantiations, by the names that the model's elements have in the script.
 [[nodiscard]] std::set<std::string> given_names(const std::vector<FileBlocks>& files, const NamesForBlocks& of_model);
 
-/// New names for what is generated: its bound names that are a user's channel or constructor.
+/// New names for generated code: its bound names that are also channels or constructors of the user.
 [[nodiscard]] cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<cspm::DeclPtr>& generated,
                                                NameManager& names);
 
-/// New names for what is in the users' blocks, file by file: what the model's elements that they define or speak of are
-/// called in the script; numbers for what CSPM predefines or the library has, for what several files declare, and for
-/// channels and constructors called like a value inside the generated modules, whose names are RoboTool's.
+/// New names for the users' blocks, file by file. Elements of the model that blocks define or mention get their names
+/// in the script. Numbers are appended to names that CSPM predefines or the library has, to names that several files
+/// declare, and to channels and constructors with the name of a value inside the generated modules, whose names are
+/// RoboTool's.
 [[nodiscard]] std::vector<cspm::QualifiedNames> new_names_of_theirs(const std::vector<FileBlocks>& files,
                                                                     const NamesForBlocks& of_model,
                                                                     const std::vector<cspm::DeclPtr>& generated,
                                                                     NameManager& names);
 
-/// Predefined and library names that the declarations call and that something declared or bound around the call would
-/// be taken for. There are none in what is generated, or it is an internal error.
+/// Predefined and library names that the declarations call although a declaration or binding around the call hides
+/// them. For generated code the result is empty; anything else is an internal error.
 [[nodiscard]] std::set<std::string> captured(const std::vector<cspm::DeclPtr>& generated);
 
 }  // namespace robochart::csp_emit

@@ -1,6 +1,7 @@
-// Elements inside a component's CSPM module may be called like a predefined function that the script does not use
-// there: the module's own name comes first. At the top of the script every predefined name is in use. What is one name
-// space in CSPM is several in RoboChart: where two elements of a model would meet in it, one of them gets a number.
+// An element inside a component's CSPM module may have the name of a predefined function that the script does not use
+// there, because the module's own name takes precedence. At the top of the script all predefined names are in use.
+// RoboChart has several name spaces where CSPM has one: if two elements of a model would have the same name in CSPM,
+// one of them gets a number.
 #include "csp_emit/passes/safe_names.hpp"
 
 #include <algorithm>
@@ -16,18 +17,18 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// What carries a name of its own in the script.
+/// The kinds of elements whose names appear in the script.
 enum class Bearer {
     component,  ///< a module of the script
     event,
     operation,  ///< `opCall`
     part,       ///< a reference: a module inside a module
-    state,      ///< a module inside its machine's
+    state,      ///< a module inside the machine's module
     package,
 };
 
-/// Calls `visit(bearer, name, top, span)` for every name that an element has in the script under its own name; `top`:
-/// outside all modules.
+/// Calls `visit(bearer, name, top, span)` for every element whose name appears in the script; `top`: outside all
+/// modules.
 template <class Visit>
 class Elements {
 public:
@@ -48,7 +49,7 @@ public:
     }
 
 private:
-    /// In a package a component is a module inside the package's.
+    /// A component in a package is a module inside the package's module.
     void top(const std::string& package, const std::string& name, diagnostics::Span span) {
         visit_(Bearer::component, name, package.empty(), span);
         if (!package.empty()) visit_(Bearer::package, flatten(package), true, span);
@@ -75,7 +76,7 @@ void visit_elements(const ir::System& system, const Visit& visit) {
     Elements<Visit>(visit).system(system);
 }
 
-/// Channels beside the events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
+/// Channels other than the events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
 std::set<std::string> other_channels(const ir::System& system) {
     std::set<std::string> result;
     const auto add = [&](const auto& component) {
@@ -89,13 +90,13 @@ std::set<std::string> other_channels(const ir::System& system) {
     return result;
 }
 
-/// Old names to new ones: those of all elements alike, those of states and parts, those of operations; of types and
-/// functions the new name of each, "" where it keeps its own.
+/// Old names to new ones: names of all kinds of elements, of states and parts, of operations; for types and functions
+/// the new name of each, "" if it keeps its name.
 struct NewNames {
     std::map<std::string, std::string> all, states, operations;
     std::vector<std::string> types, functions;
-    std::vector<std::string> machines;             ///< of those that share a full name, of all but the first
-    std::vector<std::vector<std::string>> labels;  ///< of each type, those of its literals; empty: they keep theirs
+    std::vector<std::string> machines;             ///< of machines with the same full name, all except the first
+    std::vector<std::vector<std::string>> labels;  ///< for each type, the names of its literals; empty: unchanged
     NamesForBlocks for_blocks;
 
     [[nodiscard]] bool empty() const {
@@ -108,7 +109,7 @@ struct NewNames {
     }
 };
 
-/// What a type or function is called at the top of the script: its own name first, then what is built from it.
+/// The names of a type or function at the top of the script: first its own, then those derived from it.
 std::vector<std::string> names_of(const ir::Type& type) {
     std::vector<std::string> result{type_name(type)};
     if (type.kind == ir::TypeKind::enumeration)
@@ -126,7 +127,7 @@ bool named(const ir::Function&) {
     return true;
 }
 
-/// Chooses new names for the elements whose own name would mean something else at that place.
+/// Chooses new names for elements whose own name would have another meaning in the script.
 class Choice {
 public:
     Choice(const ir::System& system, diagnostics::Diagnostics& diagnostics)
@@ -167,7 +168,7 @@ public:
     }
 
 private:
-    /// Types or functions with the new names of their packages, with which their own begin.
+    /// Types or functions whose names begin with the new names of their packages.
     template <class Data>
     std::vector<Data> with_packages(std::vector<Data> all) {
         for (Data& data : all) {
@@ -180,7 +181,7 @@ private:
         return all;
     }
 
-    /// The types with other labels where a literal would be called like a bound name.
+    /// The types with other labels for literals that have the name of a bound variable.
     std::vector<ir::Type> with_labels(std::vector<ir::Type> types) {
         for (ir::Type& type : types) {
             names_.labels.emplace_back();
@@ -206,7 +207,7 @@ private:
         for (const std::string& name : names_of(data)) taken_.insert(name);
     }
 
-    /// Whether a type or function under this name would be taken for something else, and for what.
+    /// The rule that forbids this name for a type or function because it has another meaning; null if there is none.
     template <class Data>
     [[nodiscard]] const diagnostics::Rule* clash(const Data& data) const {
         const auto names = names_of(data);
@@ -232,14 +233,14 @@ private:
                 const auto before = names_of(data), after = names_of(renamed);
                 for (std::size_t i = 0; i < before.size(); ++i)
                     if (!data_.contains(before[i])) names_.for_blocks.data.try_emplace(before[i], after[i]);
-                for (auto& [of_model, here] : names_.for_blocks.data)  // of a literal whose label is another too
+                for (auto& [of_model, here] : names_.for_blocks.data)  // a literal, whose label changes too
                     for (std::size_t i = 0; i < before.size(); ++i)
                         if (here == before[i]) here = after[i];
             }
             for (const std::string& name : names_of(renamed)) data_.insert(name);
         }
     }
-    /// Of machines with one full name a reference means the first (RC-N03); the others get a number.
+    /// If several machines have the same full name, a reference means the first (RC-N03); the others get a number.
     void choose_machines(const ir::System& system) {
         std::set<std::string> known;
         for (const ir::Machine& machine : system.machines) {
@@ -284,7 +285,7 @@ private:
         diagnostics_.report(rule, span, {name, chosen});
     }
 
-    /// The text before the number: an identifier of CSPM begins with a letter.
+    /// The text before the number; identifiers of CSPM begin with a letter.
     static std::string stem(const std::string& name) {
         const auto letter = std::find_if(name.begin(), name.end(),
                                          [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
@@ -293,7 +294,7 @@ private:
 
     diagnostics::Diagnostics& diagnostics_;
     std::set<std::string> channels_, events_, modules_and_channels_, constants_, taken_;
-    std::set<std::string> data_;  ///< names of types and functions as they have become so far
+    std::set<std::string> data_;  ///< current names of types and functions
     NewNames names_;
 };
 
@@ -406,11 +407,11 @@ private:
     }
 
     NewNames names_;
-    Names states_;  ///< all that states and parts are renamed by
-    Names tops_;    ///< and declarations outside components
+    Names states_;  ///< new names of states and parts
+    Names tops_;    ///< and of declarations outside components
 };
 
-/// Components and constants under one name in the script (RC-C10).
+/// Finds components and constants with the same name in the script (RC-C10).
 class Doubles {
 public:
     explicit Doubles(diagnostics::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -438,7 +439,7 @@ private:
     void component(const std::string& package, const std::string& name, const ir::Origin& origin) {
         std::string element = "component " + (package.empty() ? name : package + "::" + name);
         const auto [known, added] = elements_.try_emplace(element, origin.span);
-        if (!added) element = "another " + element;  // declared twice under one full name
+        if (!added) element = "another " + element;  // declared twice with the same full name
         check(qualified(package, name), element, origin);
         if (!package.empty()) packages_.emplace(flatten(package), origin);
     }
@@ -464,7 +465,7 @@ private:
     std::map<std::string, ir::Origin> packages_;
 };
 
-/// Constants are called after the components around them: the instantiation follows.
+/// The names of constants begin with the components around them, so the instantiation is renamed accordingly.
 void rename_constants(const ir::System& before, SafeNames& after) {
     const auto old_names = ir::named_constants(before);
     const auto new_names = ir::named_constants(after.system);

@@ -1,6 +1,6 @@
-// Names of the model that CSPM could not keep: its keywords, its predefined functions and ours, where the script would
-// take the element for them, and names that two elements would share there. Such elements get a number behind their
-// name, all over the model alike.
+// Names of the model that CSPM cannot use: its keywords, predefined and library functions that the script would confuse
+// with the element, and names that two elements would share in the script. Such elements get a number after their name,
+// everywhere in the model.
 #pragma once
 
 #include "checker/cspm/syntax/rename.hpp"
@@ -10,7 +10,7 @@
 
 namespace robochart::csp_emit {
 
-/// What csp blocks call the renamed elements, and what these are called in the script.
+/// The names that CSP blocks use for renamed elements, and their names in the script.
 struct NamesForBlocks {
     cspm::NewNames data;    ///< types, literals, functions, constants
     cspm::NewNames first;   ///< components and packages: the first part of a qualified name
@@ -18,16 +18,16 @@ struct NamesForBlocks {
     cspm::NewNames last;    ///< events: the last part
 };
 
-/// The system, and its instantiation, with names that CSPM can keep.
+/// The system and its instantiation, with names that CSPM can use.
 struct SafeNames {
-    bool changed = false;  ///< if not, `system` and `instantiation` are empty and the originals serve
+    bool changed = false;  ///< if false, `system` and `instantiation` are empty and the originals are valid
     ir::System system;
     ir::Instantiation instantiation;
     NamesForBlocks for_blocks;
 };
 
-/// Renames what needs to be; each renamed element is reported once (RC-C04, RC-C09). Two elements that would share a
-/// name and cannot be renamed are refused (RC-C10).
+/// Renames elements where necessary; each renamed element is reported once (RC-C04, RC-C09). Two elements that would
+/// share a name and cannot be renamed are rejected (RC-C10).
 [[nodiscard]] SafeNames safe_names(const ir::System&, const ir::Instantiation&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::csp_emit

@@ -1,6 +1,6 @@
-// See shared_modules.hpp. FDR's front end gives the names of an instance inside a parameterised module no place in the
-// instances of that module: looking one up fails. So a module with an instance inside it is never shared, and what is
-// inside a shared module is written out there. Of modules inside each other those are shared that save the most text.
+// See shared_modules.hpp. FDR's front end does not resolve names of an instance that is inside a parameterised module:
+// looking one up in the instances of that module fails. So a module that contains an instance is never shared, and
+// modules inside a shared module are written out there. Among nested modules, those that save the most text are shared.
 #include "csp_emit/passes/shared_modules.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using cspm::ExprKind;
 
 namespace {
 
-/// Below this size (cspm::Fingerprint) an instance saves nothing worth the indirection.
+/// Below this size (cspm::Fingerprint) an instance is not worth the indirection.
 constexpr std::size_t worth_sharing = 250;
 
 /// Positions in nested lists of exported declarations.
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    /// Places of modules that say the same.
+    /// Places of modules with equal text.
     struct Group {
         std::size_t size = 0;
         std::vector<Place> places;
@@ -103,7 +103,7 @@ private:
         return true;
     }
 
-    /// Modules that may be shared; whether there is an instance among the declarations or inside them.
+    /// Collects modules that may be shared; returns whether the declarations contain an instance, at any depth.
     bool collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
                  std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
         bool instances = false;
@@ -149,7 +149,7 @@ private:
         return depth;
     }
 
-    /// Whether all names mean the same at the place of the shared module.
+    /// Whether all names have the same meaning in the place of the shared module.
     static bool movable(const std::vector<Place>& places) {
         std::set<std::string> outside;
         used_names(*places.front().module, outside);
@@ -177,7 +177,7 @@ private:
         decls_ = inserted(decls_, before, 0, shared);
     }
 
-    /// `change` is done to the list that holds the declaration at the path.
+    /// Applies `change` to the list that contains the declaration at the path.
     template <class Change>
     static std::vector<DeclPtr> changed(std::vector<DeclPtr> decls, const Path& path, std::size_t depth,
                                         const Change& change) {

@@ -1,5 +1,5 @@
-// See variable_memory.hpp. A function holds a remembered variable if its body mentions it otherwise than to pass it
-// on unchanged; what a called function holds and the caller does not is read right before the call.
+// See variable_memory.hpp. A function holds a remembered variable if its body uses it other than to pass it on
+// unchanged. Variables that a called function holds and the caller does not are read immediately before the call.
 #include "csp_emit/passes/variable_memory.hpp"
 
 #include <algorithm>
@@ -30,12 +30,12 @@ std::set<std::string> parameters_of(const std::vector<Remembered>& variables) {
     return result;
 }
 
-/// The functions with reads and writes of memories in the place of parameters.
+/// Replaces parameters of functions by reads and writes of memories.
 class Memories {
 public:
     Memories(const std::vector<Function>& functions, const FamilyCalls& calls,
              const std::vector<Remembered>& variables);
-    /// The caller: the variables it holds; at the start each memory has its initial value.
+    /// The caller's context: the variables that it holds; at the start each memory has its initial value.
     struct Place {
         std::set<std::string> held;
         bool start = false;
@@ -47,7 +47,7 @@ public:
 private:
     ExprPtr rewritten_call(const Expr& expr, std::size_t target, const Place& place) const;
 
-    /// A parameter of a function: what it remembers, if it does, and whether the function holds it then.
+    /// A parameter of a function: the variable that it remembers, if any, and whether the function holds it then.
     struct Parameter {
         const Remembered* variable = nullptr;
         bool held = false;
@@ -82,7 +82,7 @@ ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
     return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part, place); });
 }
 
-/// First what was written, then what is read, then the call.
+/// Writes first, then reads, then the call.
 ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Place& place) const {
     b::Exprs arguments;
     std::vector<const Remembered*> reads;

@@ -1,10 +1,11 @@
-// Variables held in memory processes of their own, beside the machine's process, as in RoboTool's semantics (semantics
-// 3.6): for machines whose variables together have too many values to be parameters of one process. The machine asks
-// `get_x?x` for what it is about to evaluate and keeps the value only while it does; what it writes goes to the memory
-// by `set_x` where the variable is shared, and by the hidden `setL_x` where it is the machine's own.
+// Variables held in separate memory processes in parallel with the machine's process, as in RoboTool's semantics
+// (semantics 3.6): for machines whose variables together have too many values to be parameters of one process. The
+// machine reads a variable with `get_x?x` before it evaluates it and keeps the value only as long as it needs it. It
+// writes to the memory with `set_x` if the variable is shared, and with the hidden `setL_x` if it belongs to the
+// machine.
 //
-// Why the meaning stays: a `get_x` is hidden, always possible and never offered beside anything else, and no other
-// write comes between it and the use, since the machine takes part in all of them. It is an inert step.
+// Why the meaning stays: a `get_x` is hidden, always possible and never offered together with anything else, and no
+// other write happens between it and the use, since the machine takes part in all writes. It is an inert step.
 #pragma once
 
 #include <map>
@@ -18,25 +19,25 @@ namespace robochart::csp_emit {
 
 /// A variable that a memory process holds.
 struct Remembered {
-    std::string parameter;  ///< of the machine's functions
-    std::string channel;    ///< the name behind `get_`, `setL_`
-    std::string shared;     ///< of a shared variable: the name behind `set_` and `set_EXT_`; otherwise empty
+    std::string parameter;  ///< name of the parameter of the machine's functions
+    std::string channel;    ///< the name after `get_`, `setL_`
+    std::string shared;     ///< for a shared variable: the name after `set_` and `set_EXT_`; otherwise empty
     cspm::ExprPtr type;     ///< the set of its values
     cspm::ExprPtr initial;
     std::string memory;   ///< the name of its process
     std::string meaning;  ///< its name in the model
 };
 
-/// Which of some parameters each function evaluates, itself or in what it passes to another.
+/// For some parameters, which of them each function evaluates, directly or in arguments that it passes.
 class Evaluations {
 public:
     Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters);
-    /// For each function the remembered variables that it holds: the least sets, since what a call needs of a changed
-    /// shared variable counts only if the called function holds it.
+    /// For each function the remembered variables that it holds. These are the least sets, since the variables that a
+    /// call needs for a changed shared variable count only if the called function holds it.
     [[nodiscard]] std::vector<std::set<std::string>> held(const std::vector<Remembered>& variables) const;
 
 private:
-    /// An argument in the place of a parameter of the called function, not the parameter itself.
+    /// An argument for a parameter of the called function that is not the parameter itself.
     struct Changed {
         std::size_t target;
         std::string parameter;
@@ -53,21 +54,21 @@ private:
     const std::vector<Function>& functions_;
     const std::set<std::string>& parameters_;
     FamilyIndex index_;
-    std::vector<std::vector<bool>> asked_;  ///< by function, of each of its parameters: is it one of `parameters_`?
+    std::vector<std::vector<bool>> asked_;  ///< for each function and each of its parameters: is it in `parameters_`?
     std::vector<Use> uses_;
 };
 
-/// Takes the remembered variables out of the parameters of the functions, except where a function evaluates them.
-/// Termination becomes `end__ -> SKIP`, which ends the memories too. Expects that no parameter is dead
-/// (drop_dead_parameters), and that a shared variable changes by its events only.
+/// Removes the remembered variables from the parameters of the functions, except for functions that evaluate them.
+/// Termination becomes `end__ -> SKIP`, which also ends the memories. Precondition: no parameter is dead
+/// (drop_dead_parameters), and a shared variable changes only by its events.
 void remember(std::vector<Function>& functions, cspm::ExprPtr& initial, const FamilyCalls& calls,
               const std::vector<Remembered>& variables);
 
 /// The memories' definitions: `M_x(v) = get_x!v -> M_x(v) [] setL_x?v -> M_x(v) [] ... [] end__ -> SKIP`.
 [[nodiscard]] std::vector<cspm::DeclPtr> memory_definitions(const std::vector<Remembered>& variables, bool timed);
-/// `channel get_x, setL_x : T` of each, and `end__`.
+/// `channel get_x, setL_x : T` for each variable, and `end__`.
 [[nodiscard]] std::vector<cspm::DeclPtr> memory_channels(const std::vector<Remembered>& variables);
-/// The machine's process beside its memories, which it alone talks to.
+/// The machine's process in parallel with its memories, whose events only the machine uses.
 [[nodiscard]] cspm::ExprPtr with_memories(const cspm::ExprPtr& machine, const std::vector<Remembered>& variables,
                                           bool timed);
 

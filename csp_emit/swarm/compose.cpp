@@ -28,7 +28,7 @@ struct Port {
     std::vector<ir::TypeId> types;
 };
 
-/// All of a component, by the name of its channel there: "e.in", "opCall", "set_x".
+/// All ports of a component by the names of their channels in it: "e.in", "opCall", "set_x".
 std::map<std::string, Port> ports_of(const Provenance& provenance, const std::string& path) {
     const std::string prefix = path + "::";
     std::map<std::string, Port> ports;
@@ -44,7 +44,7 @@ std::map<std::string, Port> ports_of(const Provenance& provenance, const std::st
     return ports;
 }
 
-/// What a component's name in a swarm may be: "P::M", or "M" where that is one component.
+/// The component that a name in a swarm denotes: "P::M", or "M" if it is unique.
 const ComponentProcesses* component_named(const Emission& emission, const std::string& name) {
     const ComponentProcesses* found = nullptr;
     for (const ComponentProcesses& each : emission.components) {
@@ -68,7 +68,7 @@ public:
           instantiation_(instantiation),
           diagnostics_(diagnostics) {}
 
-    /// "" with a diagnostic where something does not fit.
+    /// "" with a diagnostic if something does not fit.
     std::string text() {
         component_ = component_named(emission_, swarm_.component.text);
         if (component_ == nullptr) {
@@ -87,7 +87,7 @@ public:
         return whole();
     }
 
-    /// Which robot an event of the module's text is of.
+    /// How to find the robot that performs an event of the module.
     [[nodiscard]] CopiesMeaning copies() const {
         CopiesMeaning result{swarm_.robots, "robot", {}};
         const auto add = [&](const std::string& channel, const std::string& words) {
@@ -116,7 +116,7 @@ private:
     }
     void unfit(const Word& word, const std::string& why) { diagnostics_.report(swarm_rules::no_fit, word.span, {why}); }
 
-    /// The port of a name with what its channel's name ends in; null with a diagnostic.
+    /// The port for a name, whose channel ends in `ending`; null with a diagnostic if there is none.
     const Port* port(const Word& word, const std::string& ending, const char* what) {
         if (const auto found = ports_.find(word.text + ending); found != ports_.end()) return &found->second;
         std::vector<std::string> known;
@@ -125,7 +125,7 @@ private:
         unknown(swarm_.component.text, what, word, known);
         return nullptr;
     }
-    /// The channel that stands for an operation: one for all that is bound to it.
+    /// The channel for an operation, shared by everything that is bound to it.
     std::string operation(const Word& word) {
         const auto known = operations_.find(word.text);
         if (known != operations_.end()) return known->second;
@@ -143,14 +143,14 @@ private:
         own_.push_back(channel);
         return channel;
     }
-    /// The units of one degree in the only argument; 0 where there is no such number.
+    /// The units of one degree in the only argument; 0 if the call has no such number.
     [[nodiscard]] std::int64_t scale_of(const Port& call) const {
         if (call.types.size() != 1) return 0;
         const ir::TypeKind kind = system_.type(call.types.front()).kind;
         if (kind == ir::TypeKind::nat || kind == ir::TypeKind::integer) return 1;
         return kind == ir::TypeKind::real ? instantiation_.scale : 0;
     }
-    /// All of the port's events become this one, in which a__ is their value.
+    /// Renames all events of the port to `target`, in which a__ is their value.
     void rename(const Port& port, const std::string& target) {
         used_.insert(port.channel);
         renamings_ += port.types.empty()
@@ -256,7 +256,7 @@ private:
         messages_.push_back({channel, connection.distance});
     }
 
-    /// The constants that the component's process takes, by the model's names.
+    /// The constants that the component's process takes as parameters, by their names in the model.
     [[nodiscard]] std::vector<ir::NamedConstant> taken() const {
         std::set<std::string> arguments;
         for (const cspm::ExprPtr& each : component_->compressed->args)
@@ -265,7 +265,7 @@ private:
         std::erase_if(result, [&](const ir::NamedConstant& each) { return !arguments.contains(each.name); });
         return result;
     }
-    /// The constant becomes the robot's number where the process takes it.
+    /// Sets the constant to the robot's number in the arguments of the process.
     void number(const SwarmConstant& constant) {
         const std::string& wanted = constant.name.text;
         const std::vector<ir::NamedConstant> all = taken();
@@ -291,7 +291,7 @@ private:
                                                     wanted, swarm_.robots - 1));
         numbered_[meant.front().name] = value;
     }
-    /// The number of robot i__ as a value of this type; "" where it has none for each robot.
+    /// The number of robot i__ as a value of this type; "" if the type does not have a value for each robot.
     [[nodiscard]] std::string own_number(ir::TypeId type) const {
         const auto has_all = [&](const std::vector<std::int64_t>& carrier, std::int64_t scale) {
             for (std::int64_t robot = 0; robot < swarm_.robots; ++robot)
@@ -307,8 +307,7 @@ private:
         return "";
     }
 
-    /// What nothing is bound to: what the robot does by itself it can do at any time, what it would receive never
-    /// comes.
+    /// Ports that are not bound: outputs and calls are possible at any time, inputs never arrive.
     void rest() {
         std::vector<std::string> never;
         for (const auto& [name, port] : ports_) {
@@ -367,7 +366,7 @@ private:
         return text + "endmodule\n";
     }
 
-    /// The heading nearest to an angle in units of 1/s__ of a degree.
+    /// The heading that is nearest to an angle in units of 1/s__ of a degree.
     [[nodiscard]] std::string turns() const {
         if (!swarm_.grid) return "";
         return fmt::format(
@@ -386,14 +385,14 @@ private:
                 "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
                 "member(i__,s__) |}}))",
                 events, each.channel);
-        // In time, whether it has done any of this is asked for.
+        // In the timed semantics these stay visible, because `activity` observes them.
         std::vector<std::string> own{"acts.i__"};
         for (const std::string& each : lazy_) own.push_back(each + ".i__");
         return fmt::format("Robot(i__) = dbisim((({}{}){}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
                            process(), blocked_, renamings_, timed_ ? std::string() : " \\ " + productions(own), events);
     }
 
-    // Of the world, each part with the events that it has a say in.
+    // A part of the world with the events on which it synchronises.
     struct WorldPart {
         std::string process;
         std::string alphabet;
@@ -417,7 +416,7 @@ private:
                 k + 1, asked + ".i__" + pattern(asked), answer_event(answer));
             parts.push_back({fmt::format("(||| i__ : Robots @ Asked_{}(i__))", k + 1), productions({asked, answer})});
         }
-        // With nobody to hear it a message waits.
+        // A single robot has no receivers, so its messages are blocked.
         if (swarm_.robots == 1)
             for (const Sensed& each : messages_) parts.push_back({"STOP", productions({each.channel})});
         if (parts.empty()) return text + "World = SKIP\nshared = {}\n";
@@ -538,7 +537,7 @@ private:
         return text + fmt::format("Bodies = || i__ : Robots @ [ {} ] Start(i__)\n", alphabet);
     }
 
-    /// Of robots i__ < j__: where j__ is, seen from i__.
+    /// For robots i__ < j__: the position of j__ relative to i__.
     [[nodiscard]] std::string pairs() const {
         if (swarm_.robots == 1) return "";
         std::string text =
@@ -586,7 +585,7 @@ private:
         return text + fmt::format("AllPairs = {}\n", together);
     }
 
-    /// After each tock all move, and nothing else happens meanwhile.
+    /// After each tock all robots move; nothing else happens meanwhile.
     [[nodiscard]] std::string phases() const {
         const std::vector<std::string> channels = phase_channels();
         std::string text = "Still = tock -> Moving(0)";
@@ -596,7 +595,7 @@ private:
                "else Still\n";
     }
 
-    /// Where robot 0 is.
+    /// The position of robot 0.
     [[nodiscard]] std::string way() const {
         std::string text =
             "Way(x__,y__) = go.0?h__ -> Way(column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
@@ -639,7 +638,7 @@ private:
         return text;
     }
 
-    /// Whether a robot has done anything since time passed last, as an event that is possible as long as that is so.
+    /// Shows with the event `active` whether a robot has acted since the last tock.
     [[nodiscard]] std::string activity(const std::string& together, std::vector<std::string> done,
                                        const std::vector<std::string>& moves) const {
         std::vector<std::string> hidden = done;
@@ -669,14 +668,14 @@ private:
     std::map<std::string, std::string> operations_;  // by name: the channel
     std::map<std::string, SwarmMotion> driven_;      // by channel
     std::size_t feeds_ = 0;
-    std::vector<std::string> own_;                              // channels of one robot and its world
-    std::vector<std::string> settled_;                          // of these, those that say that no turn is under way
-    std::vector<std::string> lazy_;                             // of these, those that the environment decides
-    std::vector<Sensed> sensed_;                                // on a grid, those with the set of those near
-    std::vector<std::pair<std::string, std::string>> answers_;  // asked by, answered with
+    std::vector<std::string> own_;                              // channels between one robot and its world
+    std::vector<std::string> settled_;                          // those of them that report that no turn is in progress
+    std::vector<std::string> lazy_;                             // those of them that the environment decides
+    std::vector<Sensed> sensed_;                                // on a grid: they carry the set of robots in range
+    std::vector<std::pair<std::string, std::string>> answers_;  // requesting operation, answering event
     std::vector<Sensed> messages_;
     std::set<std::string> used_;                   // channels of the component that are renamed
-    std::map<std::string, std::string> numbered_;  // arguments that are the robot's number, and its text
+    std::map<std::string, std::string> numbered_;  // arguments that are the robot's number, and their text
     std::vector<Observation> observations_;
     std::string channels_, renamings_, blocked_;
 };
@@ -696,17 +695,17 @@ std::string assertion_text(const SwarmClaim& claim, std::size_t number, bool tim
     return "";
 }
 
-/// How a report names a claim.
+/// The title of a claim in reports.
 std::string title_of(const Swarm& swarm, const SwarmClaim& claim) {
     const std::string where = swarm.grid ? fmt::format("{} by {}", swarm.grid->width, swarm.grid->height) : "no grid";
     return fmt::format("{}: {} [{} robot{}, {}]", swarm.name.text, claim.text, swarm.robots,
                        swarm.robots == 1 ? "" : "s", where);
 }
 
-/// That from wherever the swarm may be some run leads to where time passes: then every run can be continued to one in
-/// which it passes again and again, so that what is claimed of all states is claimed of runs that there are (non-Zeno:
-/// Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for real-time systems, 1994). Where the environment
-/// decides something, time must not have to wait for it: `waits` says that.
+/// From every reachable state of the swarm some run leads to a state in which time passes. Then every run can be
+/// extended to one in which time passes infinitely often, so claims about all states are claims about runs that exist
+/// (non-Zeno: Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for real-time systems, 1994). If the
+/// environment decides something, time must not depend on its decision: `waits` states that.
 std::shared_ptr<const Premise> time_can_pass(std::vector<cspm::DeclPtr> waits) {
     const cspm::ExprPtr tock = cspm::build::productions({cspm::build::name("tock")});
     return std::make_shared<const Premise>(
@@ -749,7 +748,7 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
     return result;
 }
 
-/// The assertion with the claim above it, as reports have it.
+/// The assertion preceded by the claim, as reports print it.
 cspm::DeclPtr named(const cspm::DeclPtr& assertion, const std::string& title) {
     cspm::Decl result = *assertion;
     result.comment = diagnostics::shown(title);

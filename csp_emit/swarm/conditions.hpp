@@ -1,4 +1,4 @@
-// Conditions of a swarm's claims as events: what is seen of all robots at once.
+// Conditions of a swarm's claims as events that observe all robots at once.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace robochart::csp_emit {
 
-/// An event that says what a condition depends on. Its fields are those of the condition's parts, each once: for
-/// `linked` and `apart` the set of pairs that are so near, for `away` whether it is so.
+/// An event with the data that a condition depends on. It has a field for each different part of the condition: for
+/// `linked` and `apart` the set of pairs within the distance, for `away` whether robot 0 is away.
 class Observation {
 public:
     /// `channel`: the name of the event's channel.
@@ -22,15 +22,15 @@ public:
     /// Whether it has a part about pairs.
     [[nodiscard]] bool asks_pairs() const;
     [[nodiscard]] std::string channel_declaration() const;
-    /// The event as a pair i__, j__ at offset x__, y__ takes part in it.
+    /// The event in which the pair i__, j__ at offset x__, y__ takes part.
     [[nodiscard]] std::string seen_by_pair() const;
-    /// The event as it is at x__, y__ on the way from a place.
+    /// The event while robot 0, which began at x, y, is at x__, y__.
     [[nodiscard]] std::string seen_on_way(std::int64_t x, std::int64_t y) const;
-    /// Definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events with which the condition holds, and the others.
+    /// Definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events for which the condition holds, and the others.
     [[nodiscard]] std::string meaning() const;
 
 private:
-    /// A part about what is seen, without those that it consists of.
+    /// A part of a condition that has no parts itself.
     struct Atom {
         SwarmCondition::Kind kind;
         std::uint32_t distance;

@@ -14,7 +14,7 @@ namespace {
 using diagnostics::Span;
 
 constexpr std::uint32_t most_robots = 8;
-constexpr std::uint32_t most_cells = 64;  // of one side
+constexpr std::uint32_t most_cells = 64;  // in each direction
 constexpr int deepest_condition = 50;
 constexpr std::size_t most_conditions = 1'000;  // of all claims together
 
@@ -189,7 +189,7 @@ private:
     }
     SwarmCondition either(int depth) { return chain(SwarmCondition::Kind::either, "or", &SwarmReader::both, depth); }
     SwarmCondition both(int depth) { return chain(SwarmCondition::Kind::both, "and", &SwarmReader::single, depth); }
-    /// Operands of one operator are parts of one condition, so a long chain is no deep tree.
+    /// Operands of the same operator become parts of one condition, so a long chain does not make a deep tree.
     SwarmCondition chain(SwarmCondition::Kind kind, const char* word, SwarmCondition (SwarmReader::*part)(int),
                          int depth) {
         SwarmCondition first = (this->*part)(depth);

@@ -5,14 +5,13 @@
 
 namespace robochart::csp_emit {
 
-/// What is meant instead of what the text says.
+/// Overrides for the size in the text.
 struct SwarmSize {
-    std::uint32_t robots = 0;       ///< 0: as it says
-    std::optional<SwarmGrid> grid;  ///< none: as it says
+    std::uint32_t robots = 0;       ///< 0: as in the text
+    std::optional<SwarmGrid> grid;  ///< no value: as in the text
 };
 
-/// Errors of syntax and what does not fit by itself become diagnostics; whether the component has what is named is
-/// looked at where the swarm is composed.
+/// Reports errors of syntax and of consistency. Names of the component are checked when the swarm is composed.
 [[nodiscard]] Swarm read_swarm(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&,
                                const SwarmSize& size = {});
 

@@ -1,6 +1,6 @@
-// A swarm as data: copies of one component's semantics on a grid, or where anybody may be near anybody, and what is
-// claimed of them together. docs/emergence.md has the notation; its words are those of scenarios where they mean the
-// same (docs/scenarios.md).
+// A swarm as data: copies of one component's semantics, on a grid or where any robots may be near each other, and the
+// claims about them. docs/emergence.md describes the notation; its words are those of scenarios if they have the same
+// meaning (docs/scenarios.md).
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace robochart::csp_emit {
 
-/// A torus of cells: who leaves it on one side comes in on the other.
+/// A torus of cells: a robot that leaves it on one side enters it on the opposite side.
 struct SwarmGrid {
-    std::uint32_t width = 0;  ///< at least 2, as the height
+    std::uint32_t width = 0;  ///< at least 2, like the height
     std::uint32_t height = 0;
 };
 
-/// `place at (X, Y) heading 90 deg`, or `heading any`. Without an own place robots begin where the last one does.
+/// `place at (X, Y) heading 90 deg`, or `heading any`. Robots without a place begin where the last one does.
 struct SwarmPlace {
     std::int64_t x = 0;
     std::int64_t y = 0;
-    std::optional<std::int64_t> degrees;  ///< none: any heading
+    std::optional<std::int64_t> degrees;  ///< no value: any heading
 };
 
 /// What a robot senses.
 enum class SwarmReading {
-    count,   ///< how many others are near
-    near,    ///< whether some other is
-    turned,  ///< no turn is under way
+    count,   ///< the number of other robots in range
+    near,    ///< whether another robot is in range
+    turned,  ///< no turn is in progress
     any,     ///< any value at any time, or nothing: the environment decides
 };
 
@@ -37,7 +37,7 @@ enum class SwarmReading {
 struct SwarmFeed {
     frontend::Word event;
     SwarmReading reading = SwarmReading::any;
-    std::uint32_t distance = 1;        ///< count, near: in cells, diagonal steps are one
+    std::uint32_t distance = 1;        ///< for count and near: in cells; a diagonal step counts as one
     std::optional<frontend::Word> on;  ///< once after each call of this operation
 };
 
@@ -49,14 +49,14 @@ struct SwarmDrive {
     SwarmMotion motion = SwarmMotion::stop;
 };
 
-/// `connect EVENT to EVENT within 1`: what a robot sends reaches others.
+/// `connect EVENT to EVENT within 1`: messages that a robot sends reach others.
 struct SwarmConnection {
     frontend::Word from;
     frontend::Word to;
-    std::uint32_t distance = 0;  ///< 0: those anywhere
+    std::uint32_t distance = 0;  ///< 0: any distance
 };
 
-/// `const NAME = VALUE` or `const NAME = robot`, the number of the robot from 0 on.
+/// `const NAME = VALUE` or `const NAME = robot`, the number of the robot, counted from 0.
 struct SwarmConstant {
     frontend::Word name;
     std::string value;  ///< "" for the number of the robot
@@ -69,33 +69,33 @@ struct SwarmRange {
     std::int64_t high = 0;
 };
 
-/// What holds or not of where the robots are at the end of a time unit.
+/// A condition on the positions of the robots at the end of a time unit.
 struct SwarmCondition {
     enum class Kind {
-        linked,  ///< all are joined, directly or by others, by links of at most `distance` cells
-        apart,   ///< no two are in one cell
-        away,    ///< robot 0 is at least `distance` cells from where it began, by the shorter way round
+        linked,  ///< all robots are connected by links of at most `distance` cells, directly or through others
+        apart,   ///< no two robots are in the same cell
+        away,    ///< robot 0 is at least `distance` cells from its start, by the shortest path on the torus
         negation,
         both,    ///< all parts hold
         either,  ///< some part holds
     };
     Kind kind = Kind::linked;
     std::uint32_t distance = 1;
-    std::vector<SwarmCondition> parts;  ///< negation: one; both, either: two or more; the others: none
+    std::vector<SwarmCondition> parts;  ///< one for negation, two or more for both and either, none for the others
 };
 
 enum class SwarmQuestion {
-    deadlock_free,  ///< from wherever the swarm may be, some robot can come to do something but let time pass
-    always,         ///< the condition holds whenever a time unit has passed
-    possible,       ///< some run leads to where it holds
-    recurrent,      ///< from wherever the swarm may be, some run leads to where it holds
+    deadlock_free,  ///< from every reachable state, some robot can do something other than let time pass
+    always,         ///< the condition holds after every time unit
+    possible,       ///< some run reaches a state in which the condition holds
+    recurrent,      ///< from every reachable state, some run reaches a state in which the condition holds
 };
 
 /// `accept recurrent linked(1)`.
 struct SwarmClaim {
     SwarmQuestion question = SwarmQuestion::always;
     SwarmCondition condition;
-    std::string text;  ///< as written, behind `accept`
+    std::string text;  ///< as written after `accept`
     diagnostics::Span span;
 };
 
@@ -103,7 +103,7 @@ struct Swarm {
     frontend::Word name;
     frontend::Word component;
     std::uint32_t robots = 2;
-    std::optional<SwarmGrid> grid;  ///< none: anybody may be near anybody at any time
+    std::optional<SwarmGrid> grid;  ///< no value: any robots may be near each other at any time
     std::uint32_t headings = 4;     ///< 4 or 8
     std::vector<SwarmPlace> places;
     std::vector<SwarmFeed> feeds;

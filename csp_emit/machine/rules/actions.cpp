@@ -1,4 +1,4 @@
-// What the heads of threads do, at once or by an event.
+// The effects of the first items of threads, without an event or with one.
 #include "csp_emit/machine/rules/actions.hpp"
 
 #include <algorithm>
@@ -28,12 +28,12 @@ Item statement(const ir::StmtPtr& stmt, const std::string& label) {
     return item;
 }
 
-/// The statement is done, these values being changed.
+/// The result of executing the statement, with these changed values.
 Next done(const RunningThread& running, Values values) {
     return go(running.replace(running.tail()), std::move(values));
 }
 
-/// The clock starts anew, in the cell that counts it if this machine does.
+/// Resets the clock, in the cell that counts it if this machine does.
 void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, Values& values) {
     const Frame& frame = tables.frames[index];
     tables.watch.note_reset(frame, clock, values);
@@ -41,7 +41,7 @@ void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, 
     if (tables.timed() && cell && tables.cells[*cell].reading.empty()) values[*cell] = b::number(0);
 }
 
-/// `S <{d}`: a counter beside the statement, which ends with it.
+/// `S <{d}`: a counter that runs in parallel with the statement and ends with it.
 Next start_deadline(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
                     const Values& values) {
     const Item inner = statement(stmt.body.at(0), running.head().label);
@@ -67,7 +67,7 @@ Next choose(const MachineTables& tables, const RunningThread& running, const ir:
              go(running.replace(other), values)}};
 }
 
-/// The effect of the head statement, as if the functions that it uses had no preconditions.
+/// The effect of the first statement, ignoring preconditions of the functions that it uses.
 Next effect(MachineTables& tables, const RunningThread& running, const Values& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     const Program& rest = running.tail();
@@ -105,7 +105,7 @@ Next effect(MachineTables& tables, const RunningThread& running, const Values& v
     return done(running, values);
 }
 
-/// The effect of the head statement, which is no event of the alphabet, and what follows.
+/// The effect of the first statement, which is not an event of the alphabet, and the continuation.
 Next perform(MachineTables& tables, const RunningThread& running, const Values& values) {
     Next then = effect(tables, running, values);
     const b::Exprs conditions = function_preconditions(tables, running.frame(), *running.head().stmt, values);
@@ -123,7 +123,7 @@ std::optional<Next> silent_statement(MachineTables& tables, const RunningThread&
     if (about_time && !tables.timed()) return perform(tables, running, values);  // dropped: semantics 3.11
     if (changes && (running.during || !alone)) return std::nullopt;
     if (!stable(tables, running.frame(), stmt, alone)) return std::nullopt;
-    // A second conditional after a first one would double the text each time: it gets a function of its own.
+    // A second conditional after a first one would double the text each time, so it gets its own function.
     const bool again = stmt.kind == StmtKind::if_then_else && branching;
     if (again || !reads_only_names(tables, running.frame(), stmt, values)) return at_point(config, values);
     return perform(tables, running, values);
@@ -146,7 +146,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::enter:
             return enter(tables, running, values);
         case ItemKind::entered:
-            // States of called operations are not seen outside.
+            // States of called operations are not visible outside.
             if (running.frame() != 0) return entered(tables, running, values);
             return std::nullopt;
         case ItemKind::store: {
@@ -165,7 +165,8 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
     return std::nullopt;
 }
 
-/// The values that the statement reads, as its channel carries them: what it assigns or sends, the arguments of a call.
+/// The values that the statement reads, in the order in which its channel carries them: the assigned or sent value, or
+/// the arguments of a call.
 b::Exprs values_read(const MachineTables& tables, std::uint32_t index, const ir::Stmt& stmt) {
     const Frame& frame = tables.frames[index];
     b::Exprs result;
@@ -179,7 +180,7 @@ b::Exprs values_read(const MachineTables& tables, std::uint32_t index, const ir:
     return result;
 }
 
-/// All expressions of the statement are read at one moment and kept.
+/// Reads all expressions of the statement at once and stores their values.
 Branch freeze(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const std::uint32_t frame = running.frame();
     Item item = running.head();
@@ -203,7 +204,7 @@ Branch sending(const MachineTables& tables, const RunningThread& running, const 
     return {nullptr, b::dot({b::name(channel), b::name("out")}), std::move(fields), done(running, {})};
 }
 
-/// `e.in?x`, then the value is stored (semantics 3.5).
+/// `e.in?x`; then the value is stored (semantics 3.5).
 Branch reception(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const std::uint32_t frame = running.frame();
     const Project& project = tables.project();
@@ -239,7 +240,7 @@ Branch write(MachineTables& tables, const RunningThread& running, CellId id, con
     return {nullptr, tables.events.step("store " + cell.name, meaning), {}, std::move(next)};
 }
 
-/// The event of a statement that sends, calls or writes, with the values that it has read.
+/// The event of a statement that sends, calls or writes, with the values read before.
 Branch event_of(MachineTables& tables, const RunningThread& running, const b::Exprs& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     if (stmt.kind == StmtKind::communicate) return sending(tables, running, stmt, values);
@@ -300,7 +301,7 @@ std::optional<Branch> head_branch(MachineTables& tables, const RunningThread& ru
             return entered_branch(tables, running);
         case ItemKind::left:
             return left_branch(tables, running);
-        case ItemKind::waiting:  // moves with time
+        case ItemKind::waiting:  // changes only with time
         case ItemKind::deadline_end:
         case ItemKind::enter:
         case ItemKind::join:

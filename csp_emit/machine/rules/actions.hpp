@@ -1,6 +1,6 @@
-// Statements (semantics 3.5). A statement that nothing can interfere with is done at once; one that reads or
-// writes shared data is a step of its own: RoboTool reads all variables of a statement at one moment and keeps what
-// it read until the statement's event happens, so a value read is frozen in a cell of its own.
+// Statements (semantics 3.5). A statement that nothing can interfere with is executed at once. A statement that reads
+// or writes shared data is a separate step: RoboTool reads all variables of a statement at one moment and keeps the
+// values until the statement's event happens, so the values read are stored in separate cells ("frozen").
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace robochart::csp_emit {
 
-/// The first thing in the configuration that needs no event, done; none if everything needs one. `branching`: a
-/// conditional has been written already.
+/// Executes the first item in the configuration that needs no event; no value if every item needs one. `branching`: a
+/// conditional has already been written.
 [[nodiscard]] std::optional<Next> silent(MachineTables&, const Activation& config, const Values&, bool branching);
-/// The event of the head of a thread; none if it moves with time only, or never. `alone`: no other thread runs.
+/// The event of the first item of a thread; no value if the thread only waits for time or is stuck. `alone`: no other
+/// thread runs.
 [[nodiscard]] std::optional<Branch> head_branch(MachineTables&, const RunningThread&, bool alone);
 
 }  // namespace robochart::csp_emit

@@ -1,5 +1,5 @@
-// The results of rules: the configurations that follow, and the events that lead to them. Processes are made of them in
-// processes.hpp only.
+// The results of rules: the next configurations, and the events that lead to them. Only processes.hpp converts them to
+// processes.
 #pragma once
 
 #include <vector>
@@ -10,24 +10,24 @@
 
 namespace robochart::csp_emit {
 
-/// What follows: a configuration, or a choice between several that is made without an event.
+/// The continuation: a configuration, or a choice between several that is made without an event.
 struct Next {
     enum class Kind {
-        configuration,  ///< goes on at once with what needs no event
-        point,          ///< named as it is: a function of its own
-        conditional,    ///< two parts, by a condition on the values
-        branching,      ///< the same, for a statement: a second one after it gets a function of its own
-        wait_over,      ///< the same, for a wait that may be over: the second part's points are numbered first
+        configuration,  ///< continues at once with what needs no event
+        point,          ///< the configuration as it is, with its own function
+        conditional,    ///< two parts, selected by a condition on the values
+        branching,      ///< the same, for a statement: a second one after it gets its own function
+        wait_over,      ///< the same, for a wait that may be over: the points of the second part are numbered first
         internal,       ///< the process chooses between the parts
-        interval,       ///< the process chooses a value of `d__` from a set, of which there may be none
-        process,        ///< nothing of the machine: the process itself
+        interval,       ///< the process chooses a value of `d__` from a set, which may be empty
+        process,        ///< not a configuration of the machine but the process `expr`
     };
     Kind kind = Kind::configuration;
     Activation config = {};
     Values values = {};
-    cspm::ExprPtr expr = {};  ///< the condition, the set, the process
+    cspm::ExprPtr expr = {};  ///< the condition, the set or the process
     std::vector<Next> parts = {};
-    cspm::Span span = {};  ///< of a choice from a set: where a report says that it is empty
+    cspm::Span span = {};  ///< for a choice from a set: the place at which an empty set is reported
 };
 
 [[nodiscard]] inline Next go(Activation config, Values values) {
@@ -45,11 +45,11 @@ struct Next {
 
 /// A branch of an external choice: `guard & event fields -> next`.
 struct Branch {
-    cspm::ExprPtr guard = {};  ///< null: always
+    cspm::ExprPtr guard = {};  ///< null: always enabled
     cspm::ExprPtr event = {};
     std::vector<cspm::Field> fields = {};
     Next next = {};
-    bool tock = false;  ///< time passes: clocks that `next` does not speak of count on
+    bool tock = false;  ///< time passes: clocks that `next` does not set advance
 };
 
 }  // namespace robochart::csp_emit

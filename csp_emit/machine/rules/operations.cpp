@@ -1,4 +1,4 @@
-// Where an operation runs, and with which values.
+// Where a called operation runs, and with which values.
 #include "csp_emit/machine/rules/operations.hpp"
 
 #include <algorithm>
@@ -14,9 +14,9 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Whether nothing runs concurrently with the call, so that the return address describes its caller.
+/// Whether nothing runs concurrently with the call, so that the return address determines the caller's configuration.
 bool shares(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
-    // A shared operation runs in a configuration of its own, which does not show the state of its caller.
+    // A shared operation runs in a separate configuration, which does not contain the state of its caller.
     if (!tables.project().options.share_calls || tables.context.within) return false;
     if (running.during || returned.frame != running.frame()) return false;
     if (!returned.durings.empty() || returned.control.callee) return false;
@@ -25,7 +25,7 @@ bool shares(const MachineTables& tables, const RunningThread& running, const Act
     return monitors(tables, view(returned), {}).empty();
 }
 
-/// What the operation starts with: its parameters, its own variables and clocks.
+/// The initial values of a called operation: its parameters, its own variables and clocks.
 Values called_values(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, std::uint32_t callee,
                      const Values& values) {
     const Frame& frame = tables.frames[callee];
@@ -34,7 +34,7 @@ Values called_values(MachineTables& tables, const RunningThread& running, const 
     for (std::size_t i = 0; i < frame.machine->variables.size(); ++i) {
         const ir::Variable& variable = frame.machine->variables[i];
         const CellId cell = frame.variables[i];
-        if (std::find(frame.own.begin(), frame.own.end(), cell) == frame.own.end()) continue;  // the caller's
+        if (std::find(frame.own.begin(), frame.own.end(), cell) == frame.own.end()) continue;  // belongs to the caller
         const bool given = variable.scope == ir::VariableScope::parameter && parameter < stmt.args.size();
         inside[cell] = given ? expression_as(tables.project(), tables.frames.scope(running.frame(), values),
                                              *stmt.args[parameter++], variable.type)
@@ -45,7 +45,7 @@ Values called_values(MachineTables& tables, const RunningThread& running, const 
     return inside;
 }
 
-/// The preconditions of the operation, with those of the functions that they use.
+/// The preconditions of the operation, preceded by those of the functions that they call.
 b::Exprs preconditions_of(const MachineTables& tables, const ir::Machine& operation, std::uint32_t frame,
                           const Values& inside) {
     const Scope names = tables.frames.scope(frame, inside);
@@ -64,7 +64,7 @@ Next call(MachineTables& tables, const RunningThread& running, const ir::Stmt& s
     const std::uint32_t caller = running.frame();
     const ir::Machine& operation = *tables.frames.definition(caller, stmt.operation);
     const Activation returned = running.replace(rest);
-    if (!operation.initial.valid()) {  // no body: SKIP |~| STOP, with `terminates` SKIP
+    if (!operation.initial.valid()) {  // no body: SKIP |~| STOP; SKIP if declared `terminates`
         Next skip = go(returned, values);
         if (operation.terminates) return skip;
         return {Next::Kind::internal, {}, {}, {}, {std::move(skip), go(stuck(running), values)}};

@@ -1,4 +1,4 @@
-// When others may write, and what follows.
+// Determines when others may write, and the configuration after a write.
 #include "csp_emit/machine/rules/shared_variables.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool others_write(const MachineTables& tables) {
     return std::any_of(variables.begin(), variables.end(), [&](CellId cell) { return tables.cells[cell].shared; });
 }
 
-/// Whether a part of the statement may be one during which nobody writes.
+/// Whether the statement may contain a part during which no other component may write.
 bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
     const auto function = [](const ir::Expr& part) { return part.kind == ir::ExprKind::call; };
     const auto expressions = reads(stmt);
@@ -28,7 +28,7 @@ bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
                        [&](const auto& part) { return may_refuse_writes(tables, *part); });
 }
 
-/// Whether nobody may write while the thread is where it is.
+/// Whether other components cannot write in the current state of the thread.
 bool refuses_writes(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind == ItemKind::stuck) return true;

@@ -1,8 +1,8 @@
-// The machine's side of shared variables (semantics 3.7): it keeps its own copy of every required variable, and others
-// may write the copy at any moment by set_EXT_x, except while a platform operation is being called, a single event
-// stands under a deadline, or a precondition has failed: RoboTool's processes for these (`opCall -> SKIP`, `EDeadline`,
-// `false & ...`) do not offer share__. What comes before them does: reading their variables, and leaving the nodes that
-// a transition leaves (`share__choice(exit -> SKIP)`, `share__choice(exited -> SKIP)`).
+// The machine's side of shared variables (semantics 3.7). A machine keeps its own copy of every required variable.
+// Others may write the copy at any moment by set_EXT_x, except while a platform operation is being called, while a
+// single event is under a deadline, or after a precondition has failed: RoboTool's processes for these (`opCall ->
+// SKIP`, `EDeadline`, `false & ...`) do not offer share__. The steps before these do offer it: reading their variables,
+// and leaving the nodes that a transition leaves (`share__choice(exit -> SKIP)`, `share__choice(exited -> SKIP)`).
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@
 
 namespace robochart::csp_emit {
 
-/// Whether the call reads variables in a step of its own, until which others may write (`share__choice(get_v?v ->
-/// ...)`) though not while the operation is being called.
+/// Whether the call reads variables in a separate step. Others may write until that step (`share__choice(get_v?v ->
+/// ...)`), but not while the operation is being called.
 [[nodiscard]] bool reads_in_turn(const MachineTables&, const RunningThread&, const ir::Stmt&);
-/// Adds the step that leaves `node`, where it is observable. `next`: the action that follows; may be null.
+/// Adds the step that leaves `node` if it is observable. `next` is the action that follows; it may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,
                  std::vector<Item>& items);
-/// The steps `exit` and `exited` of a node that is left do not synchronise, but until they happen others may write.
+/// The steps `exit` and `exited` of a node do not synchronise, but others may write until they happen.
 [[nodiscard]] Branch left_branch(MachineTables&, const RunningThread&);
 
 /// `set_EXT_x` of every shared variable.
 [[nodiscard]] std::vector<cspm::ExprPtr> external_write_events(const MachineTables&);
-/// `set_EXT_x?v` for each of them, where no thread refuses writes.
+/// `set_EXT_x?v` for each of them, if no thread refuses writes.
 [[nodiscard]] std::vector<Branch> external_writes(const MachineTables&, const Activation& config, const View&);
 
 }  // namespace robochart::csp_emit

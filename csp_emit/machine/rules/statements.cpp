@@ -1,4 +1,4 @@
-// Questions that the rules for statements, time and shared variables ask alike.
+// Properties that the rules for statements, time and shared variables all need.
 #include "csp_emit/machine/rules/statements.hpp"
 
 #include <algorithm>

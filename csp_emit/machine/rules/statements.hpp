@@ -1,4 +1,4 @@
-// Properties of a statement in the thread that is to run it (semantics 3.5): what it reads, whether it is visible,
+// Properties of a statement in the thread that will execute it (semantics 3.5): what it reads, whether it is visible,
 // which preconditions it has.
 #pragma once
 
@@ -9,29 +9,30 @@
 
 namespace robochart::csp_emit {
 
-/// The expressions that a statement evaluates, without those of its parts.
+/// The expressions that a statement evaluates itself, without those of nested statements.
 [[nodiscard]] std::vector<const ir::Expr*> reads(const ir::Stmt&);
-/// Whether nobody else can write what the statement reads. `alone`: no other thread runs.
+/// Whether no one else can write what the statement reads. `alone`: no other thread runs.
 [[nodiscard]] bool stable(const MachineTables&, std::uint32_t frame, const ir::Stmt&, bool alone);
-/// Whether all variables that the statement reads are names or literals, so that using them twice copies no
-/// expressions.
+/// Whether all variables that the statement reads currently have names or literals as values, so that using them twice
+/// copies no expressions.
 [[nodiscard]] bool reads_only_names(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
-/// Whether the operation that the statement calls is defined where the machine runs.
+/// Whether the operation that the statement calls is defined in the machine's context.
 [[nodiscard]] bool defined(const MachineTables&, const RunningThread&, const ir::Stmt& call);
 /// Whether the statement is an event of the machine's alphabet.
 [[nodiscard]] bool visible(const MachineTables&, const RunningThread&, const ir::Stmt&);
 /// The preconditions of the functions that the statement uses (semantics 3.5).
 [[nodiscard]] std::vector<cspm::ExprPtr> function_preconditions(const MachineTables&, std::uint32_t frame,
                                                                 const ir::Stmt&, const Values&);
-/// The new value of the assigned variable, of which the statement may give one part.
+/// The new value of the assigned variable; the statement may replace only one part of it.
 [[nodiscard]] cspm::ExprPtr assigned(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
-/// Declared initial value of a private variable; required ones start at the type's default (semantics 3.6, 3.7).
+/// The declared initial value of a private variable; required variables start with the type's default (semantics 3.6,
+/// 3.7).
 [[nodiscard]] cspm::ExprPtr initial_value(MachineTables&, std::uint32_t frame, const ir::Variable&);
 
 /// A hidden step of a statement: `step__.n`.
 [[nodiscard]] cspm::ExprPtr step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
-/// The configuration in which the thread is blocked; the deadlines that it is under expire (semantics 3.10: `S <{d}` is
-/// interrupted after d by a process in which time stops, whatever S does).
+/// The configuration in which the thread is blocked. The deadlines around it still expire (semantics 3.10: `S <{d}` is
+/// interrupted after d by a process in which time stops, independently of S).
 [[nodiscard]] Activation stuck(const RunningThread&);
 
 }  // namespace robochart::csp_emit

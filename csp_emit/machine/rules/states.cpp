@@ -13,7 +13,7 @@ using ir::NodeKind;
 
 namespace {
 
-/// Composite states around the node that have not been entered yet, innermost first.
+/// The enclosing composite states that have not been entered yet, innermost first.
 std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activation& activation, NodeId node) {
     std::vector<NodeId> result;
     for (NodeId above = machine.nodes[node.index].parent; above.valid(); above = machine.nodes[above.index].parent)
@@ -22,20 +22,20 @@ std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activat
     return result;
 }
 
-/// Whether the node is the state or inside it.
+/// Whether the node is the state itself or inside it.
 bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
     while (node.valid() && node != state) node = machine.nodes[node.index].parent;
     return node.valid();
 }
 
-/// The running machine of that frame: a thread that has changed finds its owner again.
+/// The running machine of that frame; finds the owner of a thread again after a change.
 const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
     const auto found = std::find_if(view.machines.begin(), view.machines.end(),
                                     [&](const RunningMachine& running) { return running.activation->frame == frame; });
     return found == view.machines.end() ? nullptr : &*found;
 }
 
-/// The state among those entered, its during action among those that run.
+/// Adds the state to the entered states and its during action to the running ones.
 void put_entered(const ir::Machine& machine, NodeId id, Activation& activation) {
     const ir::Node& node = machine.nodes[id.index];
     const auto outer = [&](NodeId other) {
@@ -66,7 +66,7 @@ bool is_in(const MachineTables& tables, const Activation& activation, NodeId sta
     const auto& entered = activation.entered;
     if (std::find(entered.begin(), entered.end(), state) != entered.end()) return true;
     if (is_within(machine, activation.at, state)) return true;
-    // A transition from its initial node: it is entered with the first state inside.
+    // After a transition from its initial node the state is entered together with its first inner state.
     for (const Link* link = activation.control.rest.get(); link != nullptr; link = link->tail.get())
         if (link->head.kind == ItemKind::enter && link->head.node != state &&
             is_within(machine, link->head.node, state))
@@ -78,8 +78,8 @@ Next enter(const MachineTables& tables, const RunningThread& running, const Valu
     const Item& item = running.head();
     const ir::Machine& machine = *tables.frames[running.frame()].machine;
     const ir::Node& node = machine.nodes[item.node.index];
-    // The thread that enters is the activation's control thread, so the change of `at` goes with it. A composite
-    // state stands at its initial node once its entry action is done.
+    // The entering thread is the activation's control thread, so `at` changes with it. After its entry action, a
+    // composite state is at its initial node.
     Program rest = running.tail();
     const auto entered_item = [&](NodeId which) {
         Item event = item;

@@ -10,11 +10,11 @@ namespace robochart::csp_emit {
 [[nodiscard]] bool is_final(const MachineTables&, const Activation&);
 /// Whether the machine is in the state: from the beginning of its entry action until a transition leaves it.
 [[nodiscard]] bool is_in(const MachineTables&, const Activation&, ir::NodeId state);
-/// The thread enters a node: what it has to do then, innermost last.
+/// The thread enters a node: pushes the items that it executes then, innermost last.
 [[nodiscard]] Next enter(const MachineTables&, const RunningThread&, const Values&);
-/// Puts a state among those entered, outermost first, starts its during action and its clock.
+/// Adds a state to the entered states, outermost first, and starts its during action and its clock.
 [[nodiscard]] Next entered(const MachineTables&, const RunningThread&, const Values&);
-/// The same by the event that the alphabet has for it: `S::entered`.
+/// The same as an event of the alphabet: `S::entered`.
 [[nodiscard]] Branch entered_branch(const MachineTables&, const RunningThread&);
 
 }  // namespace robochart::csp_emit

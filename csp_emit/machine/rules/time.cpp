@@ -1,4 +1,4 @@
-// What is urgent, and what a tock changes.
+// Determines what is urgent, and what a tock changes.
 #include "csp_emit/machine/rules/time.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ ExprPtr minus_one(const ExprPtr& value) {
     return b::binary(Op::minus, value, b::number(1));
 }
 
-/// Calls `visit` with the counters of the deadlines that the threads are under.
+/// Calls `visit` with the counters of the threads' current deadlines.
 template <class Visit>
 void for_each_deadline(const View& view, const Visit& visit) {
     const auto deadlines = [&](const Program& program) {
@@ -30,7 +30,7 @@ void for_each_deadline(const View& view, const Visit& visit) {
     for (const RunningThread& running : view.threads) deadlines(running.thread().rest);
 }
 
-/// The preconditions of a call of a platform operation: `pre & opCall`, which is urgent only where it is offered.
+/// The preconditions of a call of a platform operation in `pre & opCall`, which is urgent only if it is offered.
 b::Exprs call_preconditions(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind != ItemKind::statement || item.stmt->kind != ir::StmtKind::call) return {};
@@ -41,7 +41,7 @@ b::Exprs call_preconditions(const MachineTables& tables, const RunningThread& ru
                : b::Exprs{};
 }
 
-/// Time passes only if every deadline has time left, and no operation of the platform can be called.
+/// Time passes only if no deadline has expired and no operation of the platform can be called.
 b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     b::Exprs result;
     for (const RunningThread& running : view.threads)
@@ -56,7 +56,8 @@ b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     return result;
 }
 
-/// Waits get shorter; one that is over lets its thread go on. Each wait is decided in turn: `values` holds those done.
+/// Waits get shorter; a thread whose wait is over continues. The waits are decided one after the other; `values` holds
+/// the results so far.
 Next after_tock(const MachineTables& tables, const Activation& config, const Values& values) {
     const View now = view(config);
     for (const RunningThread& running : now.threads) {
@@ -128,7 +129,7 @@ std::vector<std::pair<CellId, ExprPtr>> monitors(const MachineTables& tables, co
             const ir::Transition& transition = frame.machine->transitions[id];
             const auto& entered = running.activation->entered;
             if (std::find(entered.begin(), entered.end(), transition.source) == entered.end()) continue;
-            // The monitor has no incoming value: it reads the variable (semantics 3.10).
+            // The monitor receives no value: it reads the variable (semantics 3.10).
             const bool receives = transition.trigger && transition.trigger->kind == ir::CommKind::input;
             const ExprPtr known =
                 receives ? tables.cells.value(frame.variables.at(transition.trigger->variable.index), values) : nullptr;
@@ -150,7 +151,7 @@ Values with_monitors(const MachineTables& tables, const Activation& config, cons
 }
 
 Branch tock(const MachineTables& tables, const Activation& config, const View& view) {
-    // Clocks of callers that are not in sight count on too (SparseCall::after_tock).
+    // Clocks of callers that are not part of the configuration advance too (SparseCall::after_tock).
     Values values;
     for (const RunningMachine& running : view.machines)
         for (const CellId cell : tables.frames[running.activation->frame].own)

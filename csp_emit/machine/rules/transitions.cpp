@@ -1,4 +1,4 @@
-// Which transitions can fire, and the programs that they run.
+// Determines which transitions can fire, and the programs that they run.
 #include "csp_emit/machine/rules/transitions.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ bool inside(const ir::Machine& machine, NodeId node, NodeId composite) {
     return false;
 }
 
-/// Whether a state below `source` that is left has an exit action.
+/// Whether the transition leaves a state below `source` that has an exit action.
 bool has_inner_exit(const ir::Machine& machine, NodeId active, NodeId source) {
     for (NodeId node = active; node.valid() && node != source; node = machine.nodes[node.index].parent)
         if (machine.nodes[node.index].exit) return true;
@@ -53,8 +53,8 @@ ExprPtr unless_true(const ExprPtr& guard) {
     return is_true(guard) ? nullptr : guard;
 }
 
-/// Whether the order of the store of a trigger's value and of an exit action matters: the store is seen, or the action
-/// uses the variable; any call of a defined operation counts as a use.
+/// Whether the order between the store of a trigger's value and an exit action matters: the store is visible, or the
+/// action uses the variable. Any call of a defined operation counts as a use.
 bool races(const MachineTables& tables, std::uint32_t index, ir::VariableId variable, const ir::Stmt& exit) {
     bool found = tables.cells[tables.frames[index].variables.at(variable.index)].shared;
     const auto uses = [&](const ir::Expr& part) {
@@ -90,7 +90,7 @@ Values reset_clocks(const MachineTables& tables, std::uint32_t index, const ir::
     return result;
 }
 
-/// A part of what the transition does, as an item without more than its label.
+/// A part of the transition's effect, as an item that has only a label.
 Item item_of(const ir::Transition& transition, ItemKind kind) {
     Item item;
     item.kind = kind;
@@ -105,7 +105,8 @@ Item statement_item(const ir::StmtPtr& stmt, const std::string& label) {
     return item;
 }
 
-/// The exits of the active nodes up to the source, innermost first; `join`: the source's waits for the store beside it.
+/// Adds the exits of the active nodes up to the source, innermost first. `join`: the source's exit waits for the store
+/// that runs in parallel.
 void add_exits(const MachineTables& tables, const Activation& activation, const ir::Transition& transition, bool join,
                std::vector<Item>& items) {
     const ir::Machine& left = *tables.frames[activation.frame].machine;
@@ -121,9 +122,9 @@ void add_exits(const MachineTables& tables, const Activation& activation, const 
     }
 }
 
-/// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target. Where exits
-/// of inner states race with `first`, the store of the trigger's value, it is a thread of its own that the exit of the
-/// source waits for (semantics 3.4, step 4).
+/// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target. If exits of
+/// inner states race with `first`, the store of the trigger's value, the store is a separate thread, and the exit of
+/// the source waits for it (semantics 3.4, step 4).
 Activation leave(MachineTables& tables, const Activation& activation, ir::TransitionId id, Program first) {
     const ir::Machine& left = *tables.frames[activation.frame].machine;
     const ir::Transition& transition = left.transitions[id.index];
@@ -155,12 +156,12 @@ Activation leave(MachineTables& tables, const Activation& activation, ir::Transi
     return result;
 }
 
-/// The condition as this semantics has it; null: none.
+/// The condition in this semantics (untimed or timed); null if there is none.
 ir::ExprPtr condition_in_time(const MachineTables& tables, const ir::Transition& transition) {
     return tables.timed() || !transition.guard_timed ? transition.guard : ir::untimed_guard(transition.guard).kept;
 }
 
-/// With a trigger: `g & e.in?x`; the value received is stored first.
+/// With a trigger: `g & e.in?x`; the received value is stored first.
 Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t index = running.activation->frame;
     const Project& project = tables.project();

@@ -8,15 +8,16 @@
 
 namespace robochart::csp_emit {
 
-/// The transitions of a running machine that is settled: of its active node and of all states around it.
+/// The outgoing transitions of a settled machine: those of its active node and of all enclosing states.
 [[nodiscard]] std::vector<ir::TransitionId> candidates(const MachineTables&, const Activation&);
-/// Whether a transition without trigger and without condition is enabled: it fires before time passes.
+/// Whether a transition without trigger and condition is enabled; it fires before time passes.
 [[nodiscard]] bool has_urgent_transition(const MachineTables&, const Activation&);
-/// The guard with the preconditions of its functions; `true` if there is none. Untimed: without what reads clocks.
+/// The guard with the preconditions of its functions; `true` if there is none. In the untimed semantics, conditions
+/// that read clocks are left out.
 [[nodiscard]] cspm::ExprPtr guard_of(const MachineTables&, std::uint32_t frame, const ir::Transition&, const Values&,
                                      const cspm::ExprPtr& trigger_value);
-/// The transition fires: `g & e.in?x:{x | x <- T, guard(x)}`, values that fail the guard are refused, not consumed;
-/// without a trigger by a hidden event, `g & internal__.TID_t`.
+/// Fires the transition: `g & e.in?x:{x | x <- T, guard(x)}`, where values that fail the guard are refused, not
+/// consumed; without a trigger by a hidden event, `g & internal__.TID_t`.
 [[nodiscard]] Branch fire(MachineTables&, const RunningMachine&, ir::TransitionId);
 
 }  // namespace robochart::csp_emit

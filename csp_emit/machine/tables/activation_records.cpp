@@ -1,4 +1,4 @@
-// Opening frames: what an operation requires is its caller's, the rest gets cells of its own.
+// Opens frames: what an operation requires is shared with its caller, everything else gets new cells.
 #include "csp_emit/machine/tables/activation_records.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Index of the element of that name, if there is one.
+/// Index of the element with that name, if it exists.
 template <class Element>
 std::optional<std::size_t> find_named(const std::vector<Element>& elements, const std::string& name) {
     const auto found = std::find_if(elements.begin(), elements.end(), [&](const Element& e) { return e.name == name; });
@@ -22,7 +22,7 @@ std::optional<std::size_t> find_named(const std::vector<Element>& elements, cons
     return static_cast<std::size_t>(found - elements.begin());
 }
 
-/// The element of that name among those of a caller, as text; "-" if there is none.
+/// Text of the caller's element with that name; "-" if there is none.
 template <class Element, class Meaning>
 std::string bound_to(const std::vector<Element>& elements, const std::string& name, const Meaning& meaning) {
     const auto found = find_named(elements, name);
@@ -116,7 +116,7 @@ void ActivationRecords::add_clocks(Frame& frame, bool root) {
     }
 }
 
-/// A cell for the clock if something reads it; `outside`: it is a clock of the caller, read by an event.
+/// Adds a cell for the clock if something reads it. `outside`: it is a clock of the caller, read by an event.
 void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     const ir::Machine& opened = *frame.machine;
     const ir::Clock& clock = opened.clocks[id.index];
@@ -135,7 +135,7 @@ void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     if (!outside) frame.own.push_back(*frame.clocks.back());
 }
 
-/// Whether the machine reads its clock, or an operation does that may be called and requires it.
+/// Whether the machine reads its clock, or an operation that it may call requires and reads it.
 bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id) const {
     const auto below = calls_.callable();
     const auto inherits = [&](const ir::Machine* operation) {
@@ -172,7 +172,7 @@ void ActivationRecords::add_monitors(Frame& frame) {
         if (transition.guard && mentions(*transition.guard, outside))
             project().refuse("the deadline of " + transition.name + " under a condition on the caller's clock",
                              transition.origin.span);
-        // No source says whether such a deadline runs.
+        // No source defines whether such a deadline runs.
         if (ir::preconditions_can_fail(project().system, project().instantiation, {}, *transition.deadline))
             project().refuse("the deadline of " + transition.name + " by a function with a precondition",
                              transition.origin.span);
@@ -198,7 +198,7 @@ void ActivationRecords::find_watched(Frame& frame, bool root) const {
 std::uint32_t ActivationRecords::called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation) {
     const auto key = std::make_pair(caller, &call);
     if (const auto found = called_.find(key); found != called_.end()) return found->second;
-    // Deep chains of calls: names with all callers in front would make the script quadratic.
+    // For deep chains of calls, names prefixed with all callers would make the size of the script quadratic.
     constexpr std::size_t longest = 40;
     const std::string& above = frames_[caller].prefix;
     const std::string prefix = (above.size() < longest ? above : "") + operation.name + "_";
@@ -224,7 +224,8 @@ std::uint32_t ActivationRecords::shared(std::uint32_t caller, const ir::Machine&
 
 Scope ActivationRecords::scope(std::uint32_t index, const Values& values, ExprPtr trigger_value) const {
     Scope result;
-    const auto values_now = std::make_shared<const Values>(values);  // a scope may outlive what it was made with
+    // a scope may outlive the values that it was made with
+    const auto values_now = std::make_shared<const Values>(values);
     result.variable = [this, index, values_now](ir::VariableId id) {
         return cells_.value(frames_[index].variables.at(id.index), *values_now);
     };
@@ -268,7 +269,7 @@ const ir::Stmt* ActivationRecords::reset_statement(std::uint32_t frame, ir::Tran
         found->second.clock = clock;
         found->second.origin = owner.transitions[id.index].origin;
         const auto clocks = static_cast<std::uint32_t>(owner.clocks.size());
-        found->second.point = owner.points + id.index * clocks + clock.index;  // none of the machine's own
+        found->second.point = owner.points + id.index * clocks + clock.index;  // not one of the machine's own
     }
     return &found->second;
 }

@@ -1,5 +1,5 @@
-// Machines and called operations: which parameter holds which variable, clock and counter of each.
-// An operation works on its caller's variables, clocks and events of the same name (semantics 3.8).
+// Machines and called operations: the parameters that hold the variables, clocks and counters of each. An operation
+// works on its caller's variables, clocks and events of the same name (semantics 3.8).
 #pragma once
 
 #include <map>
@@ -15,22 +15,22 @@
 
 namespace robochart::csp_emit {
 
-/// A machine, or an operation called at one place of it.
+/// A machine, or an operation called in one place of it.
 struct Frame {
     const ir::Machine* machine = nullptr;
     std::uint32_t parent = 0;
-    std::string prefix;                         ///< in front of its names: "Turn_"
-    std::vector<CellId> variables;              ///< by VariableId; required ones are the caller's
-    std::vector<std::optional<CellId>> clocks;  ///< by ClockId; those that nothing reads have none
+    std::string prefix;                         ///< prefix of its names: "Turn_"
+    std::vector<CellId> variables;              ///< by VariableId; required variables share the caller's cell
+    std::vector<std::optional<CellId>> clocks;  ///< by ClockId; no cell if nothing reads the clock
     std::optional<ir::ClockId> watched;         ///< the clock MachineContext::watched
-    std::vector<std::string> announced;         ///< by ClockId: CLID_C where a reset is an event; empty otherwise
+    std::vector<std::string> announced;         ///< by ClockId: CLID_C if a reset is an event; otherwise empty
     std::vector<cspm::ExprPtr> constants;       ///< by ConstantId
     std::vector<std::string> events;            ///< by EventId: the channel
-    std::vector<CellId> own;                    ///< cells that live while the frame does
+    std::vector<CellId> own;                    ///< cells whose lifetime is that of the frame
     std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: deadlines of transitions
 };
 
-/// Owns the frames: number 0 is the machine, the others are operations where they are called.
+/// Owns the frames: number 0 is the machine, the others are called operations.
 class ActivationRecords {
 public:
     /// Opens the frame of the machine.
@@ -40,19 +40,19 @@ public:
     [[nodiscard]] const Frame& root() const { return frames_.front(); }
     /// The frame of the operation that the statement of `caller` calls.
     std::uint32_t called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation);
-    /// One frame of the operation for all callers that mean the same by the names of variables and clocks that it
-    /// requires.
+    /// One frame of the operation for all callers in which the variables and clocks that it requires denote the same
+    /// cells.
     std::uint32_t shared(std::uint32_t caller, const ir::Machine& operation);
 
-    /// What the names of expressions stand for in a frame.
+    /// The meaning of names in expressions of a frame.
     [[nodiscard]] Scope scope(std::uint32_t frame, const Values&, cspm::ExprPtr trigger_value = nullptr) const;
-    /// The definition of the operation where the frame's machine calls it; null if the call is an event.
+    /// The definition of the operation in the context of the frame's machine; null if the call is an event.
     [[nodiscard]] const ir::Machine* definition(std::uint32_t frame, ir::OperationId) const;
-    /// The constructor of the event clockReset that a reset of the clock is; null if it is no event.
+    /// The constructor for the clock in its event clockReset; null if a reset is not an event.
     [[nodiscard]] const std::string* announced(std::uint32_t frame, ir::ClockId) const;
-    /// The full time of a transition's deadline, by the cell that counts it down (semantics 3.10).
+    /// The full duration of a transition's deadline, by the cell that counts it down (semantics 3.10).
     [[nodiscard]] cspm::ExprPtr full_time(CellId monitor, const Values&) const;
-    /// A reset on a transition as a statement, where it is an event.
+    /// A reset on a transition as a statement, if it is an event.
     [[nodiscard]] const ir::Stmt* reset_statement(std::uint32_t frame, ir::TransitionId, ir::ClockId);
 
 private:
@@ -73,11 +73,11 @@ private:
     ClockLimits& limits_;
     std::vector<Frame> frames_;
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> called_;
-    std::map<std::string, std::uint32_t> shared_;  ///< by what the caller means by the required names
+    std::map<std::string, std::uint32_t> shared_;  ///< by the caller's elements for the required names
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, ir::Stmt> reset_statements_;
 };
 
-/// Whether the clock is that of the caller, and the machine is an operation on its own.
+/// Whether the clock belongs to the caller, and the machine is an operation that is checked on its own.
 [[nodiscard]] bool is_callers(const ir::Machine&, const ir::Clock&);
 
 }  // namespace robochart::csp_emit

@@ -1,4 +1,4 @@
-// Reachability by calls, and cycles of calls.
+// Reachability and cycles in the call graph.
 #include "csp_emit/machine/tables/call_graph.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// The operations that each operation of a context calls, among those defined there.
+/// For each operation of a context: the operations that it calls and that are defined there.
 using Callees = std::map<const ir::Machine*, std::vector<const ir::Machine*>>;
 
 Callees callees(const std::vector<const ir::Machine*>& definitions) {
@@ -23,7 +23,7 @@ Callees callees(const std::vector<const ir::Machine*>& definitions) {
     return result;
 }
 
-/// Whether the calls have a cycle: operations without callers are removed until none is left (Kahn 1962).
+/// Whether the calls have a cycle: operations without callers are removed until none remains (Kahn 1962).
 bool has_cycle(const Callees& callees) {
     std::map<const ir::Machine*, std::size_t> callers;
     for (const auto& [caller, called] : callees)

@@ -1,4 +1,4 @@
-// The machine and the operations that it calls, itself or through others, as far as they are defined where it runs.
+// The machine and the operations that it calls, directly or indirectly, if they are defined in its context.
 #pragma once
 
 #include <string>
@@ -15,14 +15,15 @@ public:
     /// Takes names for the constants from the context.
     explicit CallGraph(MachineContext&);
 
-    /// The definition of an operation that a machine calls; null if the context has none: the call is an event.
+    /// The definition of an operation that a machine calls; null if the context has none, in which case the call is an
+    /// event.
     [[nodiscard]] const ir::Machine* definition(const ir::Machine& caller, ir::OperationId) const;
-    /// The operations that the machine calls, itself or through others.
+    /// The operations that the machine calls, directly or indirectly.
     [[nodiscard]] std::vector<const ir::Machine*> callable() const;
-    /// The calls from `operation` to `caller` and back, if the operation can come to call its caller: `o -> p -> o`.
+    /// The calls from `operation` to `caller` and back, if the operation can call its caller: `o -> p -> o`.
     [[nodiscard]] std::string recursion(const ir::Machine& caller, const ir::Machine& operation) const;
 
-    /// Those of the machine in order of declaration, then those of the operations it calls.
+    /// The machine's constants in order of declaration, then those of the operations that it calls.
     [[nodiscard]] const std::vector<ConstantParameter>& constants() const { return constants_; }
     /// Their names as parameters of the machine's functions.
     [[nodiscard]] std::vector<std::string> constants_inside() const;
@@ -33,7 +34,7 @@ private:
     const MachineContext& context_;
     std::vector<const ir::Machine*> reached_;
     std::vector<ConstantParameter> constants_;
-    bool recursive_ = false;  ///< whether some operation may call itself
+    bool recursive_ = false;  ///< some operation may call itself
 };
 
 }  // namespace robochart::csp_emit

@@ -1,4 +1,4 @@
-// The stack of calls as a parameter, and the functions that it chooses between.
+// The stack of calls as a parameter, and the functions that it selects.
 #include "csp_emit/machine/tables/call_sharing.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// One definition of an operation for all calls of it (semantics 3.8). While an operation runs that the control thread
-// has called, its caller only waits: the configuration is the operation's alone, and the return addresses are the value
-// of a parameter, a sequence of numbers with the innermost call first: a stack. An operation that is called
-// concurrently with during actions, or under a deadline, is inlined: it runs in a configuration with its caller.
+// One definition of an operation for all its calls (semantics 3.8). While an operation called by the control thread
+// runs, its caller only waits. So the configuration contains only the operation, and one parameter holds the return
+// addresses, a sequence of numbers with the innermost call first: a stack. An operation that is called concurrently
+// with during actions, or under a deadline, is inlined: it runs in a configuration with its caller.
 #pragma once
 
 #include <map>
@@ -14,36 +14,36 @@
 
 namespace robochart::csp_emit {
 
-/// Where a call of a shared operation returns to.
+/// The return point of a shared operation's call.
 struct Continuation {
     std::uint32_t frame = 0;  ///< of the operation
-    Activation config;        ///< once it has returned
+    Activation config;        ///< the configuration after the return
     std::string name;         ///< of its function
 };
 
-/// Owns the continuations of shared calls, and the values of the stack. Whether a value needs a number at all is known
-/// once all calls are: until then its node is empty.
+/// Owns the continuations of shared calls and the values of the stack. Whether a value needs a number is known only
+/// when all calls are known; until then its node is empty.
 class CallSharing {
 public:
     CallSharing(ParameterTable& cells, PointTable& points, FamilyCalls& calls)
         : cells_(cells), points_(points), calls_(calls) {}
 
-    /// Gives the stack its value inside a call: this return address pushed.
+    /// Sets the stack inside a call: pushes this return address.
     void push(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside);
-    /// The call of the operation's end.
+    /// The call of the function for the operation's end.
     [[nodiscard]] cspm::ExprPtr return_from(std::uint32_t frame, const Values&, bool after_tock);
-    /// The stack once a call has returned.
+    /// The stack after a call has returned.
     [[nodiscard]] Values behind(const Continuation&);
     [[nodiscard]] const std::vector<Continuation>& continuations() const { return continuations_; }
 
-    /// At the end of an operation: the continuation that the top of the stack chooses.
+    /// At the end of an operation: selects the continuation by the top of the stack.
     [[nodiscard]] cspm::ExprPtr dispatch(std::uint32_t frame);
-    /// Fills in the values. Operations with one continuation only need no number for it.
+    /// Fills in the values. An operation with a single continuation needs no number for it.
     void settle();
-    /// Where an operation has one continuation only, which only calls a point, its end is that point: takes the
-    /// function of the end away. `behind`: the functions of the continuations.
+    /// If an operation has a single continuation that only calls a point, its end becomes that point and the function
+    /// of the end is removed. `behind`: the functions of the continuations.
     void skip_returns(std::vector<Function>& functions, const std::vector<Function>& behind);
-    /// Says which parameter is the stack, and what the values given to it mean.
+    /// Records which parameter is the stack, and what its values mean.
     void describe(Candidates&) const;
     /// The functions `top` and `rest` of the stack, if some operation has several continuations.
     void declare(std::vector<cspm::DeclPtr>& decls) const;
@@ -53,26 +53,26 @@ private:
     struct Returns {
         std::map<std::string, std::size_t> number;
         std::vector<std::size_t> continuations;
-        std::vector<cspm::ExprPtr> calls;  ///< of its end
+        std::vector<cspm::ExprPtr> calls;  ///< calls of the end of the operation
     };
-    /// A value of the stack whose form depends on whether the operation has one continuation only.
+    /// A value of the stack whose form depends on whether the operation has a single continuation.
     struct Pending {
         std::uint32_t frame;
         std::shared_ptr<cspm::Expr> value;
-        std::optional<std::size_t> pushed;  ///< the number of the continuation; none: one is popped
+        std::optional<std::size_t> pushed;  ///< the number of the continuation; no value: one is popped
         cspm::ExprPtr outer;
     };
 
     ParameterTable& cells_;
     PointTable& points_;
     FamilyCalls& calls_;
-    std::optional<CellId> return_stack_;        ///< of the calls under way
+    std::optional<CellId> return_stack_;        ///< of the active calls
     std::map<std::uint32_t, Returns> returns_;  ///< by frame
     std::vector<Continuation> continuations_;
     std::vector<Pending> pending_;
 };
 
-/// Replaces calls of continuations, the functions from `first` on, by their bodies.
+/// Replaces calls of continuations (the functions from `first` on) by their bodies.
 void inline_continuations(std::vector<Function>& functions, std::size_t first);
 
 }  // namespace robochart::csp_emit

@@ -1,6 +1,6 @@
-// Whether a clock is initialised (RoboTool has no check for it). A clock starts with its machine, but
-// a guard that reads it before any reset reads a time that nobody has set. The machine remembers in one more parameter
-// whether the clock has been reset so far, and an event says where it is read before that.
+// Whether a clock is initialised (RoboTool does not check this). A clock starts with its machine, but a guard that
+// reads it before any reset reads a time that the model has not set. One more parameter of the machine records whether
+// the clock has been reset, and an event marks each read before that.
 #pragma once
 
 #include <map>
@@ -12,23 +12,23 @@
 
 namespace robochart::csp_emit {
 
-/// Owns that parameter and the numbers of the guards that read the clock; does nothing where no clock is watched.
+/// Owns that parameter and the numbers of the guards that read the clock. It does nothing if no clock is watched.
 class ClockWatch {
 public:
     ClockWatch(const MachineContext&, const ActivationRecords&, ParameterTable&, Provenance&);
 
-    /// The parameter: whether the clock has been reset.
+    /// The parameter that records whether the clock has been reset.
     [[nodiscard]] const std::optional<CellId>& cell() const { return cell_; }
-    /// Notes a reset of the watched clock.
+    /// Records a reset of the watched clock.
     void note_reset(const Frame&, ir::ClockId, Values&) const;
-    /// `not set__ & unset__.n -> STOP` if the transition's guard reads the watched clock, else null. Guards are read
-    /// where the machine is settled, of all transitions that could fire (semantics 3.4).
+    /// `not set__ & unset__.n -> STOP` if the transition's guard reads the watched clock, otherwise null. A settled
+    /// machine reads the guards of all transitions that could fire (semantics 3.4).
     [[nodiscard]] cspm::ExprPtr read_unset(std::uint32_t frame, ir::TransitionId);
-    /// Offers `reset__` besides the process once the clock has been reset.
+    /// Adds `reset__` as a choice to the process after the clock has been reset.
     [[nodiscard]] cspm::ExprPtr with_reset(const cspm::ExprPtr& process) const;
 
     void declare(std::vector<cspm::DeclPtr>& decls) const;
-    /// How many guards read the clock.
+    /// The number of guards that read the clock.
     [[nodiscard]] std::size_t reads() const { return reads_.size(); }
 
 private:

@@ -1,4 +1,4 @@
-// What guards compare clocks with, as one limit for each clock.
+// Combines the values that guards compare with a clock to one limit.
 #include "csp_emit/machine/tables/clock_limits.hpp"
 
 #include <algorithm>
@@ -26,13 +26,13 @@ const ir::Expr& without_casts(const ir::Expr& expr) {
     return *inner;
 }
 
-/// What the named clock (or the clock of a state) is compared with in the machine's guards.
+/// The values with which the machine's guards compare the named clock (or the clock of a state).
 class ClockBounds {
 public:
     ClockBounds(const ir::Machine& machine, std::string clock, ir::NodeId entry_of)
         : machine_(machine), clock_(std::move(clock)), entry_of_(entry_of) {}
 
-    /// False if the clock is used otherwise than as a side of a comparison (rule TE4 forbids it).
+    /// False if the clock is used other than as a side of a comparison (forbidden by rule TE4).
     bool collect(std::vector<const ir::Expr*>& bounds) const {
         bool direct = true;
         for (const ir::Transition& transition : machine_.transitions)
@@ -98,7 +98,7 @@ ExprPtr ClockLimits::limit(const ir::Machine& opened, const std::string& clock, 
     return call_of(name, calls_.constants_inside());
 }
 
-/// A bound in whole time units, rounded up; variables range over their types.
+/// A bound in whole time units, rounded up; variables range over all values of their types.
 ExprPtr ClockLimits::bound_in_units(const ir::Machine& checked, const ir::Expr& bound,
                                     std::vector<cspm::Clause>& variables) const {
     Scope names;
@@ -112,7 +112,7 @@ ExprPtr ClockLimits::bound_in_units(const ir::Machine& checked, const ir::Expr& 
         const auto& constants = calls_.constants();
         return b::name(std::find_if(constants.begin(), constants.end(), same)->inside);
     };
-    names.placed = false;  // all values of a type, not those of a state
+    names.placed = false;  // evaluated for all values of a type, not in a state
     names.clock = [](ir::ClockId) { return b::number(0); };
     names.entry_clock = [](ir::NodeId) { return b::number(0); };
     const std::int64_t scale = project_.instantiation.scale;

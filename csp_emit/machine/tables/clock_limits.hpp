@@ -14,8 +14,8 @@ public:
     ClockLimits(const Project& project, const CallGraph& calls, NameManager& names)
         : project_(project), calls_(calls), names_(names) {}
 
-    /// One above the largest value that the clock, or the clock of a state, is compared with: a number, or a call of a
-    /// function of the constants where other than literals occur.
+    /// One above the largest value with which the clock, or the clock of a state, is compared: a number, or a call of a
+    /// function of the constants if the bounds are not all literals.
     [[nodiscard]] cspm::ExprPtr limit(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of);
     [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
 

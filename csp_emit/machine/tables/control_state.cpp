@@ -1,4 +1,4 @@
-// Walking and rebuilding configurations.
+// Traversal and reconstruction of configurations.
 #include "csp_emit/machine/tables/control_state.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The control state of a machine, without its data: which nodes are active, what the control thread and the during
-// threads still have to do, which operations are being called. Data live in parameters (cells). Each reachable
+// threads still have to execute, which operations are being called. The data are in parameters (cells). Each reachable
 // configuration becomes one CSPM function.
 #pragma once
 
@@ -16,25 +16,25 @@ using CellId = std::uint32_t;
 
 enum class ItemKind {
     statement,     ///< a statement to run
-    frozen,        ///< a statement whose expressions were read into cells and whose event is pending
+    frozen,        ///< a statement whose expressions have been read into cells and whose event is pending
     store,         ///< write the received value in `cells[0]` to a variable
-    waiting,       ///< a wait with `cells[0]` units to go
-    deadline_end,  ///< leaves the scope of a deadline; `cells[0]` counts it
-    left,          ///< a node has been left: a hidden step, until which others may write shared variables
+    waiting,       ///< a wait with `cells[0]` remaining units
+    deadline_end,  ///< leaves the scope of a deadline that `cells[0]` counts
+    left,          ///< leaves a node: a hidden step, until which others may write shared variables
     enter,         ///< enter a node
     entered,       ///< a state has been entered
-    join,          ///< waits until the store that runs beside the exits of `node`'s inner states is done
-    stuck,         ///< a false precondition or an operation without behaviour: nothing more happens
+    join,          ///< waits until the store that runs in parallel with the exits of `node`'s inner states is done
+    stuck,         ///< a failed precondition or an operation without behaviour: the thread is blocked
 };
 
-/// One thing a thread has to do.
+/// One item of a thread's program.
 struct Item {
     ItemKind kind = ItemKind::statement;
     const ir::Stmt* stmt = nullptr;
     ir::NodeId node;
     ir::VariableId variable;
     std::vector<CellId> cells;
-    std::string label;  ///< where it is in the model, for names and reports: "entry action of S1"
+    std::string label;  ///< its place in the model, for names and reports: "entry action of S1"
 };
 
 /// A program: a list that shares its tails.
@@ -49,7 +49,7 @@ struct Link {
 
 struct Activation;
 
-/// A thread: a program, in front of it perhaps an operation that is being called.
+/// A thread: a program, preceded by the operation that is being called, if any.
 struct Thread {
     Program rest;
     std::shared_ptr<const Activation> callee;
@@ -65,41 +65,44 @@ struct During {
 struct Activation {
     std::uint32_t frame = 0;
     ir::NodeId at;                    ///< innermost active node; invalid while a transition runs
-    std::vector<ir::NodeId> entered;  ///< states that may be interrupted, outermost first
-    Thread control;                   ///< the running transition; done: settled
-    std::vector<During> durings;      ///< unfinished during actions, outermost first; then a store beside exits
-    std::uint32_t clocks_read = 0;    ///< outermost, settled: how many clocks of the caller its guards know by now
+    std::vector<ir::NodeId> entered;  ///< active states that transitions may interrupt, outermost first
+    Thread control;                   ///< the running transition; empty if the machine is settled
+    std::vector<During> durings;      ///< unfinished during actions, outermost first; then a store that runs in
+                                      ///< parallel with exits
+    std::uint32_t clocks_read = 0;    ///< outermost activation, settled: how many clocks of the caller have been read
+                                      ///< for its guards
 };
 
-/// Whether a running machine waits in a node: no transition runs.
+/// Whether a running machine is in a node and runs no transition.
 [[nodiscard]] bool settled(const Activation&);
 /// Equal keys mean equal configurations.
 [[nodiscard]] std::string key(const Activation&);
 
-/// A running machine or operation within a configuration: a path of calls leads to it.
+/// A running machine or operation within a configuration, reached by a path of calls.
 struct RunningMachine {
     const Activation* activation = nullptr;
-    std::shared_ptr<const RunningMachine> caller;  ///< null: the machine itself, the whole configuration
-    std::size_t thread = 0;                        ///< of the caller: the one that called it
-    /// The whole configuration with another activation in this one's place.
+    std::shared_ptr<const RunningMachine> caller;  ///< null for the machine itself, which is the whole configuration
+    std::size_t thread = 0;                        ///< index of the caller's thread that called it
+    /// The whole configuration in which another activation replaces this one.
     [[nodiscard]] Activation replace(Activation) const;
 };
 /// A thread within a configuration.
 struct RunningThread {
-    std::shared_ptr<const RunningMachine> machine;  ///< that it belongs to
-    std::size_t number = 0;                         ///< 0: the control thread; i + 1: that of the i-th during action
+    std::shared_ptr<const RunningMachine> machine;  ///< the running machine that it belongs to
+    std::size_t number = 0;                         ///< 0: the control thread; i + 1: the thread of the i-th during
+                                                    ///< action
     bool during = false;                            ///< in a during action, or in an operation called from one
     [[nodiscard]] const Activation& owner() const { return *machine->activation; }
     [[nodiscard]] std::uint32_t frame() const { return owner().frame; }
     [[nodiscard]] const Thread& thread() const;
     [[nodiscard]] const Item& head() const { return thread().rest->head; }
-    /// What the thread has to do behind its head.
+    /// The rest of the thread's program after its first item.
     [[nodiscard]] const Program& tail() const { return thread().rest->tail; }
-    /// The whole configuration with another thread in this one's place; a during action that is done is dropped.
+    /// The whole configuration in which another thread replaces this one; a finished during action is dropped.
     [[nodiscard]] Activation replace(Thread) const;
     [[nodiscard]] Activation replace(Program rest) const { return replace(Thread{std::move(rest), nullptr}); }
 };
-/// All threads (those that call an operation are represented by the operation's own) and all running machines.
+/// All threads (a thread that calls an operation is represented by the operation's own) and all running machines.
 struct View {
     std::vector<RunningThread> threads;
     std::vector<RunningMachine> machines;
@@ -108,9 +111,9 @@ struct View {
 /// `config` must outlive the view.
 [[nodiscard]] View view(const Activation& config);
 
-/// The item at the head of the innermost control thread, which names and describes the configuration; null if none.
+/// The first item of the innermost control thread, which names and describes the configuration; null if there is none.
 [[nodiscard]] const Item* running_item(const Activation&);
-/// The machine or operation that the control thread is in.
+/// The machine or operation in which the control thread is.
 [[nodiscard]] const Activation& innermost(const Activation&);
 
 }  // namespace robochart::csp_emit

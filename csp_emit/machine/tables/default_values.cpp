@@ -1,4 +1,4 @@
-// Small defaults as they are, large ones under a name.
+// Small default values are written in place, large ones get a name.
 #include "csp_emit/machine/tables/default_values.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Nodes of a value that is written where it is used.
+/// Maximal number of nodes of a value that is written in place.
 constexpr std::size_t largest_inline = 40;
 
-/// Whether the expression has more nodes than that; the number counts down.
+/// Whether the expression has more nodes than `nodes`, which is decreased by the number of nodes seen.
 bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
     if (nodes == 0) return true;
     --nodes;

@@ -1,4 +1,4 @@
-// The values that variables without an initial value start with (semantics 3.6).
+// The initial values of variables that have none in the model (semantics 3.6).
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace robochart::csp_emit {
 
-/// Owns the default value of each type asked for. A large one, such as a matrix, is written once, under a name.
+/// Owns the default value of each type used. A large one, such as a matrix, is written once and named.
 class DefaultValues {
 public:
     explicit DefaultValues(const Project& project) : project_(project) {}

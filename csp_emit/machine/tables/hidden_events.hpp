@@ -11,7 +11,7 @@
 
 namespace robochart::csp_emit {
 
-/// Owns the numbers of steps and the names of transitions, and records what each means.
+/// Owns the numbers of steps and the names of transitions, and records their meanings.
 class HiddenEvents {
 public:
     HiddenEvents(MachineContext& context, const ActivationRecords& frames, const ParameterTable& cells,
@@ -20,12 +20,12 @@ public:
 
     /// `step__.n`; equal keys are the same step.
     [[nodiscard]] cspm::ExprPtr step(const std::string& key, const EventMeaning&);
-    /// `internal__.TID_t`, of a transition without trigger.
+    /// `internal__.TID_t`, for a transition without trigger.
     [[nodiscard]] cspm::ExprPtr transition(std::uint32_t frame, ir::TransitionId);
 
     /// Their datatype and channels.
     void declare(std::vector<cspm::DeclPtr>& decls) const;
-    /// Their channels, as far as they are there.
+    /// Those of their channels that exist.
     [[nodiscard]] std::vector<cspm::ExprPtr> channels() const;
 
 private:

@@ -1,4 +1,4 @@
-// A machine in the place where it runs: what its emission starts from.
+// A machine in its context: the input of its emission.
 #pragma once
 
 #include <map>
@@ -11,21 +11,22 @@
 
 namespace robochart::csp_emit {
 
-/// A machine in the place where it runs.
+/// A machine and the context in which it runs.
 struct MachineContext {
     const Project* project = nullptr;
     const ir::Machine* machine = nullptr;
-    std::string name;                                  ///< of the CSPM module
+    std::string name;                                  ///< name of the CSPM module
     std::string path;                                  ///< qualified CSPM name, "P::C::stm_ref0"
     std::map<std::string, ir::MachineId> definitions;  ///< operations defined in this context
-    NameManager names;                                 ///< everything that parameters and functions must not be called
-    /// A clock whose first reset matters: the machine remembers whether it has been, and offers `unset__` where a guard
-    /// reads it before that, `reset__` wherever it has been.
+    NameManager names;                                 ///< names that are in use, not available for parameters and
+                                                       ///< functions
+    /// A clock whose first reset matters. The machine records whether the clock has been reset. Before the reset it
+    /// offers `unset__` when a guard reads the clock; after the reset it always offers `reset__`.
     std::string watched = {};
-    /// An event of which it matters when it is on offer: before the machine does anything else it performs `inside__`
-    /// or `outside__`, as it is in `within` or not, so that priority can tell where the event is refused.
+    /// An event whose offers are observed. Before the machine does anything else it performs `inside__` or `outside__`,
+    /// depending on whether it is in `within`, so that priority can find where the event is refused.
     std::string offered = {};
-    std::optional<ir::NodeId> within = {};  ///< a state; none: everywhere but at the end
+    std::optional<ir::NodeId> within = {};  ///< a state; no value: everywhere except at the end
 
     /// Whether it is a copy for one assertion.
     [[nodiscard]] bool copied() const { return !offered.empty() || !watched.empty(); }

@@ -1,5 +1,5 @@
-// Everything that is known of a machine while its process is made. Each table owns its data and refers
-// to those before it only. The rules (../rules) read all of them, and add what they need for the first time.
+// All data about a machine during its emission. Each table owns its data and refers only to tables before it. The rules
+// (../rules) read all of them and add entries on first use.
 #pragma once
 
 #include "csp_emit/machine/tables/activation_records.hpp"
@@ -23,7 +23,7 @@ struct MachineTables {
     [[nodiscard]] const ir::Machine& machine() const { return *context.machine; }
     [[nodiscard]] const Project& project() const { return *context.project; }
     [[nodiscard]] bool timed() const { return project().timed(); }
-    /// Records what an event of the machine means.
+    /// Records the meaning of an event of the machine.
     void mean(const std::string& event, EventMeaning meaning) {
         csp_emit::mean(provenance, context.path, event, std::move(meaning));
     }

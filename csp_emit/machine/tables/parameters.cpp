@@ -1,4 +1,4 @@
-// Cells by number, by name, by the statement or trigger that needs them.
+// Cells by number, by name, and by the statement or trigger that needs them.
 #include "csp_emit/machine/tables/parameters.hpp"
 
 #include "checker/cspm/syntax/build.hpp"

@@ -1,4 +1,4 @@
-// The parameters of a machine's functions: what its process carries from one configuration to the next.
+// The parameters of a machine's functions: the data that its process passes from one configuration to the next.
 #pragma once
 
 #include <cstddef>
@@ -18,21 +18,21 @@ namespace robochart::csp_emit {
 
 enum class CellKind { variable, clock, deadline, waiting, frozen, monitor };
 
-/// A parameter, and what it holds.
+/// A parameter and its content.
 struct Cell {
     std::string name;  ///< the CSPM parameter
     CellKind kind = CellKind::variable;
     std::string meaning;  ///< RoboChart name, "since(T)"
     ir::TypeId type;
-    bool shared = false;     ///< a required variable: others write it, writes are events set_x
+    bool shared = false;     ///< a required variable: others may write it; writes are events set_x
     bool parameter = false;  ///< an operation's parameter: read-only
     std::string channel;     ///< variable: its name in set_x
-    cspm::ExprPtr limit;     ///< clock: where it saturates
-    ir::Origin deadline;     ///< deadline, monitor: what it counts down for
+    cspm::ExprPtr limit;     ///< clock: its maximal value
+    ir::Origin deadline;     ///< deadline, monitor: the element whose deadline it counts down
     std::string reading;     ///< clock of the caller of an operation on its own: the channel that reads it
 };
 
-/// The values of cells that differ from the parameter of the same name.
+/// The values of cells; a cell without an entry has the value of its parameter.
 using Values = std::map<CellId, cspm::ExprPtr>;
 
 /// Owns the cells of a machine and of the operations that it calls.
@@ -40,21 +40,21 @@ class ParameterTable {
 public:
     explicit ParameterTable(NameManager& names) : names_(names) {}
 
-    /// Adds a cell under a name that nothing else has.
+    /// Adds a cell with a unique name.
     CellId add(Cell cell);
-    /// The cell for the value of that number that a statement keeps while it runs.
+    /// The cell for the value with that number that a statement keeps during its execution.
     CellId of_statement(std::uint32_t frame, const ir::Stmt& stmt, std::size_t number, CellKind kind,
                         const std::string& name);
-    /// Where the value that a trigger brings waits for its store.
+    /// The cell that holds the value of a trigger until it is stored.
     CellId of_trigger(std::uint32_t frame, ir::TransitionId);
 
     [[nodiscard]] const Cell& operator[](CellId cell) const { return cells_[cell]; }
-    /// All of them, in the order in which they came up.
+    /// All cells in order of creation.
     [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
     [[nodiscard]] std::optional<CellId> named(const std::string& parameter) const;
     /// The parameter as an expression.
     [[nodiscard]] cspm::ExprPtr parameter(CellId) const;
-    /// What the cell holds.
+    /// The current value of the cell.
     [[nodiscard]] cspm::ExprPtr value(CellId, const Values&) const;
     /// The values by the names of their parameters.
     [[nodiscard]] Arguments arguments(const Values&) const;

@@ -1,4 +1,4 @@
-// Configurations by their keys; a point is named after what goes on in it.
+// Maps the keys of configurations to points; a point is named after what happens in it.
 #include "csp_emit/machine/tables/point_table.hpp"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace robochart::csp_emit {
 namespace {
 
 constexpr std::size_t max_points = 20'000;
-/// Arguments of all calls between them: each is a small tree of its own, so these are about two gigabytes.
+/// Limit on the arguments of all calls between points. Each is a small separate tree; this number takes about two
+/// gigabytes.
 constexpr std::size_t max_passed = 4'000'000;
 
 }  // namespace

@@ -14,25 +14,25 @@ namespace robochart::csp_emit {
 struct Point {
     Activation config;
     std::string name;      ///< of the function
-    bool returns = false;  ///< an operation that calls share has come to its end
+    bool returns = false;  ///< the end of an operation that several calls share
 };
 
-/// Owns the points, numbered in the order in which they are reached. There is a limit on them and on what is passed
-/// between them; what exceeds it is reported once, and the rest of the script is kept short.
+/// Owns the points, numbered in the order in which they are reached. Their number and the number of arguments passed
+/// between them are limited; exceeding a limit is reported once, and the rest of the script is kept short.
 class PointTable {
 public:
     PointTable(MachineContext& context, const ActivationRecords& frames) : context_(context), frames_(frames) {}
 
-    /// The point of a configuration; null if there would be too many. Valid until the next one is added.
+    /// The point of a configuration; null if there would be too many points. Valid until the next point is added.
     [[nodiscard]] const Point* at(const Activation& config);
-    /// The point where the operation of a frame has come to its end and returns to where it was called.
+    /// The point at which the operation of a frame has ended and returns to its caller.
     [[nodiscard]] const Point& end_of(std::uint32_t frame);
-    /// Counts a call of a point with so many arguments.
+    /// Counts a call of a point with this number of arguments.
     void count_call(std::size_t arguments);
     [[nodiscard]] bool overflow() const { return overflow_; }
 
     [[nodiscard]] const std::vector<Point>& all() const { return points_; }
-    /// Takes the points away whose functions nobody calls.
+    /// Removes the points whose functions are not called.
     void erase(const std::function<bool(const std::string& name)>& unwanted);
 
 private:
@@ -43,7 +43,7 @@ private:
     const ActivationRecords& frames_;
     std::map<std::string, std::size_t> number_;  ///< by key of the configuration
     std::vector<Point> points_;
-    std::size_t passed_ = 0;  ///< arguments of all calls
+    std::size_t passed_ = 0;  ///< number of arguments of all calls
     bool overflow_ = false;
 };
 
