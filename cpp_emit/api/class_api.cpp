@@ -1,4 +1,4 @@
-// Which class holds what, and under which names.
+// Decides the contents and names of the classes.
 #include "cpp_emit/api/class_api.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ public:
         classes.take(component_.cpp_name + "_core");
         api_.name_space = package_namespace(component_.package);
         api_.cpp_name = classes.unique(component_.composed() ? component_.name : component_.root().machine->name);
-        for (const char* const suffix : {"Node", "Messages", "Outbox"}) {  // cpp_emit/ros2
+        for (const char* const suffix : {"Node", "Messages", "Outbox"}) {  // suffixes of the names in cpp_emit/ros2
             classes.take(api_.cpp_name + suffix);
             members_.take(api_.cpp_name + suffix);
         }
@@ -56,7 +56,7 @@ private:
         return found == api_.bases.end() ? api_.own : *found;
     }
 
-    /// The name itself where it is free; with `suffix` where an event and an operation, say, are called alike.
+    /// The name itself if it is free; with `suffix` if, for example, an event and an operation have the same name.
     std::string member(const std::string& name, const char* suffix) {
         NameScope trial = members_;
         const std::string plain = trial.unique(name);
@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /// Last, so that they take no other member's name.
+    /// Called last, so that these methods do not take the names of other members.
     void event_methods() {
         const auto name = [&](ApiClass& part) {
             for (ApiEvent& event : part.events)
@@ -105,7 +105,7 @@ private:
                     .variables.push_back({&stored, member(stored.variable->name, "_variable"), copies(stored)});
     }
 
-    /// Where the other machines keep theirs.
+    /// The members in which the other machines store the variable.
     [[nodiscard]] std::vector<std::string> copies(const StoredVariable& first) const {
         std::vector<std::string> paths;
         for (const StoredVariable& stored : component_.variables)

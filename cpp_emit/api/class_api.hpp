@@ -1,6 +1,7 @@
-// The classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment": a class per
-// interface (variables as members, events as flags, operations as methods to override), a class per machine that
-// inherits them (states as an enumeration, a timer per clock, MakeTransition). Behaviour is the core's alone.
+// The classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment": a class for each
+// interface (variables as members, events as flags, operations as methods to override), and a class for each machine
+// that inherits them (states as an enumeration, a timer for each clock, MakeTransition). Only the core implements
+// behaviour.
 #pragma once
 
 #include <string>
@@ -15,8 +16,8 @@ namespace robochart::cpp_emit {
 /// A method of an interface class.
 struct ApiOperation {
     const ir::OperationSignature* signature = nullptr;
-    std::string method;       ///< of the class
-    std::string core_method;  ///< of the core's platform
+    std::string method;       ///< name in the class
+    std::string core_method;  ///< name in the core's platform
     bool modelled = false;    ///< the model defines it; overriding is optional
 };
 
@@ -26,16 +27,17 @@ struct ApiEvent {
     std::string flag;
     std::string value;
     bool sent = false;
-    std::string method;  ///< raises it; of sent ones, is called for it
+    std::string method;  ///< for received events: raises the event; for sent ones: called when the event is sent
 };
 
 struct ApiVariable {
     const StoredVariable* stored = nullptr;
     std::string member;
-    std::vector<std::string> copies;  ///< below State: those of other machines, to which the class propagates writes
+    std::vector<std::string> copies;  ///< members of State in which other machines store the variable; the class
+                                      ///< propagates writes to them
 };
 
-/// A class made from an interface, or the machine's own part ("" as interface).
+/// A class made from an interface, or the machine's own members ("" as interface).
 struct ApiClass {
     std::string interface;
     std::string cpp_name;
@@ -46,20 +48,20 @@ struct ApiClass {
 
 struct ApiTimer {
     std::string member;
-    std::string field;  ///< below the core's state
+    std::string field;  ///< member of the core's state
     const ir::Clock* clock = nullptr;
 };
 
-/// What shows where one of the component's machines is.
+/// The members that show the state of one of the component's machines.
 struct ApiMachine {
-    std::string method;               ///< "state"; of several machines "state_stm0"
+    std::string method;               ///< "state"; for several machines "state_stm0"
     std::string enumeration;          ///< "States"
-    std::string place;                ///< below the core's state: "at", "stm0.at"
-    std::size_t unit = 0;             ///< Component::units
-    std::vector<std::string> states;  ///< enumerators by node; "" for nodes that are no states
+    std::string place;                ///< member of the core's state: "at", "stm0.at"
+    std::size_t unit = 0;             ///< index into Component::units
+    std::vector<std::string> states;  ///< enumerators by node; "" for nodes that are not states
 };
 
-/// A function that the model specifies by contract only.
+/// A function that the model specifies only by a contract.
 struct ApiFunction {
     const FunctionHook* hook = nullptr;
     std::string method;
@@ -67,7 +69,7 @@ struct ApiFunction {
 
 struct ClassApi {
     std::string name_space;
-    std::string cpp_name;         ///< of the machine's class
+    std::string cpp_name;         ///< name in the machine's class
     std::vector<ApiClass> bases;  ///< interfaces, in textual order
     ApiClass own;
     std::vector<ApiTimer> timers;
@@ -75,7 +77,7 @@ struct ClassApi {
     std::vector<ApiFunction> functions;
 };
 
-/// The public parts of the class, of all interfaces and its own.
+/// Calls `visit` with the public parts of the class: those of all interfaces, then its own.
 template <class Visit>
 void each_class(const ClassApi& api, const Visit& visit) {
     for (const ApiClass& base : api.bases) visit(base);
@@ -86,17 +88,17 @@ void each_class(const ClassApi& api, const Visit& visit) {
 [[nodiscard]] std::string interface_header(const Generation&, const Core&, const ClassApi&, const ApiClass&);
 [[nodiscard]] std::string machine_header(const Generation&, const Core&, const ClassApi&);
 [[nodiscard]] std::string machine_source(const Generation&, const Core&, const ClassApi&);
-/// A program that reads the inputs of each cycle from a line of text and prints what the controller does.
+/// A program that reads the inputs of each cycle from a line of text and prints the controller's outputs.
 [[nodiscard]] std::string console_source(const Generation&, const Core&, const ClassApi&);
 [[nodiscard]] std::string build_file(const ClassApi&);
 
-/// double, std::int64_t, bool, or a declared type of the core, whose namespace is given as seen from the user's.
+/// double, std::int64_t, bool, or a type declared in the core; `core` is the core's namespace as seen from the user's.
 [[nodiscard]] Spelling deployed(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
-/// A value as deployed: `-0.75`, `3`, `true`, `core::Light::Red`.
+/// A value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.
 [[nodiscard]] std::string deployed_value(const Generation&, const Core&, ir::TypeId, const ir::Value&);
 
-/// The name, or a longer one that no member of the class has.
+/// The name, extended if a member of the class already has it.
 [[nodiscard]] std::string free_member(const ClassApi&, std::string name);
 
 }  // namespace robochart::cpp_emit

@@ -20,14 +20,14 @@ std::string parameters(const Generation& generation, const Core& core, const std
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Of a definition that does not use its parameters, and whose class may have members of these names.
+/// Parameters of a definition that does not use them; their names may also be members of the class.
 std::vector<std::string> unused(const std::vector<std::string>& model_names) {
     std::vector<std::string> names = parameter_identifiers(model_names);
     for (std::string& name : names) name = "/*" + name + "*/";
     return names;
 }
 
-/// Of a definition that passes its parameters on, whatever its class calls its members.
+/// Parameters of a definition that passes them on; the names differ from all members of the class.
 std::vector<std::string> passed(std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
@@ -77,7 +77,7 @@ void write_function_hooks(const Generation& generation, const Core& core, const 
     }
 }
 
-/// `raise_e(value)` for events received, `on_e(value)`, to be overridden, for those sent.
+/// `raise_e(value)` for received events; `on_e(value)`, to be overridden, for sent ones.
 void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const ApiEvent& event) {
     const std::string type = event.port->type ? deployed_type(generation, core.relative, *event.port->type) : "";
     out.gap();
@@ -96,7 +96,7 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
 
 /// Some action may take time while the event is awaited.
 bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
-    std::size_t place = 0;  // among the events received
+    std::size_t place = 0;  // index among the received events
     for (const EventPort& port : generation.component.events) {
         if (&port == event.port) break;
         if (port.received) ++place;
@@ -192,7 +192,7 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     out.close("};");
 }
 
-/// Variables that others write are members here: a log has those that have changed.
+/// Variables that others write are members here; a log contains those that have changed.
 void write_outside_writes(const Core& core, const ClassApi& api, CodeWriter& out) {
     std::vector<const ApiVariable*> written;
     each_class(api, [&](const ApiClass& part) {

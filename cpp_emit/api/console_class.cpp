@@ -21,7 +21,7 @@ public:
     ReadingWriter(const Generation& generation, const Core& core, CodeWriter& out)
         : generation_(generation), core_(core), out_(out) {}
 
-    /// How values of the declared types are read: by the names of the model, literals by their number too.
+    /// Writes how values of the declared types are read: by the names in the model; literals also by their number.
     void write() {
         const std::vector<ir::TypeId>& declared = generation_.component.enumerations;
         if (declared.empty()) return;
@@ -207,7 +207,7 @@ void console_reading(const Generation& generation, const Core& core, CodeWriter&
 
 namespace {
 
-/// What can stand for a value of the type.
+/// Describes the inputs that are accepted for a value of the type.
 std::string described(const ir::Type& type) {
     switch (type.kind) {
         case ir::TypeKind::boolean:

@@ -6,7 +6,7 @@
 
 namespace robochart::cpp_emit {
 
-/// `any_Nat` and the like: functions of Step that visit the values of a type.
+/// Writes `any_Nat` and similar functions of Step, which visit the values of a type.
 void write_carriers(const Generation&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

@@ -1,4 +1,4 @@
-// The event API of a component: `Event` and `dispatch(state, event, platform)`, beside `step`.
+// The event API of a component: `Event` and `dispatch(state, event, platform)`, in addition to `step`.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace robochart::cpp_emit {
 
 /// Events that the platform raises, in the order of Inputs.
 [[nodiscard]] std::vector<const EventPort*> input_events(const Component&);
-/// The enumeration of these: `Event`, unless the model has a type of that name.
+/// The name of the enumeration of these events: `Event`, unless the model has a type with that name.
 [[nodiscard]] std::string event_type(const Generation&);
-/// The enumeration itself.
+/// Writes the enumeration.
 void write_event_type(const Generation&, CodeWriter&);
-/// Step::dispatch; `direct`: the text of it for a machine whose programs never wait, "" for others, which run as in a
-/// cycle with one input.
+/// Writes Step::dispatch. `direct` is its text for a machine whose programs never wait; "" for others, which run as in
+/// a cycle with one input.
 void write_dispatch(const Generation&, const std::string& direct, CodeWriter&);
-/// The functions of the namespace.
+/// Writes the functions of the namespace.
 void write_dispatch_functions(const Generation&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

@@ -38,7 +38,7 @@ bool MachinePlan::chooses(NodeId id) const {
     return !settles(id) && node(id).kind != NodeKind::state;
 }
 
-/// From junction to junction, back to this one.
+/// Searches from junction to junction for a path back to this one.
 bool MachinePlan::in_loop(NodeId id) const {
     std::vector<bool> seen(machine().nodes.size(), false);
     std::vector<NodeId> open = {id};

@@ -11,7 +11,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// Of the senders of a connection the one that is heard; Fault::wrong_sender: another of the same type.
+/// The sender of a connection from which the event is received; with Fault::wrong_sender, another one of the same type.
 const EventUse& heard(const Generation& generation, const EventUse& sender) {
     for (const Part& part : generation.component.parts) {
         for (const EventUse& use : part.events) {
@@ -23,7 +23,7 @@ const EventUse& heard(const Generation& generation, const EventUse& sender) {
     return sender;
 }
 
-/// The last field of a value takes the place of that in `variable`; the others stay as they were.
+/// The last field of a value replaces that of `variable`; the other fields are unchanged.
 std::string last_field(const Generation& generation, const Unit& unit, ir::VariableId variable,
                        const std::string& value, const std::string& field) {
     const std::string place = ExpressionWriter(generation, unit).variable(variable);
@@ -61,7 +61,7 @@ private:
                            condition_(incoming));
     }
 
-    /// The event is there, and its value is what is asked for.
+    /// The condition that the event is present and its value satisfies the predicate.
     [[nodiscard]] std::string wanted(const std::string& there, const std::string& incoming) const {
         return conjunction(CppExpr(there), condition(incoming)).whole();
     }
@@ -94,7 +94,7 @@ private:
         out_.close();
     }
 
-    /// Rendezvous: the sender waits at one of its sites, the receiver moves it on.
+    /// Rendezvous: the sender waits at one of its sites, and the receiver advances it.
     void from_peer(const EventUse& sender) {
         const std::string& channel = heard(generation_, sender).channel;
         out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
@@ -106,7 +106,8 @@ private:
         out_.close();
     }
 
-    /// Connected to nothing: it happens on its own as soon as it can, with some value (semantics 3.9).
+    /// Not connected: the event happens spontaneously as soon as it is possible, with an arbitrary value (semantics
+    /// 3.9).
     bool by_itself() {
         const CppExpr guard = condition("");
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";

@@ -1,5 +1,5 @@
-// Receiving an event, wherever it comes from: a register of the platform, another machine that waits to send it, a
-// buffer, or nowhere (semantics 3.9). Triggers and input statements alike.
+// Receives an event from any source: a register of the platform, another machine that waits to send it, a buffer, or no
+// source (semantics 3.9). Used for triggers and input statements.
 #pragma once
 
 #include <functional>
@@ -12,23 +12,24 @@
 
 namespace robochart::cpp_emit {
 
-/// A further condition, given the text of the incoming value; there may be none.
+/// A further condition on the text of the incoming value; may be empty.
 using Condition = std::function<CppExpr(const std::string& incoming)>;
 
-/// Writes, for each source of the event, code that takes it if it is there and `condition` holds: consumes the event,
-/// stores its value, and goes on with what `then` writes. True if the last of them is always taken.
+/// Writes, for each source of the event, code that takes it if it is present and `condition` holds: it consumes the
+/// event, stores its value, and continues with the code that `then` writes. Returns whether the last source always has
+/// the event.
 bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWriter&, const Condition& condition,
              const std::function<void()>& then);
 
-/// The communication's own predicate on the value; none if it has none.
+/// The communication's own predicate on the value; empty if it has none.
 [[nodiscard]] CppExpr predicate(const Generation&, const Unit&, const ir::Communication&, const std::string& incoming);
 /// `inputs_.x.present = false;`.
 [[nodiscard]] std::string consume(const EventPort&);
-/// Stores what was received, "" if nothing is to be stored; Fault::fields_lost.
+/// Stores the received value; "" if nothing is stored; Fault::fields_lost.
 [[nodiscard]] std::string received(const Generation&, const Unit&, const ir::Communication&, const std::string& value);
-/// Some value of the type, as C++ text: what an event connected to nothing carries.
+/// An arbitrary value of the type as C++ text, for events that are not connected.
 [[nodiscard]] std::string default_text(const Generation&, ir::TypeId);
-/// The event's only source is a register of the platform.
+/// Whether the event's only source is a register of the platform.
 [[nodiscard]] bool from_register(const EventUse&);
 
 }  // namespace robochart::cpp_emit

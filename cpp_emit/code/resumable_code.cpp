@@ -19,7 +19,7 @@ using ir::StmtKind;
 
 namespace {
 
-/// What runs where the condition does not hold; null if nothing.
+/// The statement that runs if the condition does not hold; null if there is none.
 ir::StmtPtr otherwise(const ir::Stmt& stmt) {
     return stmt.body.size() > 1 ? stmt.body[1] : nullptr;
 }
@@ -50,7 +50,7 @@ void ProgramWriter::jump(const std::string& label) {
     code().line("break;");
 }
 
-/// Control is given up where the condition holds.
+/// Writes: return if the condition holds.
 void ProgramWriter::return_if(const std::string& condition) {
     code().open(fmt::format("if ({}) {{", condition));
     code().line("return moved;");
@@ -66,7 +66,7 @@ void ProgramWriter::resume_at(const std::string& label, const diagnostics::Forei
     begin(label, comment);
 }
 
-/// A place to come back to: the current one if nothing is written there yet.
+/// A place at which the program can resume: the current one if it is still empty.
 std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
     if (code().empty()) return thread_.places.back().label;
     std::string label = fresh(stem);
@@ -79,7 +79,7 @@ std::string ProgramWriter::fresh(const std::string& stem) {
     return thread_.labels->numbered(stem);
 }
 
-/// `pre & statement` (semantics 3.5): where a precondition does not hold nothing more happens in this thread.
+/// `pre & statement` (semantics 3.5): if a precondition does not hold, the thread is blocked.
 void ProgramWriter::ask(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     CppExpr conditions;
@@ -92,7 +92,7 @@ void ProgramWriter::ask(const ir::Stmt& stmt) {
     code().close();
 }
 
-/// Where the thread stays that has met a false precondition, in front of the place that is being written.
+/// The place of a thread after a false precondition, before the place that is being written.
 const std::string& ProgramWriter::stuck_place() {
     const auto found = thread_.stuck.find(state_.index);
     if (found != thread_.stuck.end()) return found->second;
@@ -163,13 +163,13 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
-/// Before what others see of the machine; nothing if none counts only while a guard holds.
+/// Written before effects that others can observe; empty if no deadline depends on a guard.
 std::string ProgramWriter::look_at_deadlines() const {
     if (!guards_deadlines(*unit_.machine)) return {};
     return fmt::format("watch({});", frame_arguments(generation_.component, unit_));
 }
 
-/// A variable that is not propagated yet takes no other write (semantics 3.7).
+/// A variable accepts no other write until the last one has been propagated (semantics 3.7).
 void ProgramWriter::await_propagation(const ir::Stmt& assignment, const std::string& stem) {
     const CppExpr free = may_write(generation_, unit_, assignment.variable);
     if (free.empty()) return;
@@ -189,7 +189,7 @@ void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
     line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
 
-/// A part of a variable: the value is changed in a copy and stored as a whole, as the semantics does.
+/// Assignment to a part of a variable: the value is changed in a copy and stored as a whole, as in the semantics.
 void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     const ExpressionWriter expressions(generation_, unit_);
     const std::string place = expressions.variable(stmt.variable);
@@ -198,7 +198,7 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     std::string part = "changed";
     code().line(fmt::format("auto changed = {};", place));
     ir::TypeId type = whole;
-    bool in_row = false;  // the first place in a matrix leads to a row
+    bool in_row = false;  // the first index of a matrix selects a row
     std::vector<std::string> back;
     for (std::size_t step = 0; step < stmt.path.size(); ++step) {
         const ir::Type& outer = generation_.system.type(type);
@@ -251,7 +251,7 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     line(received(generation_, unit_, communication, value));
 }
 
-/// Several sources, or another machine: a function of its own tries them.
+/// Several sources, or another machine: a separate function tries them.
 void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
     const std::string at = fresh(stem);
     const std::string next = fresh(stem);
@@ -286,7 +286,7 @@ void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
     offer(use, value, at, fresh(stem));
 }
 
-/// The writer never waits and the newest value wins (semantics 3.9).
+/// The writer never waits, and the newest value replaces the older one (semantics 3.9).
 void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
     for (const std::size_t index : use.filled) {
         const std::string place = "state_." + generation_.component.buffers[index].field;
@@ -294,14 +294,14 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
     }
 }
 
-/// Outputs are made at once and in order (docs/conformance.md, A2). Of the platform and machines that could take it the
-/// platform does, which is always ready.
+/// Outputs are made at once and in order (docs/conformance.md, A2). If the platform and machines could receive the
+/// event, the platform receives it, since it is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
     const EventPort& port = generation_.component.events[use.ports.front()];
     code().line(fmt::format("platform_.{}({});", port.output, value));
 }
 
-/// The machine that takes it moves this thread on.
+/// The machine that receives it advances this thread.
 void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
                           const std::string& next) {
     waiting_ = at;
@@ -333,8 +333,8 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
     }
 }
 
-/// Where the thread goes on with the call, others may have to wait for it before they write (semantics 3.7): then it is
-/// also among the thread's prompt steps, and ends its place.
+/// If the thread continues with this call, others may have to wait for it before they write (semantics 3.7). The call
+/// is then also one of the thread's prompt steps, and ends its place.
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
     std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
@@ -391,7 +391,7 @@ void ProgramWriter::require_preconditions(const Unit& operation, const std::stri
     }
 }
 
-/// The platform may do an operation itself; then the model's definition counts as finished.
+/// The platform may perform an operation itself; the model's definition then counts as finished.
 void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
     const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
     std::vector<std::string> texts;
@@ -409,8 +409,8 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     }
 }
 
-/// `S <{d}` (semantics 3.10): where S may have to wait, a counter tells when it has waited too long. A thread that goes
-/// on with a communication holds up writes at once.
+/// `S <{d}` (semantics 3.10): if S may have to wait, a counter detects that it has waited too long. A thread that
+/// continues with a communication holds up writes at once.
 void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
     const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
@@ -434,7 +434,7 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     resumed_ = std::move(resumed);
 }
 
-/// What was propagated before is no longer on its way, unless another thread holds it up.
+/// Earlier writes are no longer being propagated, unless another thread holds them up.
 void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
     const Part& part = generation_.component.part(unit_);
     for (const StoredVariable& variable : generation_.component.variables)

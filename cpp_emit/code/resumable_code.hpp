@@ -1,5 +1,5 @@
-// Resumable programs as the cases of one switch: each case runs to the next place where the program may have to
-// wait (for time, for an input, for an operation), stores where it is and gives up control.
+// Resumable programs as the cases of one switch: each case runs to the next place where the program may have to wait
+// (for time, for an input, for an operation), stores its place and returns.
 #pragma once
 
 #include <map>
@@ -18,73 +18,75 @@ namespace robochart::cpp_emit {
 struct Place {
     std::string label;
     diagnostics::ForeignText comment;
-    ir::NodeId state;  ///< that the machine shows to be in meanwhile
+    ir::NodeId state;  ///< the state that the machine shows meanwhile
     CodeWriter code{5};
 };
 
-/// State of an operation called by a thread, a member of the caller's frame.
+/// The state of an operation called by a thread, a member of the caller's frame.
 struct CallFrame {
     std::string field;
     std::size_t operation = 0;      ///< Unit::number
     std::vector<std::string> live;  ///< labels of the thread at which the operation runs
 };
 
-/// A place where a thread waits until another machine takes what it sends.
+/// A place where a thread waits until another machine receives its event.
 struct SendSite {
     std::string channel;
     std::string thread;  ///< "f.at"
     std::string at;      ///< "At::S1_1"
     std::string next;    ///< "At::S1_2"
-    std::string value;   ///< "" if the event carries none
+    std::string value;   ///< "" if the event carries no value
 };
 
-/// What a thread does before others write: a call of the platform with which it goes on from where it was left, or the
-/// arrival at a communication with a deadline.
+/// A step of a thread that precedes writes by others: a call of the platform with which it resumes, or the arrival at a
+/// communication with a deadline.
 struct PromptStep {
-    std::string there;               ///< the thread is in front of it: "f.at == At::S1_1 && f.wait == 0"
-    std::vector<std::string> lines;  ///< what is done, and where the thread is then
+    std::string there;               ///< the condition that the thread is before the step: "f.at == At::S1_1 && f.wait
+                                     ///< == 0"
+    std::vector<std::string> lines;  ///< the step, and the thread's place after it
 };
 
-/// One line of control of a machine: its transitions and entries, or a state's during action.
+/// One thread of control of a machine: its transitions and entries, or a state's during action.
 struct Thread {
-    std::string variable;     ///< where its place is stored: "f.at"
+    std::string variable;     ///< the member that stores its place: "f.at"
     std::string enumeration;  ///< "At"
     std::string wait;         ///< its wait counter: "f.wait"
-    std::string prefix;       ///< of its operations' frames
+    std::string prefix;       ///< prefix of its operations' frames
     NameScope* labels = nullptr;
-    NameScope* fields = nullptr;  ///< of the frame, for frames of operations
+    NameScope* fields = nullptr;  ///< names in the frame, for frames of operations
     std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
     std::vector<SendSite> sites;
     std::vector<PromptStep> prompt_steps;
-    std::vector<std::string> holding;            ///< labels: waits with a deadline for a communication
-    std::vector<std::string> held_up;            ///< labels: has to write before time passes
-    std::vector<std::string> deadlines;          ///< members of the frame: time left plus one, 0 when none runs
+    std::vector<std::string> holding;            ///< labels of waits with a deadline for a communication
+    std::vector<std::string> held_up;            ///< labels where it has to write before time passes
+    std::vector<std::string> deadlines;          ///< members of the frame: remaining time plus one, 0 when no deadline
+                                                 ///< runs
     CodeWriter helpers{1};                       ///< functions that its places call
-    std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: where a false precondition leads
+    std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: the place after a false precondition
     bool waits = false;
 
     [[nodiscard]] std::string at(const std::string& label) const { return enumeration + "::" + label; }
     [[nodiscard]] std::string go(const std::string& label) const { return variable + " = " + at(label) + ";"; }
 };
 
-/// Writes programs into a thread's places.
+/// Writes programs as places of a thread.
 class ProgramWriter {
 public:
-    /// `state` is the one that the machine shows to be in while the program runs.
+    /// `state` is the state that the machine shows while the program runs.
     ProgramWriter(const Generation&, const Unit&, Thread&, ir::NodeId state);
 
-    /// Starts a place; what follows is written there until the next `begin`.
+    /// Starts a place; the following code belongs to it until the next `begin`.
     void begin(const std::string& label, const diagnostics::ForeignText& comment);
-    /// Ends the current place: control goes on at another.
+    /// Ends the current place: control continues at another.
     void jump(const std::string& label);
-    /// The thread may be left in front of the current place and goes on from it without another event.
+    /// The thread may stop before the current place and resumes there without another event.
     void goes_on_from_here(const std::string& condition = "");
-    /// Ends the current place in a way written by the caller.
+    /// Ends the current place with code written by the caller.
     [[nodiscard]] CodeWriter& code();
-    /// A statement; places in the middle of it are called `stem`_1, `stem`_2, ...
+    /// Writes a statement; places inside it are called `stem`_1, `stem`_2, ...
     void statement(const ir::StmtPtr&, const std::string& stem);
-    /// A line of the current place; nothing for "".
+    /// Writes a line of the current place; nothing for "".
     void line(const std::string&);
 
 private:
@@ -124,7 +126,7 @@ private:
     Thread& thread_;
     ir::NodeId state_;
     std::string waiting_;                ///< label of the place where the last communication waits; "" if it does not
-    std::optional<PromptStep> resumed_;  ///< nothing but these lines is written in the place where the thread goes on
+    std::optional<PromptStep> resumed_;  ///< the place where the thread resumes contains only these lines
 };
 
 }  // namespace robochart::cpp_emit

@@ -1,4 +1,4 @@
-// Statements by structural recursion; what waits is decided by where an event comes from or goes to (semantics 3.9).
+// Structural recursion over statements; the source or target of an event decides whether it waits (semantics 3.9).
 #include "cpp_emit/code/suspension.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::vector<const ir::Expr*> evaluated_first(const ir::Stmt& stmt) {
 
 namespace {
 
-/// Whether the statement waits for ever where a function is called outside its precondition.
+/// Whether the statement blocks forever if a function is called outside its precondition.
 bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto expressions = evaluated_first(stmt);
     return std::any_of(expressions.begin(), expressions.end(), [&](const ir::Expr* expr) {
@@ -39,7 +39,7 @@ bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt
     });
 }
 
-/// Whatever the statements inside it do.
+/// For the statement itself, ignoring nested statements.
 bool suspends_itself(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     if (may_be_stuck(generation, unit, stmt)) return true;
     switch (stmt.kind) {
@@ -74,7 +74,7 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
 
 namespace {
 
-/// Whatever the statements inside it do.
+/// For the statement itself, ignoring nested statements.
 bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto zero = [](const ir::ExprPtr& expr) { return expr->kind == ir::ExprKind::integer && expr->number == 0; };
     if (stmt.kind == StmtKind::wait && zero(stmt.value)) return false;
@@ -85,7 +85,7 @@ bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& 
     return suspends_itself(generation, unit, stmt);
 }
 
-/// Whether an operation may rest in a state, for no transition of the state is always enabled.
+/// Whether an operation may rest in a state, because no transition of the state is always enabled.
 bool may_rest(const ir::Machine& operation) {
     const auto leaves = [&](const ir::TransitionId id) {
         const ir::Transition& transition = operation.transitions[id.index];
@@ -108,7 +108,7 @@ bool actions_take_time(const Generation& generation, const Unit& unit) {
 
 namespace {
 
-/// Writes of a variable in a machine: by statements and by triggers.
+/// The number of writes of a variable in a machine, by statements and by triggers.
 std::size_t writes(const ir::Machine& machine, const std::string& name) {
     std::size_t count = 0;
     const auto into = [&](ir::VariableId id) {

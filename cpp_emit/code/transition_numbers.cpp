@@ -10,7 +10,7 @@ std::uint32_t transition_number(const Unit& unit, ir::TransitionId id) {
 std::vector<TransitionName> transition_names(const Generation& generation) {
     std::vector<TransitionName> names;
     for (const Unit& unit : generation.component.units) {
-        if (unit.first_transition < names.size()) continue;  // has those of a unit before
+        if (unit.first_transition < names.size()) continue;  // the numbers of an earlier unit for the same operation
         const std::string& part = generation.component.part(unit).name;
         for (const ir::Transition& transition : unit.machine->transitions) {
             const ir::Origin& origin = transition.origin;

@@ -1,5 +1,5 @@
-// The transitions of a component by number: those of all its machines and operations, in the order of
-// Component::units; units that are one operation of the model have its numbers. The trace hook tells them by these.
+// The transitions of a component by number: those of all its machines and operations, in the order of Component::units.
+// Units for the same operation of the model share numbers. The trace hook identifies transitions by these numbers.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace robochart::cpp_emit {
 
 struct TransitionName {
-    std::string element;             ///< "Door::t1"; of several machines "stm0: Door::t1"
-    diagnostics::ForeignText place;  ///< "door.rct:18", "" if unknown
+    std::string element;             ///< "Door::t1"; with several machines "stm0: Door::t1"
+    diagnostics::ForeignText place;  ///< "door.rct:18"; "" if unknown
 };
 
 [[nodiscard]] std::uint32_t transition_number(const Unit&, ir::TransitionId);

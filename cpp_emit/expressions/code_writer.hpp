@@ -1,4 +1,4 @@
-// Indented text of generated files. Blocks are opened and closed, so that the output needs no formatter.
+// Indented text of generated files. The writer opens and closes blocks, so the output needs no formatter.
 #pragma once
 
 #include <functional>
@@ -10,23 +10,24 @@
 
 namespace robochart::cpp_emit {
 
-/// Lines are C++: text of the project's own, identifiers (names.hpp) and literals (diagnostics/escape.hpp). A line that
-/// holds what none of them can (a control character or one beyond ASCII) is an internal error. Comments take any text.
+/// Lines are C++: the project's own text, identifiers (names.hpp) and literals (diagnostics/escape.hpp). None of these
+/// contains a control character or a character beyond ASCII; a line with one is an internal error. Comments accept any
+/// text.
 class CodeWriter {
 public:
     explicit CodeWriter(std::size_t depth = 0) : depth_(depth) {}
 
     /// One line at the current depth; "" is an empty line.
     void line(std::string_view text = {});
-    /// `text` ends in a brace or colon that the following lines belong to.
+    /// Writes `text`, which ends in a brace or colon, and indents the following lines.
     void open(std::string_view text);
-    /// A function or type behind an empty line, with its comment; `head` ends in a brace that `close` answers.
+    /// A function or type after an empty line, with its comment; `head` ends in a brace that `close` closes.
     void declaration(const diagnostics::ForeignText& comment, std::string_view head);
-    /// What `body` writes, in the braces of an `if` where there is a condition.
+    /// The lines that `body` writes; if there is a condition, inside an `if`.
     void when(const CppExpr& condition, const std::function<void()>& body);
-    /// Ends a block: "}", "};", "} else {" come one level further out.
+    /// Ends a block: writes "}", "};", "} else {" one level less deep.
     void close(std::string_view text = "}");
-    /// "public:" and the like, one level further out.
+    /// "public:" and the like, one level less deep.
     void label(std::string_view text);
     /// "} else {": ends a block and opens the next.
     void reopen(std::string_view text);
@@ -36,9 +37,9 @@ public:
     void comment(const diagnostics::ForeignText& text) { wrapped("// ", diagnostics::comment_text(text)); }
     /// `text  ///< behind`, in one line.
     void line_with_doc(std::string_view text, const diagnostics::ForeignText& behind);
-    /// Lines that are indented already.
+    /// Writes lines that are already indented.
     void raw(std::string_view lines);
-    /// An empty line between parts; never two in a row, none at the beginning of a block.
+    /// An empty line between parts; never two consecutive ones, and none at the beginning of a block.
     void gap();
 
     [[nodiscard]] const std::string& text() const { return text_; }

@@ -14,8 +14,8 @@ CppExpr CppExpr::enclosed() const {
     return result;
 }
 
-/// GCC warns where a test follows one that excludes it (`a && x == 1 && x == 2`), by no name that a pragma could switch
-/// off, and does not where the second one is the value of a function.
+/// GCC warns about a test after another test that excludes it (`a && x == 1 && x == 2`). The warning has no name that a
+/// pragma could disable, but it does not occur if the second test is the result of a function.
 CppExpr CppExpr::joined(const CppExpr& first, const CppExpr& second, Binding least, Joined how) {
     if (first.empty()) return second;
     if (second.empty()) return first;

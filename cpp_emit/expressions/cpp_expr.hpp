@@ -1,48 +1,48 @@
-// Text of a C++ expression that knows its outermost operator.
+// Text of a C++ expression together with the precedence of its outermost operator.
 #pragma once
 
 #include <string>
 
 namespace robochart::cpp_emit {
 
-/// How tightly the outermost operator of an expression binds, the loosest first. There is neither a comma operator nor
-/// an assignment in generated expressions.
+/// The precedence of an expression's outermost operator, from the lowest. Generated expressions contain no comma
+/// operator and no assignment.
 enum class Binding { conditional, disjunction, conjunction, equality, order, sum, product, prefix, primary };
 
-/// It becomes text only for a place that says what it needs, so that nothing is pasted where it would come apart.
+/// The text can be read only with the required precedence, so that parentheses are added wherever they are needed.
 class CppExpr {
 public:
-    /// None: a condition that nothing asks for.
+    /// An empty condition, which is always true.
     CppExpr() = default;
     CppExpr(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}
     /// A name, a literal, a call, something in parentheses.
     explicit CppExpr(std::string text) : text_(std::move(text)) {}
-    /// Whether `operand` is equal to something fixed, or differs from it.
+    /// Whether `operand` is equal to a constant, or differs from it.
     [[nodiscard]] static CppExpr test(std::string text, std::string operand, bool differs);
 
     [[nodiscard]] bool empty() const { return text_.empty(); }
-    /// Standing alone: an argument, an initial value, what is returned, a condition between parentheses.
+    /// As a complete expression: an argument, an initial value, a returned value, a condition inside parentheses.
     [[nodiscard]] const std::string& whole() const { return text_; }
-    /// As an operand where what binds less tightly would come apart: in parentheses if it does.
+    /// As an operand: in parentheses if its precedence is lower than `least`.
     [[nodiscard]] std::string operand(Binding least = Binding::primary) const {
         return binding_ < least ? "(" + text_ + ")" : text_;
     }
     /// The same in parentheses.
     [[nodiscard]] CppExpr enclosed() const;
 
-    /// Both conditions; either may be none. Operands that bind less tightly than `least` are in parentheses.
+    /// The conjunction; either condition may be empty. Operands with lower precedence than `least` get parentheses.
     friend CppExpr conjunction(const CppExpr& first, const CppExpr& second, Binding least);
     friend CppExpr disjunction(const CppExpr& first, const CppExpr& second, Binding least);
     /// `!condition`.
     friend CppExpr negation(const CppExpr& condition);
 
 private:
-    /// Conditions joined by `&&`, by `||`, or one that stands alone.
+    /// A single condition, or conditions joined by `&&` or by `||`.
     enum class Joined { alone, all, any };
 
-    /// The test in which a chain of conditions ends.
+    /// The last test of a chain of conditions.
     struct Last {
-        std::string operand;  ///< "" if it ends in something else
+        std::string operand;  ///< "" if the chain does not end in a test
         bool differs = false;
         Joined joined = Joined::alone;
     };

@@ -21,7 +21,7 @@ TypeKind wider(TypeKind left, TypeKind right) {
     return rank(left) >= rank(right) ? left : right;
 }
 
-/// It has the same value wherever it is asked for.
+/// Whether the expression has the same value everywhere.
 bool fixed(const ir::Expr& expr) {
     bool result = true;
     ir::visit_operands(expr, [&](const ir::Expr& part) {
@@ -188,7 +188,7 @@ std::string ExpressionWriter::built(const ir::Expr& expr, const char* maker) con
     return fmt::format("{}::{}({})", type_text(expr.type), maker, pairs);
 }
 
-/// To a coarser unit: rounded down (semantics 3.13).
+/// Conversion to a coarser unit rounds down (semantics 3.13).
 std::string ExpressionWriter::cast(const ir::Expr& expr) const {
     const ir::Expr& from = *expr.args[0];
     if (composed(generation_.system.type(expr.type))) return write_as(from, expr.type);
@@ -198,7 +198,7 @@ std::string ExpressionWriter::cast(const ir::Expr& expr) const {
     return down ? fmt::format("rounded_down<{}>({})", type, write(from)) : fmt::format("{}({})", type, write(from));
 }
 
-/// Functions are specified by contract only: the platform computes them.
+/// Functions are specified only by contracts: the platform computes them.
 std::string ExpressionWriter::call(const ir::Expr& expr) const {
     return platform_call(expr.function, call_arguments(expr));
 }
@@ -224,14 +224,14 @@ std::string ExpressionWriter::place(const ir::Expr& index) const {
     return fmt::format("place_of({})", write(index));
 }
 
-/// Places of sequences and vectors; of a matrix, row by row and then within the row.
+/// Indices of sequences and vectors; for a matrix, first the row, then the place in the row.
 std::string ExpressionWriter::index(const ir::Expr& expr) const {
     std::string text = operand(*expr.args[0]);
     for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at({})", place(*expr.args[i]));
     return text;
 }
 
-/// In a range: by its bounds, which may be wide.
+/// Membership in a range is decided by its bounds, because ranges may be large.
 std::string ExpressionWriter::membership(const ir::Expr& expr) const {
     const ir::Expr& value = *expr.args[0];
     const ir::Expr& set = *expr.args[1];
@@ -255,7 +255,8 @@ std::string ExpressionWriter::let(const ir::Expr& expr) const {
     return bound_by_let(expr, expr.bound_names.size(), write_as(*expr.args.back(), expr.type));
 }
 
-/// For each name a function of its own, called at once: the value may speak of another variable of that name.
+/// Each name becomes the parameter of a lambda that is called at once, because the value may use another variable with
+/// that name.
 std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t count, std::string text) const {
     for (std::size_t i = count; i-- > 0;)
         text = fmt::format("[&]([[maybe_unused]] const auto& {}) {{ return {}; }}({})",

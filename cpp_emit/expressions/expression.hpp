@@ -12,54 +12,55 @@
 
 namespace robochart::cpp_emit {
 
-/// The member behind ExprKind::member's number: a field's index, or a place counted from 1.
+/// The member for the number in ExprKind::member: the index of a field, or a position counted from 1.
 [[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
-/// The parameters of a unit's functions: its own state, f, and that of the operations that lend it variables or clocks.
+/// The parameters of a unit's functions: its own state, f, and the states of the operations that lend it variables or
+/// clocks.
 [[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
-/// What its own functions pass on: "f", "f, TurnFrame_f".
+/// The arguments when its functions call each other: "f", "f, TurnFrame_f".
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
-/// What a function of its caller passes, which refers to the unit's state as `frame`.
+/// The arguments when a function of its caller, in which the unit's state is `frame`, calls one.
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
 /// The parameter for the state of an operation that lends variables or clocks.
 [[nodiscard]] std::string lent_frame(const Unit& owner);
 
 class ExpressionWriter {
 public:
-    /// In the unit's functions.
+    /// For expressions in the unit's functions.
     ExpressionWriter(const Generation& generation, const Unit& unit) : ExpressionWriter(generation, unit, unit, "f") {}
-    /// In a function of the unit's caller, which refers to the unit's state as `frame`: "f.Turn".
+    /// For expressions in a function of the unit's caller, in which the unit's state is `frame`: "f.Turn".
     ExpressionWriter(const Generation& generation, const Unit& unit, const Unit& caller, std::string frame)
         : generation_(generation), unit_(unit), caller_(caller), frame_(std::move(frame)) {}
 
-    /// What `trigger_value` means: the incoming value, as C++ text.
+    /// Sets the C++ text of `trigger_value`, the incoming value.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
     [[nodiscard]] CppExpr expression(const ir::Expr&) const;
-    /// The expression as a value of a numeric type other than its own; others unchanged.
+    /// The expression converted to a numeric type; unchanged for other types.
     [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
-    /// Standing alone: an argument, an initial value, a condition between parentheses.
+    /// As a complete expression: an argument, an initial value, a condition inside parentheses.
     [[nodiscard]] std::string write(const ir::Expr& expr) const { return expression(expr).whole(); }
     [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
         return expression_as(expr, type).whole();
     }
-    /// An operand of any operator: in parentheses unless it binds tightest.
+    /// As an operand of any operator: in parentheses unless it has the highest precedence.
     [[nodiscard]] std::string operand(const ir::Expr& expr) const { return expression(expr).operand(); }
-    /// That all preconditions of functions hold that the expression calls, innermost calls first (semantics 3.5); none
-    /// where none can be false. It is asked before the expression is evaluated.
+    /// The condition that all preconditions of called functions hold, innermost calls first (semantics 3.5); empty if
+    /// none can be false. It is tested before the expression is evaluated.
     [[nodiscard]] CppExpr asked(const ir::Expr&) const;
-    /// The condition behind its preconditions.
+    /// The condition preceded by its preconditions.
     [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
-    /// Where a variable is stored; "" for shared variables that nothing reads.
+    /// The member that stores a variable; "" for shared variables that are never read.
     [[nodiscard]] std::string variable(ir::VariableId) const;
     [[nodiscard]] std::string clock(ir::ClockId) const;
-    /// An item's place, counted from 1.
+    /// The index of an item, counted from 1.
     [[nodiscard]] std::string place(const ir::Expr& index) const;
 
 private:
-    [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< none for a kind without C++
+    [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< empty for a kind that C++ cannot express
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    /// Reals by the operator; whole numbers by the function of that name, which is defined at the type's limits.
+    /// Reals use the operator; whole numbers use the function with that name, which is defined at the type's limits.
     [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
     [[nodiscard]] CppExpr negated(const ir::Expr&) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
@@ -109,12 +110,12 @@ private:
 
     const Generation& generation_;
     const Unit& unit_;
-    const Unit& caller_;  ///< whose function the text is in
+    const Unit& caller_;  ///< the unit whose function contains the text
     std::string frame_;
     std::string incoming_;
 };
 
-/// `pre_f(n)` and the like: functions of Step that ask the preconditions of functions.
+/// Writes `pre_f(n)` and similar functions of Step, which test preconditions.
 void write_preconditions(const Generation&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

@@ -1,5 +1,5 @@
-// Expressions over values with parts: what binds variables (over the carriers of the instantiation, semantics 3.13),
-// functions and relations as values, the toolkit libraries, vectors and matrices.
+// Expressions over values with parts: binders (over the carriers of the instantiation, semantics 3.13), functions and
+// relations as values, the toolkit libraries, vectors and matrices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace robochart::cpp_emit {
 using ir::ExprKind;
 using ir::TypeKind;
 
-/// `visit` for the values of the bound variables `from` on until it is true: any_Nat([&](Nat bound_x) { ... }).
+/// `visit` for the values of the bound variables from index `from` on until it is true: any_Nat([&](Nat bound_x) { ...
+/// }).
 std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
     if (from == expr.bound_names.size()) return visit;
     const ir::TypeId type = expr.bound_types.at(from);
@@ -23,7 +24,7 @@ std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const 
                        type_text(type), bound_identifier(expr.bound_names[from]), body);
 }
 
-/// Of all, some or one of the values that satisfy the predicate the body holds.
+/// Whether the body holds for all, for some or for exactly one of the values that satisfy the predicate.
 CppExpr ExpressionWriter::quantified(const ir::Expr& expr) const {
     const std::string predicate = operand(*expr.args[0]);
     const std::string body = operand(*expr.args[1]);
@@ -50,7 +51,8 @@ std::string ExpressionWriter::collected_item(const ir::Expr& expr) const {
     return expr.args.size() > 1 && expr.args[1] ? write_as(*expr.args[1], item) : bound_values(expr, item);
 }
 
-/// Lambdas as sets of pairs, comprehensions, and `the`: the value of the body for each that satisfies the predicate.
+/// Lambdas as sets of pairs, comprehensions, and `the`: the value of the body for each value that satisfies the
+/// predicate.
 std::string ExpressionWriter::collected(const ir::Expr& expr) const {
     const std::string item = collected_item(expr);
     const std::string take =
@@ -70,7 +72,7 @@ std::string ExpressionWriter::apply(const ir::Expr& expr) const {
     return lookup(*expr.args[0], arguments, domain);
 }
 
-/// Where the function is written out it is called as such, so that it need not be finite on the robot.
+/// If the function is written as an expression it is called directly, so that it need not be finite on the robot.
 std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
                                      ir::TypeId domain) const {
     std::string listed;
@@ -95,7 +97,7 @@ std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector
     return fmt::format("robochart::apply<{}>({}, {})", type_text(result), write(function), argument);
 }
 
-/// A lambda applied to arguments; what does not satisfy its predicate has no value in the model.
+/// A lambda applied to arguments; arguments that do not satisfy its predicate have no value in the model.
 std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const {
     std::string parameters, values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -108,7 +110,7 @@ std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::ve
     return fmt::format("[&]({}) {{ return {}; }}({})", parameters, write_as(*lambda.args[1], result), values);
 }
 
-/// A function of the model as the set of its pairs: where its precondition holds.
+/// A function of the model as the set of its pairs, restricted to its precondition.
 std::string ExpressionWriter::function_value(const ir::Expr& expr) const {
     const ir::Type& whole = generation_.system.type(expr.type);
     const ir::TypeId domain = whole.args.at(0);
@@ -157,7 +159,7 @@ std::string ExpressionWriter::range(const ir::Expr& expr) const {
         open_low ? "<" : "<=", open_high ? "<" : "<=");
 }
 
-/// Whether a number is one of another type.
+/// Whether a number belongs to another numeric type.
 std::string ExpressionWriter::is_type(const ir::Expr& expr) const {
     const ir::TypeId wanted = expr.bound_types.at(0);
     const bool natural = generation_.system.type(wanted).kind == TypeKind::nat;
@@ -169,7 +171,7 @@ bool ExpressionWriter::block_arithmetic(const ir::Expr& expr) const {
                        [&](const ir::ExprPtr& arg) { return block(generation_.system.type(arg->type)); });
 }
 
-/// A vector or matrix with entries of the type, or a number of it.
+/// A vector or matrix with entries of the type, or a number of that type.
 std::string ExpressionWriter::block_operand(const ir::Expr& expr, ir::TypeId entry) const {
     const ir::Type& type = generation_.system.type(expr.type);
     if (!block(type)) return operand_as(expr, generation_.system.type(entry).kind);

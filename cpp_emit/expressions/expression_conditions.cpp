@@ -1,7 +1,7 @@
-// Preconditions of the functions that an expression calls (semantics 3.5). The code asks what the semantics asks, in
-// the same order: inner calls first, since the condition of an outer one may need their values; under a binder for
-// every value that the body is evaluated for; whatever a logical operator would pass over. Nothing is evaluated before
-// its own preconditions hold.
+// Preconditions of the functions that an expression calls (semantics 3.5). The code tests the same preconditions as the
+// semantics, in the same order: inner calls first, since the condition of an outer one may need their values; under a
+// binder for every value for which the body is evaluated; in both operands of a logical operator, even if one decides
+// the result. Nothing is evaluated before its own preconditions hold.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -48,8 +48,8 @@ std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const
     return result;
 }
 
-/// No combination of the bound variables makes a condition false: those of the predicate for all, those of the body
-/// where the predicate holds.
+/// The conditions hold for all values of the bound variables: preconditions of the predicate for all values,
+/// preconditions of the body for the values that satisfy the predicate.
 std::vector<CppExpr> ExpressionWriter::bound_preconditions(const ir::Expr& expr) const {
     std::vector<CppExpr> result;
     const auto never_false = [&](const CppExpr& where, const std::vector<CppExpr>& conditions) {

@@ -1,4 +1,4 @@
-// What all emitters of one run share.
+// Data that all emitters of one run share.
 #pragma once
 
 #include <string>
@@ -18,13 +18,13 @@ struct Generation {
     const Component& component;
     Mutation& mutation;
 
-    /// "S1 (aggregation.rct:83)", or the element alone if its place is unknown. Files may have any name.
+    /// "S1 (aggregation.rct:83)"; only the element if its place is unknown. File names may contain any characters.
     [[nodiscard]] diagnostics::ForeignText place(std::string_view element, diagnostics::Span) const;
-    /// "aggregation.rct:83"; "" if it is unknown.
+    /// "aggregation.rct:83"; "" if unknown.
     [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
-    /// "aggregation.rct"; "" if it is unknown.
+    /// "aggregation.rct"; "" if unknown.
     [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
-    /// The test of the bound of steps in a loop's condition; "" with Fault::loop_never_ends.
+    /// The test of the bound on steps in a loop's condition; "" with Fault::loop_never_ends.
     [[nodiscard]] std::string bound_test() const;
     [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const {
         return place(origin.element, origin.span);

@@ -9,15 +9,15 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// Which lines a fault changes, and how. Patterns are those of std::regex and have to match the whole.
+/// The lines that a fault changes, and the changes. Patterns are those of std::regex and must match the whole line.
 struct LineRule {
     Fault fault;
-    const char* function;  ///< of Step, by name
+    const char* function;  ///< pattern for the name of the function in Step
     const char* line;      ///< without its indentation
-    const char* wrong;     ///< as in std::regex_replace; "" is no line
+    const char* wrong;     ///< as in std::regex_replace; "" deletes the line
 };
 
-/// The functions that are not of the event API.
+/// The functions that do not belong to the event API.
 constexpr const char* of_cycle = "(?!dispatch$|begin$|pass$).*";
 constexpr const char* of_events = "dispatch|begin|pass";
 
@@ -57,7 +57,7 @@ constexpr LineRule line_rules[] = {
 struct OrderRule {
     Fault fault;
     const char* function;
-    const char* line;  ///< three groups: what is before the list, the list, what is behind it
+    const char* line;  ///< three groups: the text before the list, the list, the text after it
 };
 
 constexpr OrderRule order_rules[] = {
@@ -77,7 +77,7 @@ std::string reversed(std::string_view list) {
     return result;
 }
 
-/// Goes through the functions of the class Step, whose heads are indented once.
+/// Processes the functions of the class Step, whose heads are indented once.
 class FaultyCode {
 public:
     explicit FaultyCode(Mutation& mutation) : mutation_(mutation) {}

@@ -1,5 +1,5 @@
-// Seeded faults in generated code: a line of the core that is lost, repeated or changed. For what the IR does not show
-// and a line of code does: what is cleared, advanced, awaited or consumed.
+// Seeded faults in generated code: a line of the core is deleted, repeated or changed. These are the faults that the IR
+// cannot express and a line of code can: what is cleared, advanced, awaited or consumed.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robochart::cpp_emit {
 
-/// The text of NAME_core.hpp with the fault; unchanged where the kind of this run is none of lines.
+/// The text of NAME_core.hpp with the fault; unchanged if this run's kind of fault does not change lines.
 [[nodiscard]] std::string faulty_code(std::string text, Mutation&);
 
 }  // namespace robochart::cpp_emit

@@ -32,7 +32,7 @@ constexpr Exchange logic[] = {{ExprKind::conjunction, ExprKind::disjunction},
                               {ExprKind::implies, ExprKind::iff}};
 constexpr Exchange quantifiers[] = {{ExprKind::forall, ExprKind::exists}, {ExprKind::exists, ExprKind::forall}};
 
-/// Functions of the same signature, each way.
+/// Pairs of functions with the same signature; each may be exchanged for the other.
 constexpr std::pair<std::string_view, std::string_view> functions[] = {
     {"set_toolkit_union", "set_toolkit_inter"},         {"set_toolkit_diff", "set_toolkit_union"},
     {"set_toolkit_Union", "set_toolkit_Inter"},         {"set_toolkit_subset", "set_toolkit_subseteq"},
@@ -59,7 +59,7 @@ bool commutes(ExprKind kind) {
     return kind != ExprKind::minus && kind != ExprKind::divide && kind != ExprKind::modulus && kind != ExprKind::concat;
 }
 
-/// The faults of one expression, its operands aside.
+/// The faults of one expression, excluding its operands.
 class OneExpression {
 public:
     OneExpression(const ir::System& system, Mutation& mutation, const Expr& expr)
@@ -90,7 +90,7 @@ private:
     [[nodiscard]] bool hits(Fault fault) const { return mutation_.hits(fault); }
     [[nodiscard]] ir::TypeKind kind(const Expr& expr) const { return system_.type(expr.type).kind; }
 
-    /// All operands are single numbers, not vectors or matrices.
+    /// Whether all operands are single numbers, not vectors or matrices.
     [[nodiscard]] bool numbers() const {
         return std::all_of(expr_.args.begin(), expr_.args.end(), [&](const ir::ExprPtr& each) {
             const ir::TypeKind type = kind(*each);
@@ -173,7 +173,7 @@ ir::ExprPtr number(const ir::System& system, ir::TypeId type, std::int64_t value
     return std::make_shared<Expr>(literal_of(type, real ? ExprKind::real : ExprKind::integer, value));
 }
 
-/// Of the model's own, which a machine with a condition has.
+/// The model's boolean type, which exists if a machine has a condition.
 ir::TypeId boolean(const ir::System& system) {
     const auto found = std::find_if(system.types.begin(), system.types.end(),
                                     [](const ir::Type& type) { return type.kind == ir::TypeKind::boolean; });
@@ -181,13 +181,13 @@ ir::TypeId boolean(const ir::System& system) {
     return {static_cast<std::uint32_t>(found - system.types.begin())};
 }
 
-/// Its operands are the parts of a value, as `Type::args` or one type for all says.
+/// Whether the operands are the parts of a value, as given by `Type::args` or by one type for all.
 bool builds(ExprKind kind) {
     return kind == ExprKind::tuple || kind == ExprKind::record || kind == ExprKind::sequence || kind == ExprKind::set ||
            kind == ExprKind::matrix || kind == ExprKind::enum_literal;
 }
 
-/// The type of one part of the value that `whole` builds; invalid if it has none of its own.
+/// The type of one part of the value that `whole` builds; invalid if it has none.
 ir::TypeId part_type(const ir::System& system, const Expr& whole, std::size_t place) {
     const ir::Type& type = system.type(whole.type);
     if (whole.kind == ExprKind::enum_literal) {

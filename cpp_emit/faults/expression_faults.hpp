@@ -1,4 +1,4 @@
-// Seeded faults in expressions: the expression that a faulty generator would have read.
+// Seeded faults in expressions: the expression as a faulty generator would read it.
 #pragma once
 
 #include <map>
@@ -9,27 +9,27 @@
 
 namespace robochart::cpp_emit {
 
-/// A literal with the default value of a type; null for types whose default no literal states.
+/// A literal with the default value of a type; null if no literal can express it.
 [[nodiscard]] ir::ExprPtr default_literal(const ir::System&, const ir::Instantiation&, ir::TypeId);
 /// The number one as a literal of a numeric type.
 [[nodiscard]] ir::ExprPtr one(const ir::System&, ir::TypeId);
-/// `expr` + 1. Over a finite carrier the largest number stays (semantics 3.13), but not where it is a literal.
+/// `expr` + 1. In a finite carrier the largest number does not change (semantics 3.13), except for a literal.
 [[nodiscard]] ir::ExprPtr one_more(const ir::System&, const ir::ExprPtr& expr);
-/// `expr` - 1, and 0 where that is negative; null for the literal 0.
+/// `expr` - 1, or 0 if that is negative; null for the literal 0.
 [[nodiscard]] ir::ExprPtr one_less(const ir::System&, const ir::ExprPtr& expr);
 /// `not expr`.
 [[nodiscard]] ir::ExprPtr negated(const ir::ExprPtr& expr);
 
-/// Rewrites the expressions of one machine. A part that several expressions share is one place.
+/// Rewrites the expressions of one machine. A subexpression that several expressions share counts as one place.
 class ExpressionFaults {
 public:
     ExpressionFaults(const ir::System& system, const ir::Instantiation& inst, Mutation& mutation)
         : system_(system), inst_(inst), mutation_(mutation) {}
 
-    /// The expression with the fault, operands before what they are operands of; the same object where it is not in it,
-    /// null for null.
+    /// The expression with the fault, operands before operators; the same object if the fault is elsewhere, null for
+    /// null.
     [[nodiscard]] ir::ExprPtr rewrite(const ir::ExprPtr&);
-    /// The place of an item, which the fault index_off_by_one changes too.
+    /// The same for the index of an item, which the fault index_off_by_one changes too.
     [[nodiscard]] ir::ExprPtr rewrite_place(const ir::ExprPtr&);
 
 private:
@@ -39,7 +39,7 @@ private:
     const ir::System& system_;
     const ir::Instantiation& inst_;
     Mutation& mutation_;
-    std::map<const ir::Expr*, ir::ExprPtr> known_;  ///< looked up, never iterated
+    std::map<const ir::Expr*, ir::ExprPtr> known_;  ///< never iterated
 };
 
 }  // namespace robochart::cpp_emit

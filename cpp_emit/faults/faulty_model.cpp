@@ -20,7 +20,7 @@ FaultyModel::FaultyModel(const ir::System& system, const ir::Instantiation& inst
     change_functions(inst, mutation);
 }
 
-/// Fault::initial_lost: the default of the type.
+/// Fault::initial_lost: the default value of the type.
 void FaultyModel::change_initials(const ir::Instantiation& inst, Mutation& mutation) {
     const auto change = [&](const ir::Variable& variable, ir::Value& initial) {
         const ir::Value lost = ir::default_value(system_, inst, variable.type);
@@ -33,7 +33,7 @@ void FaultyModel::change_initials(const ir::Instantiation& inst, Mutation& mutat
             if (!unit.variable_fields[index].empty()) change(unit.machine->variables[index], unit.initials[index]);
 }
 
-/// The conditions that code asks before it uses a function.
+/// Changes the conditions that code tests before it calls a function.
 void FaultyModel::change_functions(const ir::Instantiation& inst, Mutation& mutation) {
     for (const FunctionHook& hook : component_.functions) {
         if (!hook.guarded) continue;

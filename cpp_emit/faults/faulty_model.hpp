@@ -1,4 +1,4 @@
-// A model with the seeded fault of a run in it, beside the plan of the model without it.
+// A model with the seeded fault of a run, together with the plan of the unchanged model.
 #pragma once
 
 #include <deque>
@@ -11,12 +11,12 @@
 
 namespace robochart::cpp_emit {
 
-/// What the emitters read: without a fault the model and its component themselves. With one, the units' machines,
-/// first values and the preconditions of functions are changed; everything else of the plan (what is stored, the
-/// boundary, capacities) stays that of the model, so that code with a fault has the same interface.
+/// The input of the emitters. Without a fault it is the model and its component. With a fault, the units' machines,
+/// initial values and the preconditions of functions are changed. The rest of the plan (what is stored, the boundary,
+/// capacities) stays that of the model, so that code with a fault has the same interface.
 class FaultyModel {
 public:
-    /// All of them have to outlive it.
+    /// All arguments must outlive the object.
     FaultyModel(const ir::System&, const ir::Instantiation&, const Component&, Mutation&);
     FaultyModel(const FaultyModel&) = delete;
     FaultyModel& operator=(const FaultyModel&) = delete;
@@ -30,7 +30,7 @@ private:
 
     const ir::System& system_;
     const Component& component_;
-    std::deque<ir::Machine> machines_;  ///< of the changed component's units
+    std::deque<ir::Machine> machines_;  ///< machines of the changed component's units
     std::optional<ir::System> changed_system_;
     std::optional<Component> changed_component_;
 };

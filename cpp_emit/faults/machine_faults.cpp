@@ -71,7 +71,7 @@ private:
         if (mutation_.hits(Fault::guard_dropped)) transition.guard = nullptr;
     }
 
-    /// Where a deadline runs while the guard holds of the variable's value, the trigger has to name the variable.
+    /// If a deadline depends on a guard over the received value, the trigger must name the variable.
     void receive(ir::Transition& transition) {
         const ir::VariableId stored = transition.trigger->variable;
         statements_.receive(*transition.trigger);
@@ -92,7 +92,7 @@ private:
         return stored == nullptr || stored->stored();
     }
 
-    /// The guard with the variable in place of the incoming value.
+    /// The guard in which the variable replaces the incoming value.
     [[nodiscard]] static ir::ExprPtr with_old_value(const ir::ExprPtr& expr, ir::VariableId variable) {
         if (!expr) return expr;
         ir::Expr changed = *expr;
@@ -119,7 +119,7 @@ private:
             mutation_.hits(Fault::deadline_ignored) ? nullptr : statements_.deadline(transition.deadline);
     }
 
-    /// The next state beside a node, in a circle; invalid if there is none.
+    /// The next state after a node in the same parent, cyclically; invalid if there is none.
     [[nodiscard]] NodeId beside(NodeId target) const {
         const NodeId parent = machine_.nodes[target.index].parent;
         const auto& siblings = parent.valid() ? machine_.nodes[parent.index].children : machine_.top;
@@ -131,7 +131,7 @@ private:
         return next == others.end() ? others.front() : *next;
     }
 
-    /// One alternative of a probabilistic junction does what the next one does.
+    /// One alternative of a probabilistic junction gets the effect of the next one.
     void exchange_ways(const ir::Node& node) {
         const std::vector<ir::Transition> right = machine_.transitions;
         for (std::size_t way = 0; way < node.outgoing.size(); ++way) {

@@ -1,5 +1,5 @@
-// Seeded faults in machines: the machine that a faulty generator would have read, as far as the IR can express what it
-// does wrong. What goes wrong below the IR (order of exits, places, dispatch) is asked of Mutation by the emitters.
+// Seeded faults in machines: the machine as a faulty generator would read it, if the IR can express the fault. For
+// faults below the IR (order of exits, places, dispatch) the emitters ask Mutation.
 #pragma once
 
 #include "cpp_emit/faults/mutation.hpp"
@@ -9,8 +9,8 @@
 
 namespace robochart::cpp_emit {
 
-/// The machine of a unit with the fault: the same variables, clocks, events, nodes and transitions under the same
-/// numbers, so that the unit's plan is one of it too. Nodes go before transitions, in each the textual order.
+/// The machine of a unit with the fault. It has the same variables, clocks, events, nodes and transitions under the
+/// same numbers, so the unit's plan is valid for it. Nodes are visited before transitions, both in textual order.
 [[nodiscard]] ir::Machine faulty_machine(const ir::System&, const ir::Instantiation&, const Component&, const Unit&,
                                          Mutation&);
 

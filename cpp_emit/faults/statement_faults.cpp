@@ -63,11 +63,11 @@ void StatementFaults::rewrite_parts(ir::Stmt& stmt) {
         stmt.communication.value = expressions_.rewrite(stmt.communication.value);
 }
 
-/// Steps to a field are numbers of fields; those to an item are expressions.
+/// Path steps to a field are numbers of fields; steps to an item are expressions.
 void StatementFaults::rewrite_path(ir::Stmt& stmt) {
     if (stmt.path.empty()) return;
     ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
-    bool in_row = false;  // the first place in a matrix leads to a row
+    bool in_row = false;  // the first index of a matrix selects a row
     for (ir::ExprPtr& step : stmt.path) {
         const ir::Type& outer = system_.type(type);
         if (is_struct(outer)) {
@@ -143,7 +143,7 @@ StmtPtr StatementFaults::communication(ir::Stmt stmt) {
     return repeated(std::move(stmt));
 }
 
-/// An output of the component.
+/// Fault at an output of the component.
 StmtPtr StatementFaults::repeated(ir::Stmt stmt) {
     const StmtPtr once = made(std::move(stmt));
     return mutation_.hits(Fault::output_repeated) ? one_after_the_other({once, once}) : once;
@@ -157,7 +157,7 @@ void StatementFaults::receive(ir::Communication& what) {
     if (what.variable.valid() && mutation_.hits(Fault::value_not_stored)) what.variable = {};
 }
 
-/// The machine's next event of the same type at the boundary of the component, in a circle; invalid if there is none.
+/// The machine's next event of the same type at the component's boundary, cyclically; invalid if there is none.
 ir::EventId StatementFaults::other_event(ir::EventId own, bool received) const {
     const EventUse& use = component_.event(unit_, own);
     const auto& all = unit_.machine->events;
@@ -194,7 +194,7 @@ void StatementFaults::exchange_arguments(ir::Stmt& stmt) {
     if (alike && mutation_.hits(Fault::argument_swapped)) std::swap(stmt.args[0], stmt.args[1]);
 }
 
-/// The machine's next operation of the platform with the same parameters, in a circle; invalid if there is none.
+/// The machine's next platform operation with the same parameters, cyclically; invalid if there is none.
 ir::OperationId StatementFaults::other_operation(ir::OperationId own) const {
     const auto& all = unit_.machine->operations;
     for (std::size_t step = 1; step < all.size(); ++step) {

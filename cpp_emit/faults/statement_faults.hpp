@@ -20,14 +20,14 @@ public:
 
     /// The statement with the fault, parts before the whole; null for null.
     [[nodiscard]] ir::StmtPtr rewrite(const ir::StmtPtr&);
-    /// What receives: a trigger, or the communication of an input statement.
+    /// Rewrites a trigger or the communication of an input statement.
     void receive(ir::Communication&);
-    /// A deadline of a statement or transition, but for the fault that ignores it.
+    /// Rewrites a deadline of a statement or transition, except for the fault that ignores it.
     [[nodiscard]] ir::ExprPtr deadline(const ir::ExprPtr& bound);
     /// A program that runs a second time, one time unit after it has ended.
     [[nodiscard]] ir::StmtPtr run_again(const ir::StmtPtr&) const;
     [[nodiscard]] ExpressionFaults& expressions() { return expressions_; }
-    /// Whether resetting the clock does anything.
+    /// Whether resetting the clock has any effect.
     [[nodiscard]] bool counts(ir::ClockId) const;
 
 private:

@@ -12,13 +12,13 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// A unit that runs and where its state is.
+/// A running unit and the place of its state.
 struct Running {
     const Unit* unit = nullptr;
     std::string frame;
 };
 
-/// A send site and the frame in which its thread runs, behind those of the operations that called it.
+/// A send site and the frame in which its thread runs, after the frames of the operations that called it.
 struct Place {
     std::vector<Running> calls;
     const SendSite* site = nullptr;
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// The unit's own sites, then those of the operations that its threads run. As deep as calls nest.
+    /// Collects the unit's own sites, then those of the operations that its threads run, through all nested calls.
     void collect(const std::vector<Running>& calls, const std::string& channel) {
         const Component& component = generation_.component;
         const Running& running = calls.back();
@@ -64,7 +64,7 @@ private:
         }
     }
 
-    /// Names for the state of the site's unit and of the operations that lend it variables.
+    /// Declares names for the state of the site's unit and of the operations that lend it variables.
     void bind(const Place& place, const std::string& reference) {
         const Running& running = place.calls.back();
         out_.line(fmt::format("{}f = {};", reference, running.frame));

@@ -1,5 +1,5 @@
-// What belongs to several machines at once: rendezvous, buffers, the state around the machines' frames, one cycle of
-// all of them (semantics 3.9).
+// The code that concerns several machines: rendezvous, buffers, the state around the machines' frames, one cycle of all
+// machines (semantics 3.9).
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace robochart::cpp_emit {
 
-/// `sites_C`, `offers_C`, `accept_C` for each channel C: where its sender may wait, whether it does and with which
-/// value, and moving it on.
+/// Writes `sites_C`, `offers_C`, `accept_C` for each channel C: where its sender may wait; whether it waits, and with
+/// which value; and how to advance it.
 void write_channels(const Generation&, const Core&, CodeWriter&);
-/// Members of State that belong to no machine: buffers, shared variables of several machines.
+/// Members of State that belong to no single machine: buffers, shared variables of several machines.
 [[nodiscard]] std::vector<Field> common_fields(const Generation&);
-/// The layout of State around the frames of several machines.
+/// The layout of the State that contains the frames of several machines.
 [[nodiscard]] FrameLayout composed_layout(const Generation&, const Core&, std::vector<Field> more);
-/// run, finished and advance of all machines.
+/// Writes the functions run, finished and advance for all machines.
 void write_composition(const Generation&, const Core&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

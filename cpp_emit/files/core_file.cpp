@@ -1,4 +1,4 @@
-// The core header: one translation of the machine, used by the deployed controller and by the explorer alike.
+// The core header: one translation of the machine, used by the deployed controller and by the explorer.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,8 +24,8 @@ void numeric_aliases(CodeWriter& out) {
 }
 
 std::string bound_text(const Core& core) {
-    // A cycle may pass each place often, as a loop over a variable does; a model that needs more without time passing
-    // is taken to diverge.
+    // A cycle may visit each place as often as a loop over a variable does; a model that needs more steps without the
+    // passing of time is assumed to diverge.
     std::size_t places = 0;
     for (const MachineCode& machine : core.machines)
         for (const Enumeration& enumeration : machine.enumerations) places += enumeration.values.size();
@@ -55,7 +55,7 @@ void write_comparison(CodeWriter& out, const std::string& name, const std::vecto
         "friend constexpr bool operator!=(const {0}& lhs, const {0}& rhs) noexcept {{ return !(lhs == rhs); }}", name));
 }
 
-/// The first member that differs decides: sets keep their members in this order.
+/// The first member that differs decides; sets sort their elements in this order.
 void write_order(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
     out.open(fmt::format("friend constexpr bool operator<(const {0}& lhs, const {0}& rhs) noexcept {{", name));
     for (const std::string& field : fields)
@@ -64,7 +64,7 @@ void write_order(CodeWriter& out, const std::string& name, const std::vector<std
     out.close();
 }
 
-/// A static function that makes a value of its members.
+/// A static function that makes a value from its members.
 void write_maker(const Generation& generation, CodeWriter& out, const std::string& type, const std::string& maker,
                  const std::vector<TypeMember>& given, const std::string& also) {
     std::vector<std::string> parameters;
@@ -79,7 +79,7 @@ void write_maker(const Generation& generation, CodeWriter& out, const std::strin
     out.close();
 }
 
-/// Records and products: one maker. Enumerations whose literals have arguments: one for each literal.
+/// Records and products have one maker; enumerations whose literals have arguments have one for each literal.
 void write_makers(const Generation& generation, CodeWriter& out, const ir::Type& type) {
     const std::string name = declared_name(type);
     const std::vector<TypeMember> all = members(type);
@@ -177,7 +177,7 @@ void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit
     write_struct(generation, out, unit.frame, layout);
 }
 
-/// State around the frames of several machines.
+/// The State that contains the frames of several machines.
 void write_state(const Generation& generation, CodeWriter& out, const FrameLayout& layout) {
     out.gap();
     out.doc(fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
@@ -263,8 +263,8 @@ void write_variables(const Generation& generation, CodeWriter& out) {
     }
 }
 
-/// The memories between a write and the machines take one write at a time; a machine that holds one up holds up those
-/// behind it (semantics 3.7).
+/// The memories that propagate writes to the machines accept one write at a time; a machine that holds up a write holds
+/// up the later ones too (semantics 3.7).
 void write_propagation(const Generation& generation, CodeWriter& out) {
     const Component& component = generation.component;
     for (const StoredVariable& variable : component.variables) {
@@ -299,7 +299,7 @@ void keep(CodeWriter& out, const EventPort& event) {
     out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.value;", event.input));
 }
 
-/// What is written from outside is seen at once; Fault::outside_write_late: `late`, after the cycle.
+/// External writes take effect at once; with Fault::outside_write_late they are added to `late`, after the cycle.
 void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
                    std::vector<std::string>& late) {
     const std::string line =
@@ -327,7 +327,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.close();
 }
 
-/// Nothing is left of it where the platform does not listen.
+/// The hook produces no code if the platform does not use it.
 void write_hook(const Generation& generation, CodeWriter& out) {
     out.declaration(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
                                 generation.component.cpp_name),

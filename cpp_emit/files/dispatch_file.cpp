@@ -1,4 +1,4 @@
-// The event API of the core: `Event`, `begin`, `dispatch` and `pass`, with a switch or a table where no action waits.
+// The event API of the core: `Event`, `begin`, `dispatch` and `pass`, with a switch or a table if no action waits.
 #include <fmt/format.h>
 
 #include <set>

@@ -1,5 +1,5 @@
-// Where an event that the platform raises may be lost or taken late (docs/conformance.md, "Events that can be missed",
-// "Events that come second").
+// Finds places where an event raised by the platform may be lost or taken late (docs/conformance.md, "Events that can
+// be missed", "Events that come second").
 #include <algorithm>
 #include <set>
 
@@ -11,7 +11,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// What shows where the part's machine is.
+/// The member that shows the state of the part's machine.
 std::string member_of(const Part& part) {
     return part.tag.empty() ? "state" : part.tag + ".state";
 }
@@ -32,7 +32,7 @@ private:
         if (!machine.initial.valid()) return;
         const std::string member = member_of(part);
         const std::vector<Enumerator>& values = core_.machines[root].enumerations.front().values;
-        std::string program;  // whose places are being gone through
+        std::string program;  // the program whose places are being visited
         for (std::size_t i = 0; i < values.size(); ++i) {
             const Enumerator& value = values[i];
             const std::string comment = diagnostics::shown(value.comment);
@@ -52,7 +52,7 @@ private:
         }
     }
 
-    /// Whether the machine's event is raised by the platform, and as which of its events.
+    /// Whether the platform raises the machine's event, and as which of its events.
     [[nodiscard]] std::vector<bool> raised(const EventUse& use) const {
         std::vector<bool> result(events_.size());
         for (const std::size_t port : use.ports) {
@@ -62,12 +62,12 @@ private:
         return result;
     }
 
-    /// By the transitions of a state and of those around it.
+    /// The events awaited by the transitions of a state and of its enclosing states.
     struct Awaited {
         explicit Awaited(std::size_t events) : all(events), taken(events), level(events, EventPlace::no_level) {}
         std::vector<bool> all;             ///< some transition awaits it
-        std::vector<bool> taken;           ///< some does without a condition
-        std::vector<std::uint32_t> level;  ///< how far outside the innermost of these is
+        std::vector<bool> taken;           ///< some transition awaits it without a condition
+        std::vector<std::uint32_t> level;  ///< how many levels outside the state the innermost such transition is
         [[nodiscard]] std::vector<bool> conditional() const {
             std::vector<bool> result = all;
             for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && !taken[i];
@@ -96,7 +96,7 @@ private:
             }
     }
 
-    /// Where a transition leads, through junctions.
+    /// Follows a transition through junctions to its targets.
     void lead(const Part& part, const ir::Machine& machine, ir::NodeId target, Awaited& awaited) const {
         std::vector<ir::NodeId> open;
         if (target.valid()) open.push_back(target);
@@ -127,7 +127,7 @@ std::vector<EventPlace> event_places(const Generation& generation, const Core& c
 }
 
 std::vector<bool> lost_in_actions(const Generation& generation, const Core& core) {
-    std::set<std::string> slow;  // the members that show where these machines are
+    std::set<std::string> slow;  // the members that show the states of these machines
     for (const Part& part : generation.component.parts)
         if (actions_take_time(generation, generation.component.units[part.root])) slow.insert(member_of(part));
     std::vector<bool> result(input_events(generation.component).size());

@@ -1,4 +1,4 @@
-// The exploration interface: the core over finite carriers behind the plain C functions of explore_abi.h.
+// The exploration interface: the core over finite carriers, called through the C functions of explore_abi.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -57,7 +57,8 @@ private:
         out_.gap();
         out_.line("namespace {");
         out_.gap();
-        out_.line(fmt::format("namespace core = {};", core_.name_space));  // not from the global scope: batches wrap it
+        // not from the global scope, because batches wrap it
+        out_.line(fmt::format("namespace core = {};", core_.name_space));
     }
 
     void carrier_struct(const char* name, const std::vector<std::int64_t>& values, std::int64_t scale) {
@@ -134,8 +135,8 @@ private:
 
     std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
-    /// The table of all values of a composed type at the boundary: its numbers are places there. Compilers bound what
-    /// they compute for a constant expression.
+    /// The table of all values of a composed type at the boundary; the type's numbers are indices into it. Compilers
+    /// limit the work for a constant expression.
     std::string table(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
 
     void value_tables() {
@@ -161,7 +162,7 @@ private:
                                                      : fmt::format("robochart::to_raw({})", value);
     }
 
-    /// Functions have the values that the semantics gives them, of which the default is one (semantics 3.13).
+    /// Functions may have any value that the semantics gives them; the default is one of these (semantics 3.13).
     void functions_of_the_model() {
         for (const FunctionHook& hook : generation_.component.functions) {
             const ir::Function& function = generation_.system.functions[hook.id.index];
@@ -175,7 +176,7 @@ private:
             out_.open(fmt::format("{} {}({}) const noexcept {{", type(function.result), hook.method, parameters));
             ir::Value otherwise = ir::default_value(generation_.system, generation_.inst, function.result);
             for (const FunctionValue& row : values_of(generation_.system, generation_.inst, hook.id)) {
-                if (row.arguments.empty()) {  // there is but one value
+                if (row.arguments.empty()) {  // there is only one value
                     otherwise = row.result;
                     break;
                 }
@@ -263,7 +264,7 @@ private:
         out_.close();
     }
 
-    /// The event API, where there is one.
+    /// The event API, if there is one.
     void event_functions() {
         const std::size_t events = input_events(generation_.component).size();
         if (events == 0) return;

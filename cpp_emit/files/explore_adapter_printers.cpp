@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::string_view buffer = "robochart::Buffer<";
 
-/// What a field holds, if something: the type between the brackets of a buffer.
+/// The type inside the brackets of a buffer, if the field holds one.
 std::string held(const std::string& type) {
     return type.starts_with(buffer) ? type.substr(buffer.size(), type.size() - buffer.size() - 1) : type;
 }
 
-/// Sequences, sets, vectors, matrices, strings are of the runtime, records and their like have the carriers as
-/// argument.
+/// Whether the field has parts. Sequences, sets, vectors, matrices and strings are types of the runtime; records and
+/// similar types have the carriers as template argument.
 bool of_parts(const std::string& type) {
     return type != "robochart::Flag" && (type.starts_with("robochart::") || type.ends_with(">"));
 }
@@ -30,7 +30,7 @@ bool filler(const Field& field) {
     return field.name.starts_with("filler[");
 }
 
-/// Values that have a name in the model and no parts.
+/// Types whose values have a name in the model and no parts.
 bool named_type(const ir::Type& type) {
     return type.kind == ir::TypeKind::enumeration && !is_struct(type);
 }
@@ -63,7 +63,7 @@ bool StatePrinters::words_of_logs() const {
                                             [&](const MachineCode& machine) { return any(machine.layout); });
 }
 
-/// Of an enumeration of the machines' code, or of one of the model.
+/// Whether the type is an enumeration of the machines' code, or one of the model.
 bool StatePrinters::named(const std::string& type) const {
     const auto of_code = [&](const MachineCode& machine) {
         return std::any_of(machine.enumerations.begin(), machine.enumerations.end(),
@@ -86,7 +86,7 @@ std::string StatePrinters::value_printer(const std::string& type, const std::str
     return fmt::format("text.add(static_cast<std::int64_t>({}), 1);", value);
 }
 
-/// Operations that do not run are as they began.
+/// Operations that do not run are in their initial state.
 void StatePrinters::print_frame(CodeWriter& out, const Field& field) const {
     out.open(fmt::format("if (!(f.{} == core::{}<Checking>{{}})) {{", field.name,
                          field.type.substr(0, field.type.size() - std::string_view("<Types>").size())));

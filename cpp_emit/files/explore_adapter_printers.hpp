@@ -1,4 +1,4 @@
-// How the exploration interface prints a state: functions of its source that name each field and its value.
+// How the exploration interface prints a state: functions in its source that print the name and value of each field.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ class StatePrinters {
 public:
     StatePrinters(const Generation& generation, const Core& core) : generation_(generation), core_(core) {}
 
-    /// Some field has parts: their words are those of logs (robochart/explore_values.hpp, NAME_trace.hpp).
+    /// Whether some field has parts; they are printed as in logs (robochart/explore_values.hpp, NAME_trace.hpp).
     [[nodiscard]] bool words_of_logs() const;
-    /// The functions `print`, the last of them for the whole state.
+    /// Writes the functions `print`; the last one prints the whole state.
     void write(CodeWriter&) const;
 
 private:

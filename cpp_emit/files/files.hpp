@@ -8,13 +8,13 @@
 
 namespace robochart::cpp_emit {
 
-/// What the core's text consists of, shared by the files that use it.
+/// The parts of the core's text that several files use.
 struct Core {
     std::string name_space;              ///< "aggregation::AggregationFSM_core"
     std::string relative;                ///< the same as seen from the package's namespace
     std::string header;                  ///< file name
-    std::vector<MachineCode> machines;   ///< as Component::units
-    FrameLayout layout;                  ///< of State
+    std::vector<MachineCode> machines;   ///< in the order of Component::units
+    FrameLayout layout;                  ///< layout of State
     std::vector<const EventPort*> kept;  ///< Fault::event_kept: inputs that outlive the cycle
 };
 
@@ -22,21 +22,22 @@ struct Core {
 [[nodiscard]] Core make_core(const Generation&);
 /// The core: enumerations, State, Inputs, Step and step().
 [[nodiscard]] std::string core_header(const Generation&, const Core&);
-/// The layout of State as a table, and names of its places (runtime/layout.hpp).
+/// The layout of State as a table, and the names of places (runtime/layout.hpp).
 [[nodiscard]] std::string layout_header(const Generation&, const Core&);
-/// The concept behind the comment that lists the platform's methods; calls like "turn(std::declval<Real>())".
+/// Writes the concept that corresponds to the comment with the platform's methods, for calls like
+/// "turn(std::declval<Real>())".
 void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
-/// Where machines are busy on behalf of a state that awaits events, or rest while every transition on an event has a
+/// Places where machines are busy in a state that awaits events, and states where every transition on an event has a
 /// condition.
 [[nodiscard]] std::vector<EventPlace> event_places(const Generation&, const Core&);
-/// Of the events that the platform raises, in the order of Inputs, which are awaited where a machine is busy, in
-/// machines some action of which may take time.
+/// For each event that the platform raises, in the order of Inputs: whether it is awaited while a machine is busy, in
+/// machines that have an action that may take time.
 [[nodiscard]] std::vector<bool> lost_in_actions(const Generation&, const Core&);
 
-/// What a traced controller needs: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
+/// The header for a traced controller: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
 [[nodiscard]] std::string trace_header(const Generation&, const Core&);
 [[nodiscard]] std::string trace_header_name(const Generation&);
 
@@ -62,9 +63,9 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string console_choices();
 [[nodiscard]] std::string console_values();
 
-/// "Generated from RoboChart ... edit the model" for the top of a file.
+/// Writes "Generated from RoboChart ... edit the model" at the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);
-/// The C++ namespace of a package: "a::b", or "robot" without one.
+/// The C++ namespace for a package: "a::b", or "robot" for the unnamed one.
 [[nodiscard]] std::string package_namespace(const std::string& package);
 
 }  // namespace robochart::cpp_emit

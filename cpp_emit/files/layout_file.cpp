@@ -1,5 +1,5 @@
-// What tools know of a generated controller: the layout of its state as a table, the names of places, and, for
-// compilers that have them, the platform as a concept.
+// Information for tools about a generated controller: the layout of its state as a table, the names of places, and, for
+// compilers that support them, the platform as a concept.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -53,7 +53,7 @@ private:
             "\"no padding\");");
     }
 
-    /// The layout of a struct that is a frame; null if the type is none.
+    /// The layout if the type is a frame; otherwise null.
     [[nodiscard]] const FrameLayout* frame(const std::string& type) const {
         const auto& units = generation_.component.units;
         for (std::size_t i = 0; i < units.size(); ++i)
@@ -79,7 +79,7 @@ private:
         }
     }
 
-    /// Of an enumeration of the core.
+    /// The number of values if the type is an enumeration of the core.
     [[nodiscard]] std::size_t values_of(const std::string& type) const {
         for (const MachineCode& machine : core_.machines)
             for (const Enumeration& enumeration : machine.enumerations)

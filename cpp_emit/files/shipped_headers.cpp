@@ -1,4 +1,4 @@
-// All headers of cpp_emit/runtime for the conformance check, and those that the values of a component need.
+// All headers of cpp_emit/runtime for the conformance check, and those that a component's values need.
 #include "cpp_emit/files/shipped_headers.hpp"
 
 #include "cpp_emit/files/files.hpp"

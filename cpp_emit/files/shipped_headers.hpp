@@ -1,4 +1,4 @@
-// The headers that ship with generated code, below robochart/.
+// The headers that are delivered with generated code, below robochart/.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// NAME_trace.hpp: the transitions of a controller by number, and its cycles in the words of a log (docs/traces.md;
-// reference API: the metadata and the trace hook that etcd's raft has, compiled out unless asked for).
+// NAME_trace.hpp: the transitions of a controller by number, and its cycles in the form of a log (docs/traces.md;
+// reference API: the metadata and the trace hook of etcd's raft, compiled only on request).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -78,7 +78,7 @@ private:
                         cpp_string(diagnostics::shown(generation_.file(component.origin.span))), transitions_));
     }
 
-    /// How values of the declared types are written: the core's types have their names from the model.
+    /// Writes how values of the declared types are printed: names are those of the model.
     void declared_values() {
         for (const ir::TypeId id : generation_.component.enumerations) {
             const ir::Type& type = generation_.system.type(id);
@@ -127,7 +127,7 @@ private:
         out_.close();
     }
 
-    /// "(1,2)"; one value alone stands without brackets where it is no literal's.
+    /// "(1,2)"; a single value has no parentheses unless it belongs to a literal.
     void member_values(const std::vector<TypeMember>& parts, bool of_literal = false) {
         const bool brackets = of_literal || parts.size() > 1;
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -167,7 +167,7 @@ private:
         return listed(parts);
     }
 
-    /// A method that hands on what it is asked.
+    /// A method that forwards its call.
     void forward(const std::string& result, const std::string& method, const std::vector<ir::TypeId>& types) {
         out_.line(fmt::format("{} {}({}) noexcept {{ return platform_.{}({}); }}", result, method, parameters(types),
                               method, arguments(types.size())));
@@ -246,7 +246,7 @@ private:
         out_.close();
     }
 
-    /// The classes have variables that others write as members, and no inputs for them.
+    /// In the classes, variables that others write are members, not inputs.
     void outside_writes() {
         for (const StoredVariable& variable : generation_.component.variables) {
             if (variable.input.empty() || variable.copy) continue;

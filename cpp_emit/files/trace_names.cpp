@@ -1,4 +1,4 @@
-// The short name of each input and output (`e` for `e.in`), unless two share it.
+// The short name of each input and output (`e` for `e.in`), unless two would share it.
 #include "cpp_emit/files/trace_names.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Names of inputs and outputs in logs of runs (docs/traces.md): those of the model where no two share one.
+// Names of inputs and outputs in logs of runs (docs/traces.md): those of the model if they are unique.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace robochart::cpp_emit {
 /// Version of the log format.
 inline constexpr int trace_version = 1;
 
-/// From names as in the interfaces of runtime/ ("seeRobot.in", "set_EXT_reached", "MoveCall", "set_linearSpeed") to
-/// "seeRobot", "reached", "Move", "linearSpeed"; a name that two would share stays as it is. Inputs and outputs are
-/// named apart.
+/// Converts names of the interfaces in runtime/ ("seeRobot.in", "set_EXT_reached", "MoveCall", "set_linearSpeed") to
+/// "seeRobot", "reached", "Move", "linearSpeed". A name that two would share stays unchanged. Inputs and outputs are
+/// converted separately.
 [[nodiscard]] std::vector<std::string> trace_names(const std::vector<std::string>& interface_names);
 
 }  // namespace robochart::cpp_emit

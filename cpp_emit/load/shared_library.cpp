@@ -1,6 +1,6 @@
-// Compiling and loading; see shared_library.hpp. The flags keep two loaded controllers apart: each symbol stays in
-// its own object (hidden visibility, RTLD_LOCAL), and inline variables are not made unique across objects
-// (-fno-gnu-unique): otherwise one controller would run with the other's tables and every comparison would agree.
+// Compiling and loading; see shared_library.hpp. The flags separate two loaded controllers: each symbol is local to its
+// object (hidden visibility, RTLD_LOCAL), and inline variables are not merged across objects (-fno-gnu-unique).
+// Otherwise one controller would use the other's tables, and every comparison would succeed.
 #include "cpp_emit/load/shared_library.hpp"
 
 #include <dlfcn.h>
@@ -30,7 +30,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The environment of a program whose temporary files are to go to this folder: one that is ended leaves them behind.
+/// The environment for a program that puts its temporary files into this folder, because a killed program does not
+/// delete them.
 std::vector<std::string> environment_within(const fs::path& folder) {
     std::vector<std::string> result{"TMPDIR=" + fs::absolute(folder).string()};
     for (char** entry = environ; *entry != nullptr; ++entry)
@@ -45,8 +46,8 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
     return result;
 }
 
-/// Starts the program as the leader of a process group, as it may have to be ended with all that it starts; with the
-/// signals as a program expects them, whatever this one does with its own. Returns 0 with `error` set where it cannot.
+/// Starts the program as the leader of a process group, so that it can be killed with all its child processes, and with
+/// default signal handling, independently of this program's. Returns 0 and sets `error` if it cannot be started.
 pid_t start(const std::vector<std::string>& command, const std::string& log, std::string& error) {
     const std::vector<char*> arguments = as_argv(command);
     const std::vector<std::string> variables = environment_within(fs::path(log).parent_path());
@@ -77,13 +78,13 @@ pid_t start(const std::vector<std::string>& command, const std::string& log, std
     return 0;
 }
 
-/// Waits until the program has ended, and polls. It is not collected yet: until then its number is its own.
+/// Polls until the program has ended. It does not reap the process, so that its number is not reused.
 void wait_within(pid_t child, diagnostics::Budget& budget) {
     siginfo_t ended{};
     const auto running = [&] {
         return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
     };
-    // Most programs end soon; what takes long is asked less often.
+    // Most programs end soon; the pause grows for those that take longer.
     auto pause = std::chrono::milliseconds(1);
     for (; running(); std::this_thread::sleep_for(pause)) {
         budget.check();
@@ -91,7 +92,7 @@ void wait_within(pid_t child, diagnostics::Budget& budget) {
     }
 }
 
-/// Its exit status once it has ended; -1 where it is lost.
+/// Reaps an ended program and returns its exit status; -1 if the status is lost.
 int collect(pid_t child) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0)
@@ -139,12 +140,12 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
     std::vector<std::string> command{options.compiler};
     for (std::string& flag : words(options.flags)) command.push_back(std::move(flag));
     command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
-    // Absolute: a compiler takes "-x" and "@x" for something else than a file.
+    // Absolute paths, because a compiler does not take "-x" and "@x" as file names.
     for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
     return command;
 }
 
-/// A compiler that the system gave too little memory has found nothing wrong with the code.
+/// Whether the compiler ran out of memory, which says nothing about the code.
 bool lacked_memory(const std::string& said) {
     const auto says = [&](const char* words) { return said.find(words) != std::string::npos; };
     return says("memory exhausted") || says("out of memory") || says("annot allocate memory") ||
@@ -159,7 +160,7 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     int status = run_program(command, log, error, options.budget);
     std::string said = read_file(log);
     if (status > 0 && said.find("no-gnu-unique") != std::string::npos) {
-        command.erase(command.begin() + 1);  // clang knows no unique symbols and no such option
+        command.erase(command.begin() + 1);  // clang has no unique symbols and does not know this option
         status = run_program(command, log, error, options.budget);
         said = read_file(log);
     }
@@ -174,8 +175,8 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     return status == 0;
 }
 
-/// What else than its command line a compiler's output depends on: which compiler it is, by its own words and its file,
-/// and the folders that the environment adds to its search. None where it cannot be asked.
+/// The inputs of a compilation other than its command line: the identity of the compiler, from its version text and its
+/// file, and the folders that the environment adds to its search path. No value if the compiler does not answer.
 std::optional<std::string> compiler_identity(const BuildOptions& options, const fs::path& folder) {
     std::string error;
     const std::string log = (folder / "version.log").string();
@@ -188,7 +189,7 @@ std::optional<std::string> compiler_identity(const BuildOptions& options, const 
     return identity;
 }
 
-/// Equal for files and compilers that make the same object.
+/// A key that is equal for files and compilers that produce the same object.
 std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, const std::vector<std::string>& sources,
                                           const BuildOptions& options, const fs::path& folder) {
     if (options.cache == nullptr) return std::nullopt;
@@ -206,7 +207,7 @@ std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, 
     return hasher.finish();
 }
 
-/// The object that an earlier run has compiled, put in this place.
+/// Copies an object that an earlier run has compiled to `path`; false if there is none.
 bool restored(const std::optional<diagnostics::Digest>& key, const BuildOptions& options, const std::string& path) {
     if (!key) return false;
     const auto object = options.cache->find(*key);
@@ -215,7 +216,7 @@ bool restored(const std::optional<diagnostics::Digest>& key, const BuildOptions&
     return out.write(object->data(), static_cast<std::streamsize>(object->size())).flush().good();
 }
 
-/// Each build gets a name of its own: the loader would take a loaded object of the same name for the new one.
+/// Each build gets a unique name, because the loader would return a loaded object with the same name.
 std::string object_name(const fs::path& folder, std::string& error) {
     std::string name = (folder / "controller-XXXXXX.so").string();
     const int file = mkstemps(name.data(), 3);

@@ -1,4 +1,4 @@
-// Generated sources, compiled by the system's compiler and loaded into this process.
+// Compiles generated sources with the system's compiler and loads them into this process.
 #pragma once
 
 #include <memory>
@@ -15,29 +15,29 @@ namespace robochart::cpp_emit {
 struct BuildOptions {
     std::string compiler = "c++";           ///< found through PATH; must accept g++'s options
     std::string flags;                      ///< separated by blanks
-    std::string work_dir;                   ///< "": a fresh temporary folder, removed with the object
-    diagnostics::Budget* budget = nullptr;  ///< of the run; the compiler is ended where a limit is reached
-    diagnostics::Cache* cache = nullptr;    ///< of objects that earlier runs have compiled from the same files
+    std::string work_dir;                   ///< "": a new temporary folder, deleted with the object
+    diagnostics::Budget* budget = nullptr;  ///< budget of the run; the compiler is killed if a limit is reached
+    diagnostics::Cache* cache = nullptr;    ///< holds objects that earlier runs have compiled from the same files
 };
 
-/// Runs a program found through PATH, its output and errors going to the file `log`. Returns its exit status; -1 with
-/// `error` set where it cannot be run. Where the budget, polled 50 times a second, has a limit reached, the program
-/// and all that it has started are ended, and diagnostics::LimitReached is thrown.
+/// Runs a program found through PATH; its output and errors go to the file `log`. Returns its exit status; -1 with
+/// `error` set if it cannot be run. The budget is polled 50 times a second. If a limit is reached, the program and all
+/// its child processes are killed, and diagnostics::LimitReached is thrown.
 int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
                 diagnostics::Budget* budget = nullptr);
 
-/// There is no compiler to run: that says nothing about the code.
+/// Thrown if no compiler can be run, which says nothing about the code.
 class NoCompiler : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A loaded shared object. Its code runs in this process: load only what this toolkit generated or tests wrote.
+/// A loaded shared object. Its code runs in this process, so load only code that this toolkit or its tests wrote.
 class SharedLibrary {
 public:
-    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and
-    /// loads it. On failure returns nothing and sets `error` to the cause, with the compiler's words if it spoke.
-    /// Throws diagnostics::LimitReached, and NoCompiler.
+    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and loads
+    /// it. On failure returns null and sets `error` to the cause, including the compiler's output if there is any.
+    /// Throws diagnostics::LimitReached and NoCompiler.
     static std::unique_ptr<SharedLibrary> build(const std::vector<OutputFile>& files,
                                                 const std::vector<std::string>& sources, const BuildOptions&,
                                                 std::string& error);
@@ -45,7 +45,7 @@ public:
     SharedLibrary(const SharedLibrary&) = delete;
     SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-    /// The address of an exported function; null if there is none of the name.
+    /// The address of an exported function; null if there is none with this name.
     [[nodiscard]] void* symbol(const char* name) const;
 
 private:

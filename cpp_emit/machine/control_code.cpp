@@ -48,7 +48,7 @@ void ControlCode::choice(NodeId id) {
     program.line("break;");
 }
 
-/// Probabilistic junctions: a free choice in the semantics, drawn by the platform.
+/// Probabilistic junctions: a nondeterministic choice in the semantics, drawn by the platform.
 void ControlCode::draw_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
@@ -103,7 +103,7 @@ void ControlCode::exits(NodeId id) {
     if (plan_.shared_exit(id)) exit_place(id);
 }
 
-/// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.
+/// A shared exit place: the state's exit action, then the transition that leaves it or the exit of its parent.
 void ControlCode::exit_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, id);
     const ir::Node& node = plan_.node(id);
@@ -132,7 +132,7 @@ void ControlCode::take(ir::TransitionId id) {
     if (transition.action) straight_.take_function(id);
 }
 
-/// Exit action of the source, unless it has a place of its own, and the transition's action, one of which may wait.
+/// The exit action of the source, unless it has a separate place, and the transition's action; one of them may wait.
 void ControlCode::take_place(ir::TransitionId id) {
     ProgramWriter program(generation_, unit_, control_, shown_while_taking(id));
     const ir::Transition& transition = plan_.machine().transitions[id.index];
@@ -149,7 +149,7 @@ void ControlCode::take_place(ir::TransitionId id) {
     program.line("break;");
 }
 
-/// During a transition's action the machine shows its source, or the state around an initial node or junction.
+/// During a transition's action the machine shows its source, or the parent of an initial node or junction.
 ir::NodeId ControlCode::shown_while_taking(ir::TransitionId id) const {
     const NodeId source = plan_.machine().transitions[id.index].source;
     return plan_.node(source).kind == NodeKind::state ? source : plan_.node(source).parent;

@@ -7,7 +7,7 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes the places of the threads, and the functions of what never waits.
+/// Writes the places of the threads, and the functions for programs that never wait.
 class ControlCode : private MachineCodePart {
 public:
     ControlCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)

@@ -31,13 +31,13 @@ std::string ControlSteps::straight_program(const ir::StmtPtr& program, std::size
     return writer.code().text();
 }
 
-/// The statement that runs the exits of a state and of what is active in it; "" if there are none.
+/// The statement that runs the exits of a state and of its active inner states; "" if there are none.
 std::string ControlSteps::leave(NodeId id) const {
     if (plan_.exits_below(id)) return call("leave_" + plan_.label(id)) + ";";
     return plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
 }
 
-/// The statement that brings control into a node.
+/// The statement that moves control into a node.
 std::string ControlSteps::arrive(NodeId id) {
     if (plan_.needs_entry(id))
         return straight(id) ? call(plan_.enter_label(id)) + ";" : control_.go(plan_.enter_label(id));
@@ -45,7 +45,7 @@ std::string ControlSteps::arrive(NodeId id) {
     return rests ? control_.go(plan_.label(id)) : call("pass_" + plan_.label(id)) + ";";
 }
 
-/// The statement that goes on with a transition after the exits.
+/// The statement that continues a transition after the exits.
 const std::string& ControlSteps::proceed(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     std::string& text = proceeds_[id.index];
@@ -55,7 +55,7 @@ const std::string& ControlSteps::proceed(const ir::Transition& transition) {
     return text = transition.action ? call(label) + ";" : arrive(transition.target);
 }
 
-/// What follows a node's entry action.
+/// Writes the code after a node's entry action.
 void ControlSteps::settle(NodeId id, CodeWriter& out, const char* end) {
     if (!plan_.node(id).composite()) {
         note_entry(id, out);
@@ -74,7 +74,7 @@ void ControlSteps::settle(NodeId id, CodeWriter& out, const char* end) {
     begin(plan_.node(id).initial, out);
 }
 
-/// Control comes to an initial node, and if it asks for nothing on to where it leads.
+/// Control enters an initial node and, if its transition has no condition, moves on to the target.
 void ControlSteps::begin(NodeId initial, CodeWriter& out) {
     if (!plan_.passes(initial)) return out.line(arrive(initial));
     const ir::TransitionId only = plan_.node(initial).outgoing.front();
@@ -83,7 +83,7 @@ void ControlSteps::begin(NodeId initial, CodeWriter& out) {
     out.line(proceed(plan_.machine().transitions[only.index]));
 }
 
-/// The state itself is entered, and with its first child each composite around it (semantics 3.3 a).
+/// Marks the state as entered, and each composite state whose first child it is (semantics 3.3 a).
 void ControlSteps::note_entry(NodeId id, CodeWriter& out) {
     if (plan_.notes_entry(id)) mark_entered(id, out);
     for (const NodeId outer : plan_.ancestors(id)) {
@@ -110,7 +110,8 @@ void ControlSteps::mark_entered(NodeId id, CodeWriter& out) {
     }
 }
 
-/// The first transition whose guard holds is taken. True if there may be none: control stays (semantics 3.3, 3.4).
+/// Takes the first transition whose guard holds. Returns true if there may be none, in which case control stays
+/// (semantics 3.3, 3.4).
 bool ControlSteps::ways(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
     if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
@@ -129,7 +130,7 @@ bool ControlSteps::ways(NodeId id, CodeWriter& out, const char* end) {
     return true;
 }
 
-/// The same where the platform picks one of those whose guards hold.
+/// The same, but the platform picks one of those whose guards hold.
 bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
     const bool function = *end == 'r';
     const auto& outgoing = plan_.node(id).outgoing;
@@ -168,7 +169,7 @@ std::string ControlSteps::tell_taken(ir::TransitionId id) const {
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 
-/// With choices: the guard, and that it is the transition's turn.
+/// With choices: the guard, and the condition that the transition has been picked.
 CppExpr ControlSteps::in_turn(const CppExpr& guard) const {
     return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
 }

@@ -1,5 +1,5 @@
-// The steps of control as statements: a transition goes on, control comes to a node, a state is left. What follows a
-// program is one statement: the next function, or the place where control goes on later.
+// The steps of control as statements: a transition continues, control enters a node, a state is left. The continuation
+// of a program is one statement: the next function, or the place where control resumes later.
 #pragma once
 
 #include "cpp_emit/expressions/cpp_expr.hpp"
@@ -7,37 +7,39 @@
 
 namespace robochart::cpp_emit {
 
-/// One machine's; the code of functions, places and transitions is made of them.
+/// The steps of one machine, from which the code of functions, places and transitions is built.
 class ControlSteps : private MachineCodePart {
 public:
     ControlSteps(MachineContext& context, OrderFaults& faults)
         : MachineCodePart(context), faults_(faults), proceeds_(context.unit.machine->transitions.size()) {}
 
-    /// Control gets into the node in one go (MachinePlan::straight), and no seeded fault forbids it.
+    /// Whether control enters the node without waiting (MachinePlan::straight) and no seeded fault forbids it.
     [[nodiscard]] bool straight(ir::NodeId);
-    /// The transition goes on at a place of its own after its trigger: an exit or its action may wait.
+    /// Whether the transition continues at a separate place after its trigger, because an exit or its action may wait.
     [[nodiscard]] bool has_place(const ir::Transition&);
     /// The lines of a program that never waits.
     [[nodiscard]] std::string straight_program(const ir::StmtPtr& program, std::size_t depth);
-    /// The statement that runs the exits of a state and of what is active in it; "" if there are none.
+    /// The statement that runs the exits of a state and of its active inner states; "" if there are none.
     [[nodiscard]] std::string leave(ir::NodeId) const;
-    /// The statement that brings control into a node.
+    /// The statement that moves control into a node.
     [[nodiscard]] std::string arrive(ir::NodeId);
-    /// The statement that goes on with a transition after the exits.
+    /// The statement that continues a transition after the exits.
     [[nodiscard]] const std::string& proceed(const ir::Transition&);
-    /// Writes what follows a node's entry action; `end` leaves the code that it is in.
+    /// Writes the code after a node's entry action; `end` leaves the code that contains it.
     void settle(ir::NodeId, CodeWriter&, const char* end);
-    /// Control comes to an initial node, and if it asks for nothing on to where it leads.
+    /// Control enters an initial node and, if its transition has no condition, moves on to the target.
     void begin(ir::NodeId initial, CodeWriter&);
-    /// The state itself is entered, and with its first child each composite around it (semantics 3.3 a).
+    /// Marks the state as entered, and each composite state whose first child it is (semantics 3.3 a).
     void note_entry(ir::NodeId, CodeWriter&);
-    /// The first transition whose guard holds is taken. True if there may be none: control stays (semantics 3.3, 3.4).
+    /// Takes the first transition whose guard holds. Returns true if there may be none, in which case control stays
+    /// (semantics 3.3, 3.4).
     bool ways(ir::NodeId, CodeWriter&, const char* end);
-    /// The guard behind its preconditions, with the text of the incoming value; none if there is no guard.
+    /// The guard preceded by its preconditions; `incoming` is the text of the incoming value. Empty if there is no
+    /// guard.
     [[nodiscard]] CppExpr guard(const ir::Transition&, const std::string& incoming) const;
     /// The call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
-    /// With choices: the guard, and that it is the transition's turn.
+    /// With choices: the guard, and the condition that the transition has been picked.
     [[nodiscard]] CppExpr in_turn(const CppExpr& guard) const;
     /// The statement that starts a deadline.
     [[nodiscard]] std::string start_of(const Watch&) const;
@@ -47,7 +49,7 @@ private:
     bool pick_way(ir::NodeId, CodeWriter&, const char* end);
 
     OrderFaults& faults_;
-    std::vector<std::string> proceeds_;  ///< by transition: what follows its exits, once asked for
+    std::vector<std::string> proceeds_;  ///< by transition: the code after its exits, computed on first use
 };
 
 }  // namespace robochart::cpp_emit

@@ -21,7 +21,7 @@ constexpr std::size_t leaves_for_table = 5;
 
 }  // namespace
 
-/// Every transition is one straight effect, so control rests in states only (or in a junction without an enabled
+/// Every transition is one straight effect, so control rests only in states (or in a junction without an enabled
 /// transition).
 bool DispatchCode::direct() const {
     const auto& nodes = plan_.machine().nodes;
@@ -39,7 +39,7 @@ bool DispatchCode::direct() const {
            std::none_of(transitions.begin(), transitions.end(), waits);
 }
 
-/// The transition waits for no event of the platform.
+/// Whether the transition waits for no event of the platform.
 bool DispatchCode::urgent(const ir::Transition& transition) const {
     return !transition.trigger || generation_.component.event(unit_, transition.trigger->event).spontaneous();
 }
@@ -50,7 +50,7 @@ bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& p
     return &generation_.component.events[use.ports.front()] == &port;
 }
 
-/// Something in the node or around it needs no event, or control may go on from a junction.
+/// Whether a transition of the node or its parents needs no event, or control may continue from a junction.
 bool DispatchCode::goes_on(NodeId rest) const {
     if (!plan_.settles(rest)) return true;
     const std::vector<NodeId> chain = plan_.chain(rest);
@@ -61,7 +61,7 @@ bool DispatchCode::goes_on(NodeId rest) const {
     });
 }
 
-/// Whether a look at what needs no event is due after entering a node.
+/// Whether transitions without events must be tried after entering a node.
 bool DispatchCode::look_after(NodeId target) const {
     std::vector<bool> seen(plan_.machine().nodes.size(), false);
     std::vector<NodeId> open = {target};
@@ -93,7 +93,7 @@ std::string DispatchCode::rest_result() const {
                                     "robochart::StepResult::quiescent;";
 }
 
-/// A transition out of a leaf, taken on `port`'s event or, null, on none.
+/// A transition from a leaf, taken on `port`'s event, or without an event if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     const bool consumes = !urgent(transition);
@@ -127,7 +127,7 @@ std::string DispatchCode::incoming(const ir::Transition& transition) const {
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
 }
 
-/// The transitions out of a leaf and of what is around it that an event (null: none) may take, in the order in which
+/// The transitions of a leaf and its parents that an event (or, for null, no event) may trigger, in the order in which
 /// they are tried.
 std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const EventPort* port) const {
     std::vector<NodeId> chain = plan_.chain(leaf);
@@ -147,14 +147,15 @@ std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const E
     return all;
 }
 
-/// What has to hold for a transition in a case; "" if nothing.
+/// The condition for a transition in a case; empty if there is none.
 CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
     const std::string value = transition.trigger ? incoming(transition) : "";
     const CppExpr wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
     return conjunction(wanted, steps_.guard(transition, value));
 }
 
-/// Where control is before it rests in a state: the beginning, or a junction without an enabled transition.
+/// The code for control that does not rest in a state: at the beginning, or in a junction without an enabled
+/// transition.
 void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     out.comment("from " + generation_.place(plan_.node(place).origin));
     if (place == plan_.machine().initial) {
@@ -169,7 +170,7 @@ void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     out.line("break;");
 }
 
-/// What a leaf does on an event; "" if nothing.
+/// The effect of an event in a leaf; "" if it has none.
 std::string DispatchCode::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
     CodeWriter out(depth);
     if (!plan_.settles(leaf)) {
@@ -206,7 +207,7 @@ void DispatchCode::dispatch_function() {
         leaves += plan_.settles(row) ? 1U : 0U;
         quiet = quiet || (plan_.settles(row) && goes_on(row));
     }
-    // The row where the machine begins keeps its event.
+    // The row for the machine's beginning keeps its event.
     const bool places = std::any_of(rows.begin(), rows.end(),
                                     [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
@@ -223,7 +224,7 @@ void DispatchCode::dispatch_function() {
     } else {
         dispatch_switch(rows, columns);
     }
-    // Without these only the beginning, which comes once, is followed by another look.
+    // Without such places, only the beginning, which occurs once, is followed by another look.
     if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
     out_.close();
     out_.close();
@@ -231,7 +232,7 @@ void DispatchCode::dispatch_function() {
     pass_function_of_time(columns);
 }
 
-/// The clocks start with the machine: a cycle before that does not count.
+/// Clocks start with the machine, so a cycle before the start does not count.
 void DispatchCode::begin_machine(CodeWriter& out) {
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index] &&
@@ -255,7 +256,7 @@ void DispatchCode::begin_function(const std::vector<const EventPort*>& columns) 
     out_.close();
 }
 
-/// A cycle without inputs: what needs no event, then time passes.
+/// A cycle without inputs: transitions that need no event, then time passes.
 void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& columns) {
     out_.declaration("A cycle without inputs, once the machine has begun.", "robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
@@ -274,7 +275,7 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
     out_.close();
 }
 
-/// The event itself; Fault::dispatch_shifted: the one beside it, where that is another case.
+/// The event itself; with Fault::dispatch_shifted the next one, if it is another case.
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), &port) - columns.begin());

@@ -1,20 +1,20 @@
-// The event API of a machine whose programs never wait: what a state does on an event is one case, chosen by a
+// The event API of a machine whose programs never wait. The reaction of a state to an event is one case, selected by a
 // nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
-// first, then textual order (semantics 3.4); then what needs no event, until nothing is enabled.
+// first, then textual order (semantics 3.4). Then it takes transitions that need no event until none is enabled.
 #pragma once
 
 #include "cpp_emit/machine/frame_code.hpp"
 
 namespace robochart::cpp_emit {
 
-/// Writes it, once the threads are written.
+/// Writes it; the threads must have been written before.
 class DispatchCode : private MachineCodePart {
 public:
     DispatchCode(MachineContext& context, ControlSteps& steps, const TimeCode& time, const FrameCode& frame)
         : MachineCodePart(context), steps_(steps), time_(time), frame_(frame) {}
 
-    /// Every transition is one straight effect, so control rests in states only (or in a junction without an enabled
-    /// transition), and dispatch can be written out.
+    /// Whether every transition is one straight effect, so that control rests only in states (or in a junction without
+    /// an enabled transition), and dispatch can be written as a switch.
     [[nodiscard]] bool direct() const;
     /// dispatch, begin and pass.
     void dispatch_function();

@@ -14,7 +14,7 @@ using ir::NodeKind;
 
 namespace {
 
-/// Enumerations have one byte up to 256 values.
+/// Enumerations with up to 256 values take one byte.
 std::size_t enumeration_size(std::size_t values) {
     return values <= 256 ? 1 : 2;
 }
@@ -88,7 +88,7 @@ FrameLayout FrameCode::layout(const std::vector<Field>& more) {
     return arrange(std::move(fields), time_.timed());
 }
 
-/// Where the transition leads that begins at the place; none if none does.
+/// The target of the transition that begins at the place; invalid if none begins there.
 NodeId FrameCode::target_of(const std::string& label) const {
     for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index)
         if (plan_.take_label(ir::TransitionId{index}) == label) return plan_.machine().transitions[index].target;
@@ -113,7 +113,7 @@ Enumeration FrameCode::points() const {
         at.values.push_back({plan_.label(id), generation_.place(plan_.node(id).origin),
                              state ? id : plan_.node(id).parent, plan_.settles(id)});
     };
-    node_value(initial);  // zero: where a fresh state struct stands
+    node_value(initial);  // zero: the place of a new state struct
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
         const NodeId id{index};
         if (id != initial && (plan_.settles(id) || is_place(plan_.label(id)))) node_value(id);

@@ -5,16 +5,16 @@
 
 namespace robochart::cpp_emit {
 
-/// Describes them, once the threads are written.
+/// Describes them; the threads must have been written before.
 class FrameCode : private MachineCodePart {
 public:
     FrameCode(MachineContext& context, const TimeCode& time) : MachineCodePart(context), time_(time) {}
 
-    /// The struct of the machine's state, with `more` members.
+    /// The struct of the machine's state, including the members `more`.
     [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
     /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
     [[nodiscard]] Enumeration points() const;
-    /// All enumerations of the frame, that of the places first.
+    /// All enumerations of the frame; the first is that of the places.
     [[nodiscard]] std::vector<Enumeration> enumerations() const;
 
 private:

@@ -13,9 +13,9 @@ namespace robochart::cpp_emit {
 struct Enumerator {
     std::string name;
     diagnostics::ForeignText comment;
-    ir::NodeId state;        ///< places of a machine: the state it shows to be in
-    bool rests = false;      ///< it is at rest there
-    ir::NodeId target = {};  ///< where the transition leads whose action is in progress, if one is
+    ir::NodeId state;        ///< places of a machine: the state that it shows
+    bool rests = false;      ///< the machine is at rest there
+    ir::NodeId target = {};  ///< the target of the transition whose action is in progress, if any
 };
 
 struct Enumeration {
@@ -24,7 +24,7 @@ struct Enumeration {
     std::vector<Enumerator> values;
 };
 
-/// A member of a state struct. Structs have no padding: members are sorted by alignment, the rest is filled.
+/// A member of a state struct. Structs have no padding: members are sorted by alignment, and filler members are added.
 struct Field {
     std::string type;
     std::string name;
@@ -35,12 +35,12 @@ struct Field {
 };
 
 struct FrameLayout {
-    std::vector<Field> fields;  ///< sorted, filler included
+    std::vector<Field> fields;  ///< sorted, including filler
     std::size_t size = 0;
     std::size_t alignment = 1;
-    bool timed = false;   ///< something in it changes with time
-    bool prompt = false;  ///< its threads have prompt steps, or those of operations in it
-    bool holds = false;   ///< its threads may hold up what is propagated to the machine, or those of operations in it
+    bool timed = false;   ///< some member changes with time
+    bool prompt = false;  ///< its threads, or those of operations in it, have prompt steps
+    bool holds = false;   ///< its threads, or those of operations in it, may hold up propagation to the machine
 };
 
 /// By Unit::number.

@@ -1,4 +1,4 @@
-// Puts a machine's code together: threads as switches, the loop around them, time, the struct of its state.
+// Assembles a machine's code: threads as switches, the loop around them, time, the struct of its state.
 #include "cpp_emit/machine/machine_code.hpp"
 
 #include <fmt/format.h>
@@ -136,7 +136,7 @@ void MachineWriter::during_functions() {
     out_.close();
 }
 
-/// Where the exits begin: at the innermost active state.
+/// The first exit: that of the innermost active state.
 void MachineWriter::begin_exits_function() {
     const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).composite(); };
     std::vector<NodeId> leaves;

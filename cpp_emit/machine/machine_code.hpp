@@ -14,13 +14,13 @@ struct MachineCode {
     std::vector<Enumeration> enumerations;
     FrameLayout layout;
     std::string methods;           ///< members of Step
-    std::string dispatch;          ///< Step::dispatch of a machine whose programs never wait; "" for others
-    std::vector<SendSite> sites;   ///< where its threads wait to send
-    std::vector<CallFrame> calls;  ///< operations its threads run
+    std::string dispatch;          ///< Step::dispatch for a machine whose programs never wait; "" for others
+    std::vector<SendSite> sites;   ///< places where its threads wait to send
+    std::vector<CallFrame> calls;  ///< operations that its threads run
 };
 
-/// `done` holds the layouts of the operations that the unit calls, `type_names` is the scope of the core's namespace,
-/// `more` are further members of the state.
+/// `done` contains the layouts of the operations that the unit calls, `type_names` is the scope of the core's
+/// namespace, `more` are further members of the state.
 [[nodiscard]] MachineCode generate(const Generation&, const Unit&, const Layouts& done, NameScope& type_names,
                                    const std::vector<Field>& more);
 

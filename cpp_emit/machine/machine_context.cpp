@@ -50,7 +50,7 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
     }
     std::size_t durings = 0;
     for (const auto& node : unit.machine->nodes) durings += node.during ? 1U : 0U;
-    during.reserve(durings);  // threads point at their own labels
+    during.reserve(durings);  // no reallocation, because threads point to their own labels
     for (std::uint32_t index = 0; index < unit.machine->nodes.size(); ++index) {
         const NodeId id{index};
         if (!plan.node(id).during || runs_on_entry(id)) continue;
@@ -67,8 +67,8 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
     }
 }
 
-/// The during action of a state without children never waits, and no other runs beside it: it is run once the state is
-/// entered, which is what a thread of its own would do.
+/// The during action of a state without children that never waits and runs alone is executed when the state is entered,
+/// which has the same effect as a separate thread.
 bool MachineContext::runs_on_entry(NodeId id) const {
     const ir::Node& node = plan.node(id);
     const std::vector<NodeId> around = plan.ancestors(id);

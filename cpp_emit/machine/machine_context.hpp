@@ -1,4 +1,4 @@
-// What the writers of one machine's code share: its plan, its threads, the text written so far.
+// The data that the writers of one machine's code share: its plan, its threads, the text written so far.
 #pragma once
 
 #include <string>
@@ -11,54 +11,54 @@
 
 namespace robochart::cpp_emit {
 
-/// A state's during action as a thread of its own.
+/// A state's during action as a separate thread.
 struct DuringThread {
     ir::NodeId state;
-    std::string suffix;  ///< of its members and functions: during_SUFFIX, cut_SUFFIX
+    std::string suffix;  ///< suffix of its members and functions: during_SUFFIX, cut_SUFFIX
     NameScope labels;
     Thread thread;
 };
 
-/// The deadline of a transition: once its source is entered and while its guard holds, the source must be left in
+/// The deadline of a transition: after its source is entered, and while its guard holds, the source must be left in
 /// time (semantics 3.10).
 struct Watch {
     ir::TransitionId transition;
     ir::NodeId state;
-    std::string field;  ///< of the frame: time left plus one, 0 when the state is not active
+    std::string field;  ///< member of the frame: remaining time plus one, 0 when the state is not active
 };
 
 struct MachineContext {
-    /// All of the arguments have to outlive it. Takes names for the enumerations of the machine.
+    /// All arguments must outlive the object. Reserves names for the enumerations of the machine.
     MachineContext(const Generation&, const Unit&, const Layouts& done, NameScope& type_names);
     MachineContext(const MachineContext&) = delete;
     MachineContext& operator=(const MachineContext&) = delete;
 
-    /// The during action of a state without children never waits, and no other runs beside it: it is run once the
-    /// state is entered, which is what a thread of its own would do.
+    /// Whether the during action is executed when the state is entered: the state has no children, and the action never
+    /// waits and runs alone, so this has the same effect as a separate thread.
     [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
     /// The head of a function of the unit: `name(frames) noexcept {`.
     [[nodiscard]] std::string signature(const std::string& name) const;
-    /// `name(f)`, with the states that the unit's functions take.
+    /// `name(f)`, with the states that the unit's functions take as arguments.
     [[nodiscard]] std::string call(const std::string& name) const;
-    /// The thread is in a call of the operation: "f.at == At::S1_1 || f.at == At::S1_2".
+    /// The condition that the thread is in a call of the operation: "f.at == At::S1_1 || f.at == At::S1_2".
     [[nodiscard]] static std::string in_call(const Thread&, const CallFrame&);
-    /// `name(f.turn, ...)` of the operation called.
+    /// `name(f.turn, ...)` for the called operation.
     [[nodiscard]] std::string call_inside(const CallFrame&, const std::string& name) const;
 
     const Generation& generation;
     const Unit& unit;
-    const Layouts& done;  ///< of the operations that the unit calls
+    const Layouts& done;  ///< layouts of the operations that the unit calls
     MachinePlan plan;
     NameScope fields;  ///< members of the frame
     Thread control;
     std::vector<DuringThread> during;
     std::vector<Watch> watches;
-    std::string leaving;                ///< enumeration of transitions in progress; "" if none is noted
+    std::string leaving;                ///< enumeration of transitions in progress; "" if there is none
     std::vector<ir::NodeId> histories;  ///< Fault::composite_resumed
     CodeWriter out{1};
 };
 
-/// The same for a class that writes a part of the code, by the names that such classes use.
+/// Base class of the classes that write parts of the code; gives them short names for the context.
 class MachineCodePart {
 protected:
     explicit MachineCodePart(MachineContext& context)

@@ -7,7 +7,7 @@ namespace robochart::cpp_emit {
 using ir::NodeId;
 using ir::NodeKind;
 
-/// Fault::entry_inner_first at a composite whose initial node leads to a child without more ado.
+/// Fault::entry_inner_first at a composite whose initial node leads unconditionally to a child.
 bool OrderFaults::enters_child_first(NodeId id) {
     return plan_.node(id).entry != nullptr && sole_first_child(id).valid() &&
            generation_.mutation.hits(Fault::entry_inner_first, &unit_, &plan_.node(id));
@@ -25,7 +25,7 @@ NodeId OrderFaults::sole_first_child(NodeId id) const {
                                                                                                   : NodeId{};
 }
 
-/// Fault::exit_outer_first: the composite's exit action has run before those below it.
+/// Fault::exit_outer_first: the composite's exit action runs before those of its inner states.
 bool OrderFaults::exits_first(NodeId id) {
     const ir::Node& node = plan_.node(id);
     return node.composite() && node.exit != nullptr && !node.outgoing.empty() &&
@@ -33,7 +33,7 @@ bool OrderFaults::exits_first(NodeId id) {
            generation_.mutation.hits(Fault::exit_outer_first, &unit_, &node);
 }
 
-/// Fault::action_before_exit where the exit has a place of its own.
+/// Fault::action_before_exit if the exit has a separate place.
 bool OrderFaults::acts_first(const ir::Transition& transition) {
     const ir::Node& source = plan_.node(transition.source);
     return transition.action != nullptr && source.exit != nullptr && !suspends(generation_, unit_, transition.action) &&

@@ -1,4 +1,4 @@
-// Both functions test at which places the threads are, those of operations inside their calls.
+// Both functions test the places of the threads; threads of operations are tested inside their calls.
 #include "cpp_emit/machine/propagation_code.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ bool PropagationCode::holds() const {
     });
 }
 
-/// Of a machine that holders name (Component::variables), and of the operations that it calls.
+/// For a machine in the variable's list of holders (Component::variables), and for the operations that it calls.
 void PropagationCode::holds_up_function() {
     if (!holds()) return;
     out_.declaration(

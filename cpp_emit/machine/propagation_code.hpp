@@ -1,23 +1,23 @@
-// What is propagated to a machine waits for its threads (semantics 3.7): calls of the platform are made before others
-// write, and communications with deadlines hold up what others write.
+// Propagation of writes to a machine waits for its threads (semantics 3.7): calls of the platform are made before
+// others write, and communications with deadlines hold up writes of others.
 #pragma once
 
 #include "cpp_emit/machine/machine_context.hpp"
 
 namespace robochart::cpp_emit {
 
-/// Writes the functions about it, once the threads are written.
+/// Writes the functions for this; the threads must have been written before.
 class PropagationCode : private MachineCodePart {
 public:
     explicit PropagationCode(MachineContext& context) : MachineCodePart(context) {}
 
-    /// Whether threads may go on with what holds up writes of others, here or in operations called.
+    /// Whether threads may continue with a step that holds up writes of others, here or in called operations.
     [[nodiscard]] bool prompt() const;
-    /// `void prompt(f)`: they make their calls, and begin to wait.
+    /// `void prompt(f)`: the threads make their calls, and begin to wait.
     void prompt_function();
-    /// Whether threads wait for communications with deadlines, here or in operations called.
+    /// Whether threads wait for communications with deadlines, here or in called operations.
     [[nodiscard]] bool holds() const;
-    /// `bool holds_up(f)`: some thread does.
+    /// `bool holds_up(f)`: whether some thread does.
     void holds_up_function();
 
 private:

@@ -1,5 +1,5 @@
-// Programs that never wait, as functions: a transition whose exits, action and entries are of this kind is one straight
-// effect, in the order of semantics 3.4 (exits from the innermost out, action, entries).
+// Programs that never wait, as functions: a transition whose exits, action and entries never wait is one straight
+// effect, in the order of semantics 3.4 (exits from the innermost outwards, action, entries).
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
@@ -16,11 +16,11 @@ public:
     void enter_function(ir::NodeId);
     /// Exit action of a state.
     void exit_function(ir::NodeId);
-    /// The exits of a composite state, from the innermost active state out.
+    /// The exits of a composite state, from the innermost active state outwards.
     void leave_function(ir::NodeId);
     /// Action of a transition, then the entry of its target.
     void take_function(ir::TransitionId);
-    /// Initial nodes and junctions; true if control may have to stay there.
+    /// Initial nodes and junctions; returns true if control may have to stay there.
     bool pass_function(ir::NodeId);
 
 private:

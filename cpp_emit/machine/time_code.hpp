@@ -5,16 +5,16 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes the functions that let time pass, once the threads are written.
+/// Writes the functions that let time pass; the threads must have been written before.
 class TimeCode : private MachineCodePart {
 public:
     TimeCode(MachineContext& context, ControlSteps& steps) : MachineCodePart(context), steps_(steps) {}
 
-    /// Something in the frame changes with time.
+    /// Whether something in the frame changes with time.
     [[nodiscard]] bool timed() const;
     /// Clocks, waits and deadlines advance.
     void advance_function();
-    /// A deadline begins anew while its guard does not hold.
+    /// Restarts a deadline while its guard does not hold.
     void watch_function();
 
 private:

@@ -36,7 +36,7 @@ void TransitionCode::transition_functions() {
     out_.close();
 }
 
-/// Reference API A6: the choices are counted by going through them once without taking any.
+/// Reference API A6: the choices are counted in a pass that takes none of them.
 void TransitionCode::pick_function() {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
     out_.open(signature("bool transition"));
@@ -109,7 +109,7 @@ void TransitionCode::begin_transition(const ir::Transition& transition, ir::Tran
     out_.line(generation_.bound_test().empty() ? "return true;" : "return spend();");
 }
 
-/// Cuts the during actions of the state and of all below it, and starts the exits.
+/// Interrupts the during actions of the state and of all inner states, and starts the exits.
 void TransitionCode::depart(NodeId source, ir::TransitionId id) {
     for (const DuringThread& during : during_) {
         const std::vector<NodeId> around = plan_.chain(during.state);

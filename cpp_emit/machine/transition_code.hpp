@@ -1,5 +1,5 @@
-// The choice of transitions: active states from the inside out, in each the textual order. Triggers are looked at
-// before they are consumed, guards see the incoming value (semantics 3.4 "Guards").
+// The choice of transitions: active states from the inside out, in each state the textual order. Triggers are examined
+// before they are consumed, and guards see the incoming value (semantics 3.4 "Guards").
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
@@ -12,7 +12,7 @@ public:
     TransitionCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// A function for each state that can be left, and the one that asks them from the inside out.
+    /// Writes a function for each state that can be left, and the one that tries them from the inside out.
     void transition_functions();
 
 private:
