@@ -1,5 +1,5 @@
-// How many members a set of the generated code can have, so that none is lost: as many as its members' type has values.
-// The same count is written as C++ text over the policy and computed over the instantiation's carriers.
+// The capacity of a set in generated code: the number of values of its elements' type, so that no element is lost. The
+// same count is written as C++ text over the policy and computed over the instantiation's carriers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::size_t power(std::size_t base, std::size_t exponent) {
     return result;
 }
 
-/// Counts values: `Count` is a number or a text.
+/// Counts values; `Count` is a number or a text.
 template <class Count, class Rules>
 Count count(const ir::System& system, ir::TypeId id, const Rules& rules) {
     const ir::Type& type = system.type(id);

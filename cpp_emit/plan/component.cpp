@@ -1,4 +1,4 @@
-// Looking up what a unit's numbers stand for in the component.
+// Looks up the elements of the component that a unit's numbers denote.
 #include <algorithm>
 
 #include "cpp_emit/plan/component.hpp"

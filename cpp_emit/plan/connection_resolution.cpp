@@ -17,7 +17,7 @@ bool is_part(const ConnectionEnd& end, std::size_t part, const std::string& even
     return end.kind == EndKind::part && end.part == part && end.event == event;
 }
 
-/// Connections are looked at from both ends: a direction is kept by all of them, an event may go either way.
+/// Connections are visited from both ends: all of them keep a direction, but an event may go either way.
 template <class Visit>
 void each_end(const std::vector<ir::Connection>& connections, const Visit& visit) {
     for (std::size_t index = 0; index < connections.size(); ++index) {
@@ -76,7 +76,7 @@ private:
         each_end(controller->connections, [&](const ConnectionEnd& here, const ConnectionEnd& there, std::size_t) {
             if (!is_part(here, component_.parts[part].machine, use.name)) return;
             if (there.kind == EndKind::self) return leave_controller(part, use, there.event);
-            // Asynchronous connections between machines are synchronous (semantics 3.9).
+            // Asynchronous connections between machines are treated as synchronous (semantics 3.9).
             add_peer(use, {part_of(component_.parts[part].controller, there.part), there.event});
         });
     }
@@ -100,7 +100,7 @@ private:
                  });
     }
 
-    /// The machines of another controller that its event leads to.
+    /// Adds the machines of another controller to which the event leads.
     void enter_controller(EventUse& use, std::size_t index, const std::string& event) {
         const ir::Controller& controller = system_.controller(module_->controllers[index].controller);
         each_end(controller.connections, [&](const ConnectionEnd& here, const ConnectionEnd& there, std::size_t) {
@@ -131,7 +131,7 @@ private:
         use.ports.push_back(static_cast<std::size_t>(found - ports.begin()));
     }
 
-    /// The writer's end fills, the reader's empties.
+    /// The writer's end fills the buffer, the reader's empties it.
     void add_buffer(EventUse& use, const ConnectionEnd& here, std::size_t connection) {
         auto& buffers = component_.buffers;
         const auto same = [&](const Buffer& buffer) { return buffer.connection == connection; };
@@ -159,7 +159,7 @@ private:
         if (use.received && use.spontaneous() && reads_value(index, use)) refuse(part, use, "not connected");
     }
 
-    /// Whether some condition depends on the value that the event brings.
+    /// Whether some condition depends on the value of the event.
     bool reads_value(std::size_t part, const EventUse& use) const {
         bool reads = false;
         const auto look = [&](const ir::ExprPtr& condition) {

@@ -1,4 +1,4 @@
-// Where the events of a component's machines lead: to its boundary, to other machines, into buffers (semantics 3.9).
+// The destinations of events of a component's machines: its boundary, other machines, buffers (semantics 3.9).
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 namespace robochart::cpp_emit {
 
 /// Collects the events that the units use and follows their connections: fills Part::events, Component::events and
-/// Component::buffers. `contexts` has the controller of each part, null for a machine alone. Refuses what has no
-/// sensible code.
+/// Component::buffers. `contexts` contains the controller of each part, null for a single machine. Rejects connections
+/// that cannot be translated to sensible code.
 void wire(Component&, const ir::System&, const ir::Module*, const std::vector<const ir::Controller*>& contexts,
           diagnostics::Diagnostics&);
 

@@ -1,5 +1,5 @@
-// The component's boundary as the exploration interface and logs see it: registers read in a cycle, outputs made in it,
-// under their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
+// The component's boundary for the exploration interface and logs: registers read in a cycle, outputs made in it, with
+// their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace robochart::cpp_emit {
 
 struct Register {
     std::string name;    ///< "seeRobot.in", "set_EXT_reached"
-    std::string member;  ///< of Inputs
+    std::string member;  ///< member of Inputs
     std::optional<ir::TypeId> type;
 };
 
@@ -23,9 +23,9 @@ struct Output {
     std::vector<ir::TypeId> types;
 };
 
-/// Events received, then variables written from outside.
+/// Received events, then externally written variables.
 [[nodiscard]] std::vector<Register> registers(const Component&);
-/// Operations called, then events sent, then variables written.
+/// Called operations, then sent events, then written variables.
 [[nodiscard]] std::vector<Output> outputs(const Component&);
 
 }  // namespace robochart::cpp_emit

@@ -1,15 +1,15 @@
-// Seeded faults of the generator: what a generator of robot code can do wrong, one kind a name. For testing the
-// conformance checker (mutation analysis; docs/conformance.md, "Keeping the checker honest").
+// Seeded faults of the generator: errors that a generator of robot code can make, with a name for each kind. They are
+// used to test the conformance checker (mutation analysis; docs/conformance.md, "Mutants").
 #pragma once
 
 #include <span>
 
 namespace robochart::cpp_emit {
 
-/// A kind of fault; `none` in production. What each does is in all_faults().
+/// A kind of fault; `none` in production. all_faults() describes each.
 enum class Fault {
     none,
-    // what is taken, and when
+    // which transitions are taken, and when
     guard_after_consume,
     guard_negated,
     guard_dropped,
@@ -63,7 +63,7 @@ enum class Fault {
     operation_kept,
     precondition_negated,
     function_precondition_dropped,
-    // machines together
+    // composition of machines
     ended_by_one,
     end_unnoticed,
     machines_reversed,
@@ -122,17 +122,17 @@ enum class Fault {
     undeclared_member,
 };
 
-/// A kind of fault for people.
+/// A kind of fault with its description.
 struct FaultKind {
     Fault fault;
     const char* name;
-    const char* what;  ///< what generated code with the fault does
+    const char* what;  ///< the behaviour of generated code with the fault
 };
 
-/// All kinds but `none`, in the order of the enumeration.
+/// All kinds except `none`, in the order of the enumeration.
 [[nodiscard]] std::span<const FaultKind> all_faults();
 
-/// The fault is in the event API only: the cycle is as it should be.
+/// Whether the fault affects only the event API and not the cycle.
 [[nodiscard]] constexpr bool in_event_api(Fault fault) {
     return fault >= Fault::dispatch_shifted && fault <= Fault::pass_timeless;
 }

@@ -14,7 +14,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// The types whose values an expression visits.
+/// The types whose values an expression enumerates.
 std::vector<ir::TypeId> visited(const ir::System& system, const ir::Expr& expr) {
     if (ir::binds(expr.kind)) return expr.bound_types;
     std::vector<ir::TypeId> result;
@@ -68,7 +68,7 @@ private:
         for (const ir::TypeId each : visited(system_, expr)) carrier(each);
     }
 
-    /// Values with parts may be converted where they are used as others.
+    /// Values with parts may have to be converted if they are used as another type.
     [[nodiscard]] bool mixed(ir::TypeId id) const { return composed(system_.type(id)); }
 
     void carrier(ir::TypeId id) {
@@ -77,7 +77,7 @@ private:
         component_.carriers.push_back({id, scope_.unique("any_" + system_.type(id).name)});
     }
 
-    // Types may contain themselves.
+    // Types may be recursive.
     void type(ir::TypeId id) {
         if (std::find(seen_.begin(), seen_.end(), id) != seen_.end()) return;
         seen_.push_back(id);

@@ -1,4 +1,4 @@
-// Which parts of the shipped headers a component needs, and whose types' values its expressions visit.
+// Decides which shipped headers a component needs, and the values of which types its expressions enumerate.
 #pragma once
 
 #include "cpp_emit/plan/component.hpp"

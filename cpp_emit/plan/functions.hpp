@@ -1,4 +1,5 @@
-// Functions that the model specifies by contract, over the finite carriers: what the explorer computes them by.
+// Functions that the model specifies only by contracts, over the finite carriers; the explorer computes them by these
+// tables.
 #pragma once
 
 #include <vector>
@@ -14,8 +15,8 @@ struct FunctionValue {
     ir::Value result;
 };
 
-/// Where the function's value is another than the default of its type, by semantics/evaluate. Throws std::length_error
-/// if there are too many arguments to try, or too many rows.
+/// The arguments for which the function's value, computed by semantics/evaluate, is not the default of its type. Throws
+/// std::length_error if there are too many arguments to try, or too many rows.
 [[nodiscard]] std::vector<FunctionValue> values_of(const ir::System&, const ir::Instantiation&, ir::FunctionId);
 
 }  // namespace robochart::cpp_emit

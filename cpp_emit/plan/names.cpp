@@ -33,12 +33,12 @@ bool listed(std::span<const std::string_view> names, std::string_view name) {
     return std::binary_search(names.begin(), names.end(), name);
 }
 
-/// The macros of the headers that ship with generated code.
+/// The macros of the headers that are delivered with generated code.
 bool of_runtime(std::string_view name) {
     return name.starts_with("ROBOCHART_") || name.starts_with("RC_");
 }
 
-/// An identifier that can be made free by what is put behind it.
+/// An identifier that becomes unique when a suffix is appended.
 std::string stem_of(std::string_view text) {
     const std::string name = identifier(text);
     return of_runtime(name) ? "model_" + name : name;
@@ -56,7 +56,7 @@ bool reserved_in_cpp(std::string_view name) {
 }
 
 bool reserved_below_global_scope(std::string_view name) {
-    // The namespace of the runtime, then what the projects' own code has and includes.
+    // The namespace of the runtime, then names that the projects' own code declares and includes.
     static constexpr std::array outside = {"robochart", "rclcpp", "Body", "CVector2", "Eigen",
                                            "Enki",      "Eye",    "Puck", "argos",    "testing"};
     return reserved_in_cpp(name) || std::find(outside.begin(), outside.end(), name) != outside.end();
@@ -96,7 +96,7 @@ std::vector<std::string> parameter_identifiers(const std::vector<std::string>& n
     return result;
 }
 
-/// Underscores that an identifier may not have are written out, behind a digit that no name begins with.
+/// Underscores that an identifier must not contain are encoded after a digit, with which no name begins.
 std::string bound_identifier(std::string_view name) {
     if (identifier(name) == name) return "bound_" + std::string(name);
     std::string result = "bound_0";

@@ -1,4 +1,4 @@
-// Names of generated C++: every name of the model becomes a legal identifier that is used once in its scope.
+// Names in generated C++: every name of the model becomes a legal identifier that is unique in its scope.
 #pragma once
 
 #include <set>
@@ -8,15 +8,15 @@
 
 namespace robochart::cpp_emit {
 
-/// True for what no name of the model may be in generated code: keywords and alternative tokens of C++20, and macros of
-/// the headers of C, C++ and POSIX (reserved.hpp).
+/// Whether no name of the model may have this form in generated code: keywords and alternative tokens of C++20, and
+/// macros of the headers of C, C++ and POSIX (reserved.hpp).
 [[nodiscard]] bool reserved_in_cpp(std::string_view name);
-/// A namespace of this name would hide what generated code inside it refers to.
+/// Whether a namespace with this name would hide names that generated code inside it uses.
 [[nodiscard]] bool reserved_below_global_scope(std::string_view name);
-/// The same and what those headers declare at global scope, for namespaces there.
+/// The same for namespaces at global scope: also the names that those headers declare there.
 [[nodiscard]] bool reserved_at_global_scope(std::string_view name);
 
-/// Turns any text into an identifier: other characters become '_', doubled and leading underscores go.
+/// Converts any text to an identifier: other characters become '_', doubled and leading underscores are removed.
 [[nodiscard]] std::string identifier(std::string_view text);
 
 /// Names for the parameters of one function.
@@ -24,25 +24,25 @@ namespace robochart::cpp_emit {
 /// A variable that a quantifier, a lambda or a let of the model binds: "bound_x".
 [[nodiscard]] std::string bound_identifier(std::string_view name);
 
-/// What generated code calls its own things, which is taken in the scopes where the model's types or members are.
+/// The generated code's own names, which are reserved in the scopes of the model's types or members.
 [[nodiscard]] std::set<std::string> own_type_names();
 [[nodiscard]] std::set<std::string> own_member_names();
 
-/// Hands out names that collide neither with each other nor with what is reserved. A reserved name gets an underscore
-/// behind it, then a number until it is free.
+/// Generates names that differ from each other and from reserved names. A reserved name gets an underscore appended,
+/// then a number until it is unique.
 class NameScope {
 public:
     using Reserved = bool (*)(std::string_view);
 
     NameScope(Reserved reserved = reserved_in_cpp) : reserved_(reserved) {}  // NOLINT: the rule of most scopes
-    /// Names the generated code itself uses in this scope.
+    /// `taken`: names that the generated code itself uses in this scope.
     explicit NameScope(std::set<std::string> taken) : taken_(std::move(taken)) {}
 
-    /// `wanted`, made an identifier; with a number behind it if the scope has it already.
+    /// `wanted`, converted to an identifier; with a number appended if it is in use.
     [[nodiscard]] std::string unique(std::string_view wanted);
-    /// `stem`_1, `stem`_2, ...: the first that is free.
+    /// `stem`_1, `stem`_2, ...: the first that is not in use.
     [[nodiscard]] std::string numbered(std::string_view stem);
-    /// Nobody gets the name from now on.
+    /// Reserves the name.
     void take(std::string name) { taken_.insert(std::move(name)); }
     [[nodiscard]] bool has(const std::string& name) const { return taken_.count(name) != 0; }
 

@@ -1,4 +1,4 @@
-// What is to be generated, and how; what was.
+// The options of a generation, and its result.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct Mapping;
 struct OutputFile {
     std::string path;
     std::string text;
-    bool keep = false;  ///< its reader's to change: not written where it is there
+    bool keep = false;  ///< the user may edit it, so an existing file is not overwritten
 };
 
-/// What is emitted: the classes with everything that the conformance check needs, or a project that builds as it
-/// stands.
+/// What is emitted: the classes with everything that the conformance check needs, or a complete project that can be
+/// built.
 enum class Target {
     sources,  ///< the classes, the exploration interface, a console driver
     library,  ///< a CMake library to install
@@ -32,47 +32,48 @@ enum class Target {
     argos,    ///< a controller of ARGoS
 };
 
-/// How a machine whose programs never wait finds what an event does (dispatch).
+/// How `dispatch` of a machine whose programs never wait finds the effect of an event.
 enum class Strategy {
-    automatic,      ///< by the number of states in which it rests
-    nested_switch,  ///< by state, then by event
+    automatic,      ///< chosen by the number of states in which it rests
+    nested_switch,  ///< switch over the state, then over the event
     table,          ///< a dense table of cases, one switch over them
 };
 
-/// What is generated, and how.
+/// The options of a generation.
 struct Options {
     Target target = Target::sources;
     Strategy strategy = Strategy::automatic;
     Fault fault = Fault::none;
-    std::uint32_t fault_site = 0;  ///< which applicable place (transition, call, … in textual order) carries the fault
-    std::uint32_t cycle_length = 1;  ///< time units that pass between two control cycles
-    /// Where the model leaves a choice between transitions or of a wait, the code asks its platform (`pick`); else it
-    /// takes the first, without a place to ask at.
+    std::uint32_t fault_site = 0;  ///< the place (transition, call, … in textual order) that contains the fault, among
+                                   ///< those to which it applies
+    std::uint32_t cycle_length = 1;  ///< number of time units between two control cycles
+    /// If the model leaves a choice between transitions or in a wait, the code asks its platform (`pick`). Otherwise it
+    /// takes the first one and contains no call.
     bool choices = false;
-    /// The exploration interface is needed: what has more values than its tables take is refused (RC-G13). Else the
-    /// interface is left out then, with a note (RC-G15).
+    /// The exploration interface is needed: a component with more values than its tables can hold is rejected (RC-G13).
+    /// If false, the interface is omitted in this case, with a note (RC-G15).
     bool explored = true;
-    /// Target::ros2: which messages carry what the component shows (cpp_emit/ros2/mapping.hpp); null: those of
-    /// std_msgs.
+    /// Target::ros2: the messages for the component's boundary (cpp_emit/ros2/mapping.hpp); null: messages of std_msgs.
     const ros2::Mapping* mapping = nullptr;
-    /// For comments with file and line; null: comments name the model's elements only.
+    /// For comments with file and line; null: comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;
 };
 
-/// What a cycle does is as it should be.
+/// Whether the cycle has no seeded fault.
 [[nodiscard]] constexpr bool faultless_cycle(const Options& options) {
     return options.fault == Fault::none || in_event_api(options.fault);
 }
 
-/// A place of a machine in which it may fail to take an event that it knows, or takes it late.
+/// A place of a machine in which it may miss an event that it uses, or take it late.
 struct EventPlace {
-    std::string member;             ///< as the state is printed: "state", "stm0.state"
+    std::string member;             ///< the member as the state is printed: "state", "stm0.state"
     std::string place;              ///< as the place is printed: "enter_A_1"
-    std::string element;            ///< for people: "enters Busy::A (busy.rct:7)"
-    bool busy = false;              ///< an action is in progress; else the machine rests
-    std::vector<bool> events = {};  ///< of the events that the platform raises, in the order of Inputs, which of them
-    /// For each of these events how far outside the state is that has the innermost transition for it: 0 is the state
-    /// where the machine rests, 1 the one around it; no_level if none has one or an action is in progress.
+    std::string element;            ///< description: "enters Busy::A (busy.rct:7)"
+    bool busy = false;              ///< an action is in progress; otherwise the machine rests
+    std::vector<bool> events = {};  ///< for each event that the platform raises, in the order of Inputs: whether it is
+                                    ///< concerned
+    /// For each of these events, the level of the state with the innermost transition for it: 0 is the state in which
+    /// the machine rests, 1 its parent, and so on; no_level if there is no such transition or an action is in progress.
     std::vector<std::uint32_t> level = {};
     static constexpr std::uint32_t no_level = UINT32_MAX;
 };
@@ -83,7 +84,7 @@ struct Emission {
     std::string
         shim;  ///< path of the source that exports the exploration interface (runtime/explore_abi.h); "" if none
     std::vector<std::string> sources;  ///< paths of the sources to compile with it
-    std::uint32_t fault_sites = 0;     ///< how many places the requested fault applies to
+    std::uint32_t fault_sites = 0;     ///< number of places to which the requested fault applies
     std::vector<EventPlace> event_places;
 };
 

@@ -1,5 +1,5 @@
-// Names that a model's may not become in C++, as lists (cpp_emit/reserved); scripts/reserved_names.sh makes the first
-// two.
+// Names that identifiers from the model must not have in C++, as lists (cpp_emit/reserved); scripts/reserved_names.sh
+// generates the first two.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace robochart::cpp_emit {
 
-/// Macros of the headers of C, C++ and POSIX, of both compilers; without those that begin with an underscore.
+/// Macros of the headers of C, C++ and POSIX for both compilers, except those that begin with an underscore.
 [[nodiscard]] std::span<const std::string_view> reserved_macros();
-/// What the headers of C and POSIX declare at global scope.
+/// Names that the headers of C and POSIX declare at global scope.
 [[nodiscard]] std::span<const std::string_view> reserved_globals();
-/// What the cores of generated code call their own things, and the classes around them.
+/// Names that the cores of generated code and the classes around them declare themselves.
 [[nodiscard]] std::span<const std::string_view> reserved_own_types();
 [[nodiscard]] std::span<const std::string_view> reserved_own_members();
 

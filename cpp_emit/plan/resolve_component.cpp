@@ -19,14 +19,14 @@ namespace {
 
 using diagnostics::Diagnostics;
 
-/// Names that generated State, Inputs and platform classes use themselves.
+/// The element with this name; null if there is none.
 template <class Item>
 const Item* find_named(const std::vector<Item>& items, const std::string& name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
     return found == items.end() ? nullptr : &*found;
 }
 
-/// What is around a part: nothing for a machine alone.
+/// The context of a part: empty for a single machine.
 struct Context {
     const ir::Module* module = nullptr;
     const ir::Controller* controller = nullptr;
@@ -137,11 +137,11 @@ private:
         return false;
     }
 
-    /// What is around the part that is being looked at.
+    /// The context of the current part.
     Context context() const { return {module_, contexts_[part_]}; }
     const std::vector<const ir::Controller*>& contexts() const { return contexts_; }
 
-    /// The operation's definition in this context (semantics 3.8); machines alone have none.
+    /// The operation's definition in this context (semantics 3.8); single machines have none.
     ir::MachineId definition(const ir::OperationSignature& signature) const {
         const ir::Controller* const controller = context().controller;
         return controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *controller, signature);
@@ -156,8 +156,7 @@ private:
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
 
-    /// The value of a variable at the start: its initial value in this context, else its type's default
-    /// (semantics 3.6).
+    /// The initial value of a variable: the one in this context, or the default of its type (semantics 3.6).
     ir::Value initial_value(const ir::Machine& machine, const std::vector<ir::Value>& constants, ir::TypeId type,
                             const ir::ExprPtr& initial) const {
         const ir::Value otherwise = ir::default_value(system_, inst_, type);
@@ -176,7 +175,7 @@ private:
         return otherwise;
     }
 
-    /// Adds the operations that the machine calls, then the machine; returns its number. `open_` holds the calls in
+    /// Adds the operations that the machine calls, then the machine; returns its number. `open_` contains the calls in
     /// progress.
     std::size_t add_unit(ir::MachineId id, bool root) {
         const ir::Machine& machine = system_.machine(id);
@@ -199,7 +198,7 @@ private:
         const auto known =
             std::find_if(units.begin(), units.end(), [&](const Unit& each) { return alike(each, unit); });
         if (known != units.end()) return known->number;
-        component_.unit_places.push_back(units.size());  // settled below
+        component_.unit_places.push_back(units.size());  // set below
         unit.definitions.resize(machine.operations.size());
         unit.callees.resize(machine.operations.size());
         unit.constants =
@@ -227,7 +226,7 @@ private:
         return number;
     }
 
-    /// The same operation, and its callers mean the same by the names that it requires.
+    /// Whether both are the same operation and required names denote the same elements.
     static bool alike(const Unit& known, const Unit& unit) {
         const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
             const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
@@ -240,8 +239,8 @@ private:
                same(known.clock_owners, unit.clock_owners);
     }
 
-    /// What an operation requires is its caller's of that name, and so on outwards (semantics 3.8); all else is its
-    /// own.
+    /// An element that an operation requires is the caller's element with that name, and so on outwards (semantics
+    /// 3.8). Other elements are its own.
     void find_owners(Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         const Unit* const caller = unit.root ? nullptr : &open_.back();
@@ -286,7 +285,7 @@ private:
         }
     }
 
-    /// A clock that is declared or required, not that of a sinceEntry.
+    /// A declared or required clock, not the one for a sinceEntry.
     static const ir::Clock* find_clock(const ir::Machine& machine, const std::string& name) {
         const auto& clocks = machine.clocks;
         const auto found = std::find_if(clocks.begin(), clocks.end(), [&](const ir::Clock& clock) {
@@ -295,7 +294,7 @@ private:
         return found == clocks.end() ? nullptr : &*found;
     }
 
-    /// The rules STM8 and STM10 of the language say so before.
+    /// The rules STM8 and STM10 of the language report this first.
     void missing(const ir::Machine& operation, const char* what, const std::string& name, const ir::Origin& origin) {
         diagnostics_.report(
             rules::unsupported_expr, origin.span,
@@ -339,7 +338,7 @@ private:
         return result;
     }
 
-    /// The part's units, callers before callees.
+    /// Visits the part's units, callers before callees.
     template <class Visit>
     void each_unit(const Visit& visit) const {
         for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit)
@@ -368,8 +367,8 @@ private:
         variables.push_back(std::move(entry));
     }
 
-    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value, if any,
-    /// that this level tells the machines at the start.
+    /// The level that declares a shared variable decides who sees it (semantics 3.7). Returns the initial value, if
+    /// any, that this level passes to the machines at the start.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
         if (context().controller == nullptr) {
@@ -377,7 +376,7 @@ private:
             return nullptr;
         }
         const ir::Variable* at_controller = find_named(context().controller->variables, name);
-        // The controller's memory does not tell its initial value: copies start at the type's default.
+        // The controller's memory does not propagate its initial value: copies start with the type's default.
         if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) {
             entry.level = module_ == nullptr ? static_cast<const void*>(context().controller)
                                              : &module_->controllers[component_.parts[part_].controller];
@@ -398,7 +397,7 @@ private:
 
     void mark_read(const Unit& unit) {
         ir::visit_reads(*unit.machine, [&](ir::VariableId variable) { mark_read(unit, variable); });
-        // The watch over a deadline asks the guard of what the variable has, not of what comes (semantics 3.10).
+        // The guard of a watched deadline reads the variable's value, not the incoming one (semantics 3.10).
         for (const ir::Transition& transition : unit.machine->transitions)
             if (transition.deadline && transition.trigger && transition.trigger->variable.valid())
                 visit(transition.guard, [&](const ir::Expr& expr) {
@@ -427,7 +426,7 @@ private:
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) { add_function(unit.constants, expr); });
     }
 
-    /// A function that is called, and those that its precondition calls where that is asked.
+    /// Adds a called function, and those that its precondition calls if the precondition is tested.
     void add_function(const std::vector<ir::Value>& constants, const ir::Expr& expr) {
         if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
         auto& functions = component_.functions;
@@ -480,7 +479,7 @@ private:
         visit_asked(component_, system_, add_types);
     }
 
-    /// Parts before the whole. Types that contain themselves are refused later (unsupported.cpp).
+    /// Types of parts come before the types that contain them. Recursive types are rejected later (unsupported.cpp).
     void add_type(ir::TypeId id) {
         auto& types = component_.enumerations;
         if (std::find(seen_types_.begin(), seen_types_.end(), id) != seen_types_.end()) return;
@@ -528,7 +527,7 @@ private:
         mark_clocks_read();
     }
 
-    /// The members that the threads of a machine may have for its states (machine_code.cpp).
+    /// Reserves the members that the threads of a machine may have for its states (machine_code.cpp).
     static void take_thread_members(const Unit& unit, std::set<std::string>& taken) {
         for (const ir::Node& node : unit.machine->nodes)
             for (const char* prefix : {"during_", "entering_", "history_", "wait_"})
@@ -551,7 +550,7 @@ private:
         }
     }
 
-    /// A machine with one thread that writes the variable alone does not wait for itself.
+    /// A machine with one thread that is the only writer of the variable does not wait for itself.
     void find_holders(std::size_t index, NameScope& state, NameScope& writers) {
         StoredVariable& entry = component_.variables[index];
         if (!entry.shared || entry.memories == 0) return;
@@ -572,7 +571,7 @@ private:
                            [](const ir::Node& node) { return node.during != nullptr; });
     }
 
-    /// Whether a program of the part communicates with a deadline and may have to wait for it.
+    /// Whether a program of the part communicates with a deadline and may have to wait.
     [[nodiscard]] bool waits_with_deadline(std::size_t part) const {
         bool found = false;
         for (const Unit& unit : component_.units)
@@ -651,11 +650,11 @@ private:
     std::size_t errors_before_;
     Component component_;
     const ir::Module* module_ = nullptr;
-    std::vector<const ir::Controller*> contexts_;  ///< of each part
-    std::vector<ir::MachineId> roots_;             ///< of each part
+    std::vector<const ir::Controller*> contexts_;  ///< by part
+    std::vector<ir::MachineId> roots_;             ///< by part
     std::vector<ir::TypeId> seen_types_;
-    std::set<std::string> taken_;  ///< names that no member may have
-    std::size_t part_ = 0;         ///< the part that is being looked at
+    std::set<std::string> taken_;  ///< names that members must not have
+    std::size_t part_ = 0;         ///< the current part
     std::vector<Unit> open_;       ///< the calls in progress, the part's machine first
 };
 

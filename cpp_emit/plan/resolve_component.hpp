@@ -1,4 +1,4 @@
-// From a reference to a component of the IR to what is generated for it.
+// Collects the data about a component of the IR that generation needs.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robochart::cpp_emit {
 
-/// Follows the reference and collects the above. Reports what can't be generated; nothing on errors.
+/// Returns the component for the reference. Reports elements for which no code can be generated; no value after errors.
 [[nodiscard]] std::optional<Component> resolve(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                                                diagnostics::Diagnostics&);
 

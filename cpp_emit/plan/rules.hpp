@@ -1,4 +1,4 @@
-// What the C++ generator refuses, by name. A refused component gets no code rather than wrong code.
+// Constructs that the C++ generator rejects by name. A rejected component gets no code rather than wrong code.
 #pragma once
 
 #include <span>

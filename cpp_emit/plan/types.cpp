@@ -59,7 +59,7 @@ bool of_pairs(const ir::Type& type) {
 
 namespace {
 
-/// Types may contain themselves; no value of such a type has a bounded size.
+/// Types may be recursive; values of such a type have no bounded size.
 constexpr std::size_t deepest_type = 16;
 
 bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth) {
@@ -121,7 +121,8 @@ std::vector<TypeMember> members(const ir::Type& type) {
 
 namespace {
 
-/// Names like those of functions that the core has for elements of the model, which would hide the type.
+/// Whether the name resembles those of functions that the core has for elements of the model, which would hide the
+/// type.
 bool method_like(const std::string& name) {
     static constexpr const char* prefixes[] = {"accept_", "any_",  "await_", "cut_",   "during_",
                                                "enter_",  "exit_", "from_",  "leave_", "name_",
@@ -132,7 +133,7 @@ bool method_like(const std::string& name) {
 
 }  // namespace
 
-/// Declared types keep clear of what the core itself declares.
+/// Names of declared types differ from the core's own names.
 std::string declared_name(const ir::Type& type) {
     static const std::set<std::string> taken = own_type_names();
     NameScope scope(taken);
@@ -197,7 +198,7 @@ std::size_t entries(const ir::Type& type) {
     return result;
 }
 
-/// robochart::Pair: padded at the end, or between its parts.
+/// robochart::Pair: with padding at the end, or between its parts.
 Extent pair_extent(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
     const Extent first = cpp_extent(system, inst, type.args.at(0));
     const Extent second = cpp_extent(system, inst, type.args.at(1));
@@ -264,7 +265,7 @@ std::uint32_t decimals_of(std::int64_t scale) {
     return decimals;
 }
 
-/// Drops zeros at the end: 0.50 is 0.5.
+/// Removes trailing zeros: 0.50 becomes 0.5.
 ir::Decimal shortest(ir::Decimal decimal) {
     while (decimal.decimals > 1 && decimal.unscaled % 10 == 0) {
         decimal.unscaled /= 10;
@@ -402,7 +403,7 @@ std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value&
             return value.number != 0 ? "true" : "false";
         case TypeKind::enumeration:
             return cspm_literal(system, type, value);
-        case TypeKind::string:  // a sequence of characters: an empty one is no other than the empty sequence
+        case TypeKind::string:  // a sequence of characters; an empty string is an empty sequence
             return string_text(value).empty() ? "<>" : diagnostics::cspm_string(string_text(value));
         case TypeKind::sequence:
             return "<" + cspm_parts(system, type.args, value, ", ") + ">";

@@ -20,22 +20,22 @@ using diagnostics::Span;
 using ir::ExprKind;
 using ir::NodeKind;
 
-/// Arguments that one record of the exploration interface holds (runtime/explore_abi.h).
+/// Maximal number of arguments in a record of the exploration interface (runtime/explore_abi.h).
 constexpr std::size_t max_arguments = 8;
 constexpr std::size_t max_output_values = 65536;
-/// Numbers and literals in the values of one type that the interface lists: a compiler needs seconds for so many.
+/// Limit on numbers and literals in the listed values of one type; a compiler needs seconds for this many.
 constexpr std::size_t max_listed = 8 * max_output_values;
 constexpr std::size_t max_bound_values = 1024;
-/// Beyond this a decimal literal is not exact in binary floating point times the scale.
+/// A larger decimal literal is not exact in binary floating point after multiplication by the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
-/// Operators of numbers, which vectors have too.
+/// Operators of numbers, which are also defined for vectors.
 bool arithmetic(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
            kind == ExprKind::modulus || kind == ExprKind::negate;
 }
 
-/// Those that vectors and matrices have.
+/// The operators of vectors and matrices.
 bool of_blocks(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::negate;
 }
@@ -87,7 +87,7 @@ private:
         if (!supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
     }
 
-    /// Every member of a set has its place.
+    /// A set needs a place for every possible element.
     void check_size(const std::string& where, ir::TypeId id, Span span) {
         const ir::Type& type = system_.type(id);
         if (!(type.kind == ir::TypeKind::set || of_pairs(type)) || !supported(system_, id)) return;
@@ -95,7 +95,7 @@ private:
             diagnostics_.report(rules::too_large, span, {where, "a " + type.name + " may have more than 1024 members"});
     }
 
-    /// Bound variables take all values of their types.
+    /// Bound variables range over all values of their types.
     void check_carriers() {
         for (const CarrierUse& use : component_.carriers) {
             check_type(use.type, component_.name, component_.origin.span);
@@ -115,7 +115,7 @@ private:
         check_type(function.result, function.name, {});
     }
 
-    /// Those that code asks; none may have to be asked to ask it.
+    /// Preconditions that code tests; testing one must not require testing itself.
     void check_preconditions() {
         for (const FunctionHook& hook : component_.functions) {
             if (!hook.guarded) continue;
@@ -194,7 +194,7 @@ private:
     Diagnostics& diagnostics_;
 };
 
-/// Numbers and literals in a value.
+/// Number of numbers and literals in a value.
 std::size_t leaves(const ir::Value& value) {
     if (value.parts.empty()) return 1;
     std::size_t count = 0;
@@ -202,7 +202,7 @@ std::size_t leaves(const ir::Value& value) {
     return count;
 }
 
-/// Of a type that has not too many values.
+/// For a type whose number of values is within the limit.
 bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
     if (!composed(system.type(type))) return false;
     std::size_t count = 0;

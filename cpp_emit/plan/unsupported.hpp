@@ -1,4 +1,4 @@
-// What can't be generated is refused by name before any code is written.
+// Rejects by name, before any code is written, constructs for which no code can be generated.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace robochart::cpp_emit {
 
-/// Values of one input that the exploration interface lists.
+/// Maximal number of values of one input that the exploration interface lists.
 inline constexpr std::size_t max_input_values = 4096;
 
-/// Reports every construct of the component that has no C++ (rules.hpp); true if there is none.
+/// Reports every construct of the component that has no C++ (rules.hpp); returns true if there is none.
 [[nodiscard]] bool check_support(const ir::System&, const ir::Instantiation&, const Component&,
                                  diagnostics::Diagnostics&);
 
-/// A part of a component that has more values than the tables of the exploration interface take, and how many they do.
+/// A part of a component that has more values than the tables of the exploration interface can hold, and their limit.
 struct BeyondExploration {
     std::string name;
     std::string limit;

@@ -1,4 +1,4 @@
-// Walks over the IR beside those of semantics/ir/visit.hpp.
+// Walks over the IR in addition to those of semantics/ir/visit.hpp.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,18 @@ struct Component;
 using ExprVisitor = std::function<void(const ir::Expr&)>;
 using ir::StmtVisitor;
 
-/// The expression and all below it.
+/// Visits the expression and its subexpressions.
 void visit(const ir::ExprPtr&, const ExprVisitor&);
-/// The statement and all below it.
+/// Visits the statement and its parts.
 void visit(const ir::StmtPtr&, const StmtVisitor&);
-/// All expressions whose value matters to running code, with their operands: ir::visit_running.
+/// Visits all expressions whose value running code uses, with their operands: ir::visit_running.
 void visit_expressions(const ir::Machine&, const ExprVisitor&);
-/// Those of the preconditions of functions that running code asks.
+/// Visits the expressions in preconditions that running code tests.
 void visit_asked(const Component&, const ir::System&, const ExprVisitor&);
-/// Trigger communications of the transitions, then communications of the statements.
+/// Visits the triggers of the transitions, then the communications of the statements.
 void visit_communications(const ir::Machine&, const std::function<void(const ir::Communication&, bool trigger)>&);
 
-/// The clock of sinceEntry(node); invalid if there is none.
+/// The clock for sinceEntry(node); invalid if there is none.
 [[nodiscard]] ir::ClockId entry_clock(const ir::Machine&, ir::NodeId);
 
 }  // namespace robochart::cpp_emit

@@ -8,8 +8,8 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Writes what fills the message of this name where it cannot fail; the condition that fills the rest and says whether
-/// all values fit, "" if nothing is left. `now` is the time of the cycle.
+/// Writes code that fills the fields of the message `message` that cannot fail. Returns the condition that fills the
+/// other fields and is true if all values fit; "" if there are none. `now` is the time of the cycle.
 [[nodiscard]] std::string fill_message(CodeWriter&, const Outgoing&, const std::string& message,
                                        const std::string& now);
 

@@ -1,5 +1,5 @@
-// A mapping: which messages carry the operations, events and shared variables of one component, and on which topics
-// (docs/ros2.md). As it is written; node_plan.hpp compares it with the component.
+// A mapping as it is written: which messages carry the operations, events and shared variables of one component, and on
+// which topics (docs/ros2.md). node_plan.hpp compares it with the component.
 #pragma once
 
 #include <cstdint>
@@ -41,12 +41,12 @@ struct Path {
     [[nodiscard]] diagnostics::Span span() const;
 };
 
-/// What stands behind `=`.
+/// The text after `=`.
 struct Source {
     enum class Kind { path, whole, decimal, truth, text };
     Kind kind = Kind::path;
-    Path path;                      ///< of the model, or of the message; `true`, `false`, `now` too
-    std::string number;             ///< as C++ text, with its sign
+    Path path;                      ///< in the model or in the message; also `true`, `false`, `now`
+    std::string number;             ///< as C++ text, including its sign
     diagnostics::ForeignText text;  ///< characters
     diagnostics::Span span;
 };
@@ -57,10 +57,10 @@ struct Assignment {
     Source source;
 };
 
-/// How messages are delivered; what is not said has the default of its kind.
+/// How messages are delivered; options that are not given have the default of their kind.
 struct Delivery {
     std::optional<bool> reliable;
-    std::optional<bool> latched;  ///< transient_local: who comes late gets the last messages
+    std::optional<bool> latched;  ///< transient_local: late subscribers get the last messages
     std::optional<std::uint32_t> depth;
 };
 

@@ -16,7 +16,7 @@ struct FieldRow {
     std::string_view fields;  ///< "x y z : float64, header : std_msgs/Header"
 };
 
-// Types of fields as in .msg files; every message has its package.
+// Types of fields as in .msg files; every message names its package.
 constexpr FieldRow rows[] = {
     {"builtin_interfaces/Time", "sec : int32, nanosec : uint32"},
     {"builtin_interfaces/Duration", "sec : int32, nanosec : uint32"},
@@ -99,7 +99,7 @@ const FieldRow* row_of(std::string_view message) {
     return row == std::end(rows) ? nullptr : row;
 }
 
-/// What lies before the separator, which goes too; all of it if there is none.
+/// Removes and returns the text before the separator, and removes the separator; the whole text if there is none.
 std::string_view take_until(std::string_view& text, std::string_view separator) {
     const std::size_t at = text.find(separator);
     const std::string_view head = text.substr(0, at);

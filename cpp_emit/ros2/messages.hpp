@@ -1,5 +1,5 @@
 // The fields of common ROS 2 messages (the packages common_interfaces, builtin_interfaces, ackermann_msgs), so that
-// mistakes in a mapping are found where it is written.
+// errors are found in the mapping and not in generated code.
 #pragma once
 
 #include <optional>
@@ -17,34 +17,34 @@ enum class FieldKind {
     real,     ///< float32, float64
     text,     ///< string
     time,     ///< builtin_interfaces/Time
-    message,  ///< another message: its fields are given one by one
+    message,  ///< another message, whose fields are assigned one by one
     several,  ///< an array
-    unknown,  ///< of a message that is not in the table
+    unknown,  ///< belongs to a message that is not in the table
 };
 
 struct FieldType {
     FieldKind kind = FieldKind::unknown;
-    std::string_view written;  ///< "float32", "geometry_msgs/Vector3", "" if it is not known
+    std::string_view written;  ///< "float32", "geometry_msgs/Vector3"; "" if unknown
 };
 
-/// The message is in the table.
+/// Whether the message is in the table.
 [[nodiscard]] bool known(const MessageName&);
-/// Messages of its package in the table.
+/// The messages of this package in the table.
 [[nodiscard]] std::vector<std::string> known_messages(std::string_view package);
 /// Names of the fields of a message in the table; "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> fields_of(std::string_view message);
 
-/// What a path of fields leads to; from a message that is not in the table on, all is unknown.
+/// The target of a path of fields; after a message that is not in the table, everything is unknown.
 struct FoundField {
     FieldType type;
-    std::size_t missing = 0;  ///< the first word that names no field; the path's length if all do
-    std::string_view in;      ///< the message that should have it
+    std::size_t missing = 0;  ///< index of the first word that names no field; the path's length if all do
+    std::string_view in;      ///< the message that lacks this field
 };
 [[nodiscard]] FoundField find_field(const MessageName&, const Path&);
 
-/// "whole numbers (uint8)" for messages to people.
+/// Description for messages: "whole numbers (uint8)".
 [[nodiscard]] std::string described(const FieldType&);
-/// Whether a whole number is a value of the type: "300" is none of uint8.
+/// Whether a whole number is a value of the type: "300" is not a uint8.
 [[nodiscard]] bool holds(const FieldType&, const std::string& whole);
 
 }  // namespace robochart::cpp_emit::ros2

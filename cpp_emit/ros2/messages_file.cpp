@@ -1,4 +1,4 @@
-// The class that keeps what the controller says as messages until the end of a cycle.
+// The class that stores the controller's outputs as messages until the end of a cycle.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

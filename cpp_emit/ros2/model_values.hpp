@@ -1,5 +1,4 @@
-// Values of the model in messages: which scalars a value is made of, and which fields go with them. Private to this
-// component.
+// Values of the model in messages: their scalars, and the fields that can carry them. Private to this component.
 #pragma once
 
 #include <optional>
@@ -11,10 +10,10 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// A value of the model that a mapping refers to: a parameter, or what an event or variable carries.
+/// A value of the model to which a mapping refers: a parameter, or the value of an event or variable.
 struct ModelValue {
     std::string name;   ///< "speed", "value"
-    std::string place;  ///< C++
+    std::string place;  ///< C++ expression
     ir::TypeId type;
 };
 
@@ -23,19 +22,20 @@ struct ModelValue {
 [[nodiscard]] std::string message_of(ScalarKind);
 /// "a number (real)", "an enumeration (Light)".
 [[nodiscard]] std::string described(const ir::Type&);
-/// All scalars that a value is made of: itself, or those of a record's fields. False where a part is none of both.
+/// Collects all scalars in a value: the value itself, or those of a record's fields. Returns false if a part is
+/// neither.
 bool scalars_of(const ir::System&, const ModelValue&, std::vector<Scalar>&);
 
-/// Where a path leads in the values.
+/// The target of a path in the values.
 struct FoundScalar {
-    std::optional<Scalar> scalar;    ///< there is one
-    std::size_t missing = 0;         ///< the first word that names nothing; the path's length if all do
-    std::vector<std::string> known;  ///< what could stand there
-    std::optional<ir::TypeId> type;  ///< what the words before it, or all, lead to
+    std::optional<Scalar> scalar;    ///< no value: the path names no scalar
+    std::size_t missing = 0;         ///< index of the first word that names nothing; the path's length if all do
+    std::vector<std::string> known;  ///< possible words at that place
+    std::optional<ir::TypeId> type;  ///< type of the value that the words before it, or all words, name
 };
 [[nodiscard]] FoundScalar find_scalar(const ir::System&, const std::vector<ModelValue>&, const Path&);
 
-/// A field takes the values of the scalar, or the scalar those of the field.
+/// Whether the field can hold all values of the scalar (published), or the scalar those of the field (received).
 [[nodiscard]] bool fits(const FieldType&, ScalarKind, bool published);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -1,4 +1,4 @@
-// Which constants of the model have values that the code was generated for and that the model does not give.
+// Finds constants whose values come from the generation's options and not from the model.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace robochart::cpp_emit::ros2 {
 
 namespace {
 
-/// Where the machines of a part run.
+/// The context of a part's machines.
 struct Surroundings {
     const ir::Module* module = nullptr;
     const ir::Controller* controller = nullptr;
@@ -38,7 +38,7 @@ std::string name_in(const Surroundings& around, const Unit& unit, const Part& pa
     return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
 }
 
-/// "SPEED" of "P::M::SPEED"; all of it, with dots, where others end alike.
+/// "SPEED" for "P::M::SPEED"; the whole path, with dots, if other constants have the same ending.
 std::string parameter_of(const std::string& path, const std::map<std::string, int>& ends) {
     const std::string last = path.substr(path.rfind(':') + 1);
     if (ends.at(last) == 1) return "constants." + last;

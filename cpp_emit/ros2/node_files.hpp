@@ -1,4 +1,4 @@
-// The text of a node of ROS 2: the class that keeps messages until the end of a cycle, and the lifecycle node around
+// The text of a ROS 2 node: the class that stores messages until the end of a cycle, and the lifecycle node that uses
 // it.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// A constant whose value the model leaves open: it has one in the generated code, and the node refuses another.
+/// A constant to which the model gives no value. The generated code contains a value, and the node rejects any other.
 struct NodeConstant {
-    std::string parameter;  ///< of ROS: "constants.SPEED"
-    std::string path;       ///< in the model: "M::C::S::SPEED"
+    std::string parameter;  ///< name of the ROS parameter: "constants.SPEED"
+    std::string path;       ///< path in the model: "M::C::S::SPEED"
     ir::TypeId type;
     ir::Value value;
 };
@@ -22,7 +22,7 @@ struct NodeConstant {
 [[nodiscard]] std::string messages_header(const Generation&, const Core&, const ClassApi&, const NodePlan&);
 [[nodiscard]] std::string node_header(const Generation&, const Core&, const ClassApi&, const NodePlan&);
 [[nodiscard]] std::string node_source(const Generation&, const Core&, const ClassApi&, const NodePlan&);
-/// The lines of the parameter file that say which constants there are.
+/// The lines of the parameter file that list these constants.
 [[nodiscard]] std::string constant_lines(const Generation&, const Core&);
 
 /// "::geometry_msgs::msg::Twist".

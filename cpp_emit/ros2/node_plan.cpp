@@ -20,7 +20,7 @@ namespace {
 
 using diagnostics::Span;
 
-/// Something that the component shows to its platform, in one direction.
+/// An operation, event or variable at the component's boundary, in one direction.
 struct Element {
     ElementKind kind = ElementKind::operation;
     bool published = false;
@@ -29,7 +29,7 @@ struct Element {
     const ApiEvent* event = nullptr;
     const ApiVariable* variable = nullptr;
     Span span;
-    const Item* item = nullptr;  ///< what the mapping says of it
+    const Item* item = nullptr;  ///< its item in the mapping
 };
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
@@ -67,7 +67,7 @@ bool is_modelled(const ClassApi& api, const std::string& name) {
     return found;
 }
 
-/// A field that lies in another, or is it.
+/// Whether one field contains the other or both are the same.
 bool overlap(const std::string& a, const std::string& b) {
     return a == b || a.starts_with(b + ".") || b.starts_with(a + ".");
 }
@@ -100,7 +100,7 @@ public:
 private:
     static QualityOfService latched() { return {true, true, 1}; }
 
-    // ------------------------------------------------------------ what the mapping names
+    // ------------------------------------------------------------ names in the mapping
 
     void match(const Mapping& mapping, std::vector<Element>& elements) {
         for (const Item& item : mapping.items) {
@@ -147,13 +147,13 @@ private:
 
     // ------------------------------------------------------------ topics
 
-    /// As ROS resolves it without a namespace and remappings.
+    /// The topic as ROS resolves it without a namespace and remappings.
     [[nodiscard]] std::string resolved(const std::string& name) const {
         if (name.starts_with("~/")) return "/" + plan_.node + name.substr(1);
         return name.starts_with('/') ? name : "/" + name;
     }
 
-    /// Why the two cannot be on one topic; "" if they can.
+    /// Why the two cannot share a topic; "" if they can.
     static std::string conflict(const Topic& first, const Topic& second) {
         if (first.published != second.published) return "one is published and the other received";
         if (!(first.message == second.message))
@@ -176,7 +176,7 @@ private:
         return plan_.topics.size() - 1;
     }
 
-    /// "~/out/move"; names that differ in underscores alone get a number.
+    /// "~/out/move"; names that differ only in underscores get a number.
     std::string default_topic(const char* kind, const std::string& name) {
         const std::string stem = fmt::format("~/{}/{}", kind, topic_part(name));
         std::string topic = stem;
@@ -187,7 +187,7 @@ private:
     static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& said) {
         QualityOfService quality;
         if (element.published && element.kind == ElementKind::variable) quality = latched();
-        // Drivers of sensors publish best effort, which a reliable subscription would not receive at all.
+        // Drivers of sensors publish with best effort, and a reliable subscription would not receive their messages.
         if (!element.published && message.package == "sensor_msgs") quality = {false, false, 5};
         quality.reliable = said.reliable.value_or(quality.reliable);
         quality.latched = said.latched.value_or(quality.latched);
@@ -347,7 +347,7 @@ private:
         plan_.incoming.push_back(std::move(in));
     }
 
-    /// An event without value is raised by every message, whatever its fields say.
+    /// An event without a value is raised by every message, independently of the message's fields.
     void warn_unread(const Element& element) {
         const MessageName& message = element.item->message;
         const std::vector<std::string> fields = fields_of(message.text());
@@ -373,7 +373,7 @@ private:
                     {fmt::format("'{}'", scalar.reading), std::string(described(element.kind)), element.name});
     }
 
-    /// The field's type; nothing, with a finding, where the message does not have it.
+    /// The field's type; no value, with a finding, if the message does not have the field.
     std::optional<FieldType> field_of(const Item& item, const Path& path) {
         const FoundField found = find_field(item.message, path);
         if (found.missing == path.words.size()) return found.type;
@@ -383,7 +383,7 @@ private:
         return std::nullopt;
     }
 
-    /// The part of the element's value that the path names and that goes with the field.
+    /// The part of the element's value that the path names and that the field can carry.
     std::optional<Scalar> scalar_of(const Element& element, const std::vector<ModelValue>& values, const Path& path,
                                     const FieldType& field, const Path& field_path) {
         const FoundScalar found = find_scalar(generation_.system, values, path);

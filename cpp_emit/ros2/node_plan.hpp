@@ -1,5 +1,5 @@
-// What the node of a component publishes and receives: the mapping bound to the class, and topics of std_msgs for what
-// it leaves out.
+// The messages that the node of a component publishes and receives: the mapping bound to the class, and topics of
+// std_msgs for elements that the mapping omits.
 #pragma once
 
 #include <cstdint>
@@ -20,46 +20,46 @@ struct QualityOfService {
     friend bool operator==(const QualityOfService&, const QualityOfService&) = default;
 };
 
-/// A publisher or subscription. What shares a topic shares it, so that the order of its messages is kept.
+/// A publisher or subscription. Elements with the same topic share it, so that the order of its messages is kept.
 struct Topic {
     std::string name;
     MessageName message;
     QualityOfService quality;
     bool published = false;
-    std::string member;  ///< of the node and of the messages kept in a cycle
-    std::string user;    ///< the first element on it, for messages to people
+    std::string member;  ///< member of the node and of the class that stores messages
+    std::string user;    ///< the first element on it, for messages of the generator
 };
 
-/// How a scalar of the model reaches a field or comes from it.
+/// The conversion between a scalar of the model and a field.
 enum class ScalarKind { truth, nat, integer, real, enumeration };
 
 /// A part of a value of the model that a message carries: "a0.x", "value.position.x".
 struct Scalar {
     ScalarKind kind = ScalarKind::real;
     ir::TypeId type;
-    std::string place;    ///< C++, from the value's root on
-    std::string reading;  ///< for people: "speed", "value.x"
+    std::string place;    ///< C++ expression relative to the value's root
+    std::string reading;  ///< for messages of the generator: "speed", "value.x"
 };
 
-/// A field that is filled: with a scalar or with a literal.
+/// A field that is filled with a scalar or a literal.
 struct Filled {
-    std::string field;  ///< C++, below the message: "linear.x"
+    std::string field;  ///< C++ path in the message: "linear.x"
     std::optional<Scalar> scalar;
-    std::string literal;  ///< C++
-    bool now = false;     ///< the time of the cycle
+    std::string literal;  ///< C++ text
+    bool now = false;     ///< filled with the time of the cycle
 };
 
-/// What is published: an operation, a sent event or a shared variable.
+/// A published element: an operation, a sent event or a shared variable.
 struct Outgoing {
     ElementKind kind = ElementKind::operation;
-    std::string name;  ///< in the model
+    std::string name;  ///< name in the model
     const ApiOperation* operation = nullptr;
     const ApiEvent* event = nullptr;
     const ApiVariable* variable = nullptr;
     std::size_t topic = 0;
     std::vector<Filled> fields;
     bool array = false;   ///< several numbers in the `data` of a Float64MultiArray
-    bool mapped = false;  ///< by the mapping, else on a topic of its own
+    bool mapped = false;  ///< the mapping contains it; otherwise it has a separate topic
 };
 
 struct Taken {
@@ -67,7 +67,7 @@ struct Taken {
     Scalar scalar;
 };
 
-/// What is received: an event or a shared variable.
+/// A received element: an event or a shared variable.
 struct Incoming {
     std::string name;
     const ApiEvent* event = nullptr;
@@ -89,12 +89,12 @@ struct NodePlan {
     std::vector<Outgoing> outgoing;
     std::vector<Incoming> incoming;
     std::vector<StateTopic> states;
-    std::vector<std::string> packages;  ///< of messages, parameters' too, sorted
+    std::vector<std::string> packages;  ///< packages of messages, including those of parameters, sorted
 
-    [[nodiscard]] bool stamped() const;  ///< some field has the time of the cycle
+    [[nodiscard]] bool stamped() const;  ///< Whether some field contains the time of the cycle.
 };
 
-/// Binds Options::mapping, if there is one; what does not fit is reported, and what has no message.
+/// Binds Options::mapping, if there is one. Reports items that do not fit, and elements without a message.
 [[nodiscard]] NodePlan plan_node(const Generation&, const ClassApi&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -131,7 +131,7 @@ private:
         return path;
     }
 
-    /// Fields of messages go into generated code.
+    /// Names of fields are written to generated code.
     void check_fields(const Path& path) {
         for (const Word& word : path.words) valid("field", word, wrong_field(word.text));
     }

@@ -1,4 +1,4 @@
-// From the text of a mapping to the mapping.
+// Parses mappings.
 #pragma once
 
 #include "cpp_emit/ros2/mapping.hpp"
@@ -7,8 +7,8 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Reads a mapping and checks everything that needs no model: every name in it is a name of ROS. Wrong text becomes
-/// diagnostics.
+/// Parses a mapping and checks everything that does not need the model: every name in it is a valid ROS name. Reports
+/// errors as diagnostics.
 [[nodiscard]] Mapping read_mapping(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -30,14 +30,14 @@ std::string wrong_small_name(std::string_view name) {
     return "";
 }
 
-/// Topics of ROS itself; a node that publishes there disturbs others.
+/// Whether it is a topic of ROS itself, which a node must not publish on.
 bool of_ros(std::string_view topic) {
     static constexpr std::array names = {"rosout", "parameter_events", "clock", "~/transition_event"};
     if (topic.starts_with('/')) topic.remove_prefix(1);
     return std::find(names.begin(), names.end(), topic) != names.end();
 }
 
-constexpr std::size_t longest_name = 200;  // RMW: 247 for the whole topic, of which the namespace is a part
+constexpr std::size_t longest_name = 200;  // RMW: 247 for the whole topic, including the namespace
 
 }  // namespace
 
@@ -91,7 +91,7 @@ std::string topic_part(std::string_view name) {
 }
 
 std::string header_of_message(std::string_view type) {
-    // Before a capital letter that a small one follows, then between a small letter or digit and a capital one.
+    // Splits before a capital letter that a small one follows, and between a small letter or digit and a capital one.
     std::string result;
     for (std::size_t i = 0; i < type.size(); ++i) {
         const bool word = is_large(type[i]) && i > 0 && i + 1 < type.size() && is_small(type[i + 1]);

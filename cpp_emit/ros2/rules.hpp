@@ -1,4 +1,4 @@
-// What can be wrong with a mapping to ROS 2 messages (docs/ros2.md).
+// Errors in a mapping to ROS 2 messages (docs/ros2.md).
 #pragma once
 
 #include <span>

@@ -1,8 +1,8 @@
-// Tests that follow what an implementation does, where its model leaves a choice (docs/conformance.md, "Test suites").
-// The model is a graph over control cycles: for each reading of the inputs what may be written, and where that leads.
-// The implementation is explored as in black box checking (Peled, Vardi, Yannakakis 1999): its states are distinguished
-// by what they answer, and what it does is compared with the model at every step; what the model does not have there is
-// a forbidden continuation (Cavalcanti, Gaudel 2007). Ships with generated tests. Copyright: see LICENSE (Apache-2.0).
+// Tests that adapt to an implementation if its model leaves choices (docs/conformance.md, "Test suites"). The model is
+// a graph over control cycles: for each reading of the inputs, the allowed outputs and their successors. The
+// implementation is explored as in black box checking (Peled, Vardi, Yannakakis 1999): its states are distinguished by
+// their answers, and every step is compared with the model; a step that the model does not have is a forbidden
+// continuation (Cavalcanti, Gaudel 2007). Delivered with generated tests. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_ADAPTIVE_HPP
 #define ROBOCHART_ADAPTIVE_HPP
 
@@ -18,7 +18,7 @@
 
 namespace robochart {
 
-/// What a model allows, cycle by cycle.
+/// The behaviour that a model allows, cycle by cycle.
 class AllowedCycles {
 public:
     using Words = std::vector<std::string>;
@@ -27,7 +27,7 @@ public:
         long target = -1;  ///< -1: terminated
     };
 
-    /// Reads `C.graph`; false if it is none.
+    /// Reads `C.graph`; false if the text is not a valid graph.
     [[nodiscard]] bool read(std::istream& in) {
         std::string line;
         for (std::size_t state = 0; std::getline(in, line);) {
@@ -59,8 +59,8 @@ public:
     }
 
     std::vector<Words> inputs;                             ///< by symbol
-    std::vector<std::vector<std::vector<Branch>>> states;  ///< [state][symbol]; 0 is the beginning
-    std::size_t extra = 0;                                 ///< states beyond those found that are tested for
+    std::vector<std::vector<std::vector<Branch>>> states;  ///< [state][symbol]; 0 is the initial state
+    std::size_t extra = 0;                                 ///< number of states beyond those found for which is tested
 
 private:
     static Words rest(std::istream& words) {
@@ -95,19 +95,20 @@ inline bool same_words(const std::vector<std::string>& a, const std::vector<std:
 struct AdaptiveVerdict {
     enum class Kind { passed, failed, inconclusive };
     Kind kind = Kind::passed;
-    std::string reason;      ///< failed: the run and what was allowed; inconclusive: why
-    std::size_t states = 0;  ///< of the implementation, distinguished
-    std::size_t cycles = 0;  ///< of it that were run
+    std::string reason;      ///< failed: the run and the allowed continuations; inconclusive: why
+    std::size_t states = 0;  ///< number of distinguished states of the implementation
+    std::size_t cycles = 0;  ///< number of executed cycles of the implementation
 };
 
-/// Implementation has `reset()` and `cycle(inputs)`, which answers what was done, "terminate" at its end.
+/// Implementation has `reset()` and `cycle(inputs)`, which returns the outputs, "terminate" at its end.
 template <class Implementation>
 class AdaptiveTest {
 public:
     AdaptiveTest(const AllowedCycles& model, Implementation& implementation, std::size_t most_cycles)
         : model_(model), implementation_(implementation), most_(most_cycles) {
         nodes_.emplace_back();
-        // Suffixes that tell states apart; more come as they are needed. Of many symbols some will do to begin with.
+        // Suffixes that distinguish states; more are added when needed. If there are many symbols, it starts with a
+        // selection.
         const std::size_t step = 1 + (model.inputs.size() - 1) / 32;
         for (std::size_t symbol = 0; symbol < model.inputs.size(); symbol += step) suffixes_.push_back({symbol});
     }
@@ -125,14 +126,14 @@ private:
     using Word = std::vector<std::size_t>;
     static constexpr std::size_t over = static_cast<std::size_t>(-1);
 
-    /// After a word: what the last cycle did, where the model may be.
+    /// After a word: the outputs of the last cycle, and the possible states of the model.
     struct Node {
         std::size_t answer = 0;
         std::size_t model = 0;
         bool ended = false;
         std::map<std::size_t, std::size_t> next;  ///< by symbol
     };
-    /// What the hypothesis does.
+    /// A step of the hypothesis.
     struct Step {
         std::size_t answer;
         std::size_t target;
@@ -162,7 +163,7 @@ private:
         return text;
     }
 
-    /// The node behind one more symbol; the implementation stands before it.
+    /// The node after one more symbol; the implementation is in the state before it.
     std::size_t make(std::size_t from, const Word& word, std::size_t at, const AllowedCycles::Words& done) {
         Node node;
         node.answer = answer_of(done);
@@ -184,7 +185,7 @@ private:
         return nodes_.size() - 1;
     }
 
-    /// Whether all of the word's answers are known; else the implementation is asked.
+    /// Returns the word's answers; queries the implementation if some are not known.
     std::vector<std::size_t> ask(const Word& word) {
         std::vector<std::size_t> result;
         if (!known(word, result) && going()) drive(word);
@@ -235,7 +236,7 @@ private:
         return word;
     }
 
-    /// What the state behind a word answers to all suffixes.
+    /// The answers of the state after a word to all suffixes.
     std::vector<std::size_t> row(const Word& word) {
         std::vector<std::size_t> all;
         for (const Word& suffix : suffixes_) {
@@ -246,7 +247,7 @@ private:
         return all;
     }
 
-    /// Words to all states that can be distinguished, and the hypothesis over them. False: stopped.
+    /// Finds words to all states that can be distinguished, and builds the hypothesis from them. False: stopped.
     bool close() {
         std::map<std::vector<std::size_t>, std::size_t> rows;
         states_.assign(1, Word{});
@@ -265,8 +266,8 @@ private:
         return going();
     }
 
-    /// Chow 1978: all states, all words of at most so many symbols, all suffixes. What the hypothesis says otherwise
-    /// gives a suffix that tells two of its states apart (Rivest, Schapire 1993). False: begin again, or stopped.
+    /// Chow 1978: all states, all words of at most `depth` symbols, all suffixes. A difference from the hypothesis
+    /// gives a suffix that distinguishes two of its states (Rivest, Schapire 1993). False: start again, or stopped.
     bool agree(std::size_t depth) {
         std::deque<Word> words{{}};
         for (; !words.empty() && going(); words.pop_front()) {
@@ -294,8 +295,8 @@ private:
         return going();
     }
 
-    /// The hypothesis beside the model: wherever the two can be together, what is done is allowed. False: begin again,
-    /// or stopped.
+    /// The product of hypothesis and model: every step of the hypothesis is allowed in all reachable pairs. False:
+    /// start again, or stopped.
     bool within() {
         std::map<std::pair<std::size_t, std::size_t>, Word> seen{{{0, 0}, {}}};
         std::deque<std::pair<std::size_t, std::size_t>> open{{0, 0}};
@@ -318,7 +319,8 @@ private:
         return at;
     }
 
-    /// Where the word, begun from the hypothesis' state instead of its own, stops to be answered as it is.
+    /// Finds the place in the word at which the answers from the hypothesis' state begin to differ from those from its
+    /// own.
     void learn(const Word& word) {
         const std::size_t last = ask(word).back();
         std::size_t state = 0;

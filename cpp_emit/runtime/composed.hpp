@@ -1,4 +1,4 @@
-// Sequences and sets as values of fixed size: no heap, equal values have equal bytes. Ships with the generated
+// Sequences and sets as values of fixed size: no heap, equal values have equal bytes. Delivered with the generated
 // code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_COMPOSED_HPP
 #define ROBOCHART_COMPOSED_HPP
@@ -9,11 +9,11 @@
 
 namespace robochart {
 
-/// A count as wide as what it counts, so that there is no padding.
+/// A counter as wide as the items, so that there is no padding.
 template <class T>
 using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t, std::uint8_t>;
 
-/// Item by item; what ends first goes first.
+/// Lexicographic order; a prefix comes first.
 template <class T>
 constexpr bool ordered_before(const T* a, std::size_t count_a, const T* b, std::size_t count_b) noexcept {
     for (std::size_t i = 0; i < count_a && i < count_b; ++i)
@@ -21,7 +21,7 @@ constexpr bool ordered_before(const T* a, std::size_t count_a, const T* b, std::
     return count_a < count_b;
 }
 
-/// A sequence of at most `capacity` items; what does not fit is dropped.
+/// A sequence of at most `capacity` items; further items are dropped.
 template <class T, std::size_t capacity>
 class Sequence {
 public:
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
     [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
     [[nodiscard]] constexpr const T* end() const noexcept { return item_ + size(); }
-    /// Counted from 1, as in the model; outside of the sequence: a value as constructed.
+    /// Counted from 1, as in the model; outside the sequence: a default-constructed value.
     [[nodiscard]] constexpr T at(std::int64_t place) const noexcept { return has(place) ? item_[place - 1] : T{}; }
     constexpr void put(std::int64_t place, T item) noexcept {
         if (has(place)) item_[place - 1] = item;
@@ -70,7 +70,7 @@ private:
     Count<T> count_ = 0;
 };
 
-/// A set of at most `capacity` members, kept in order.
+/// A set of at most `capacity` elements, sorted.
 template <class T, std::size_t capacity>
 class Set {
 public:

@@ -1,7 +1,7 @@
-// What a console program picks where the model leaves a choice: the words of the cycle say it, a person is asked, or a
-// record of an earlier run is repeated. A record is text: the words of each cycle in a line, with what was picked of
-// how many. Ships with generated code that asks (`emit cpp --choices`, probabilistic junctions). Copyright: see LICENSE
-// (Apache-2.0).
+// How a console program decides choices that the model leaves open: by the words of the cycle, by asking the user, or
+// by repeating a record of an earlier run. A record is text: one line for each cycle, with its words and its choices
+// with the number of alternatives. Delivered with generated code that asks (`emit cpp --choices`, probabilistic
+// junctions). Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_CONSOLE_CHOICES_HPP
 #define ROBOCHART_CONSOLE_CHOICES_HPP
 
@@ -16,11 +16,11 @@ namespace robochart {
 
 class ConsoleChoices {
 public:
-    /// `word` is what answers begin with: "pick" for `pick=2`, which is counted from 0.
+    /// `word` is the beginning of answers: "pick" for `pick=2`, which is counted from 0.
     ConsoleChoices(std::string controller, const std::string& word)
         : controller_(std::move(controller)), prefix_(word + "=") {}
 
-    /// From now on somebody is asked where the words do not answer; else it is the first.
+    /// From now on the user is asked if the words contain no answer; without this call the first alternative is taken.
     void ask() { asks_ = true; }
 
     /// Begins a record; false if the file cannot be written.
@@ -32,7 +32,7 @@ public:
     }
     [[nodiscard]] bool recorded() const { return !recording_ || record_.good(); }
 
-    /// Begins to repeat a record. What is wrong with it: fault().
+    /// Starts to repeat a record. Errors in it are reported by fault().
     void replay(const std::string& path) {
         path_ = path;
         replayed_.open(path);
@@ -52,15 +52,15 @@ public:
         while (line.rfind("//", 0) == 0);
         return true;
     }
-    /// The run is over: so must be the record.
+    /// Called at the end of the run, which must be the end of the record too.
     void finish() {
         std::string line;
         if (replaying_ && next(line)) fail("the controller has ended, the record goes on");
     }
-    /// "FILE:LINE: what is wrong"; empty where all is well.
+    /// "FILE:LINE: error"; empty if there is none.
     [[nodiscard]] const std::string& fault() const { return fault_; }
 
-    /// Takes an answer for this cycle, `pick=2` or `pick=2/3`; false if the word is none.
+    /// Takes an answer for this cycle, `pick=2` or `pick=2/3`; false if the word is not an answer.
     [[nodiscard]] bool take(const std::string& word) {
         if (word.rfind(prefix_, 0) != 0) return false;
         Answer answer;
@@ -73,29 +73,29 @@ public:
             refuse("not a choice: " + word);
         return true;
     }
-    /// A word raised an input.
+    /// Called for a word that raised an input.
     void raised(const std::string& word) { words_ += (words_.empty() ? "" : " ") + word; }
-    /// A word is invalid: reported, or the end of the repeated run.
+    /// Called for an invalid word: prints the error, or ends the repeated run.
     void refuse(const std::string& told) {
         if (replaying_) return fail(told);
         std::cerr << told << '\n';
     }
 
-    /// The answer where `count` are possible.
+    /// Returns the answer to a choice between `count` alternatives.
     std::size_t pick(std::size_t count) {
         const std::size_t picked = next_ < answers_.size() ? answered(answers_[next_++], count) : unanswered(count);
         std::cout << "  picks " << picked << " of " << range(count) << '\n';
         raised(prefix_ + std::to_string(picked) + "/" + std::to_string(count));
         return picked;
     }
-    /// The same where alternatives are drawn by their chances: those without one are not offered.
+    /// The same if alternatives are drawn by their probabilities: those with probability zero are not offered.
     std::size_t choose(const double* chances, std::size_t count) {
         std::vector<std::size_t> ways;
         for (std::size_t way = 0; way < count; ++way)
             if (chances[way] > 0.0) ways.push_back(way);
         return ways.empty() ? 0 : ways.size() == 1 ? ways[0] : ways[pick(ways.size())];
     }
-    /// The cycle is over.
+    /// Called at the end of a cycle.
     void end() {
         for (; next_ < answers_.size() && fault_.empty(); ++next_)
             refuse("nothing to choose: " + prefix_ + std::to_string(answers_[next_].picked));
@@ -108,7 +108,7 @@ public:
 private:
     struct Answer {
         std::size_t picked = 0;
-        std::size_t count = 0;  ///< of how many; 0: not said
+        std::size_t count = 0;  ///< number of alternatives; 0: not given
     };
 
     std::size_t answered(const Answer& answer, std::size_t count) {
@@ -144,7 +144,7 @@ private:
         ++line_;
         return static_cast<bool>(std::getline(replayed_, line));
     }
-    /// The first fault is reported.
+    /// Stores the first error.
     void fail(const std::string& what, bool with_line = true) {
         if (!fault_.empty()) return;
         fault_ = path_ + (with_line ? ":" + std::to_string(line_) : "") + ": " + what;
@@ -152,9 +152,9 @@ private:
 
     std::string controller_, prefix_;
     bool asks_ = false;
-    std::vector<Answer> answers_;  ///< of this cycle
+    std::vector<Answer> answers_;  ///< answers in this cycle
     std::size_t next_ = 0;
-    std::string words_;  ///< of this cycle, for the record
+    std::string words_;  ///< words of this cycle, for the record
     bool recording_ = false;
     std::ofstream record_;
     bool replaying_ = false;

@@ -1,6 +1,5 @@
-// Values as a console program shows and reads them: numbers as usual, declared types and values with parts in the words
-// of logs (robochart/trace.hpp): Red, (0.5,true), <1,2>. Ships with generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// How a console program prints and reads values: numbers as usual, declared types and values with parts as in logs
+// (robochart/trace.hpp): Red, (0.5,true), <1,2>. Delivered with generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_CONSOLE_VALUES_HPP
 #define ROBOCHART_CONSOLE_VALUES_HPP
 
@@ -15,7 +14,7 @@
 
 namespace robochart {
 
-/// Stores the values it is given.
+/// Stores the values that it receives.
 class WordTracer final : public Tracer {
 public:
     void text(const char* piece) noexcept override { said += piece; }
@@ -46,13 +45,13 @@ public:
         if (found) ++at_;
         return found;
     }
-    /// Up to what parts values, or the end.
+    /// The text up to a character that separates values, or the end.
     [[nodiscard]] std::string_view word() {
         const std::size_t begin = at_;
         while (at_ < text_.size() && std::string_view(",()<>{}\"").find(text_[at_]) == std::string_view::npos) ++at_;
         return text_.substr(begin, at_ - begin);
     }
-    /// A character of a string in quotes, or what `\` and three octal digits stand for; -1 at its end.
+    /// A character of a quoted string, or the one that `\` and three octal digits encode; -1 at its end.
     [[nodiscard]] int character() {
         if (at_ >= text_.size() || text_[at_] == '"') return -1;
         const int first = digit(1), second = digit(2), third = digit(3);
@@ -78,7 +77,7 @@ bool read_part(Words& in, T& value) {
     return static_cast<bool>(input >> std::boolalpha >> value) && (input >> std::ws).eof();
 }
 
-/// `add` reads and keeps one item.
+/// `add` reads one item and stores it.
 template <class Add>
 bool read_list(Words& in, char open, char close, const Add& add) {
     if (!in.take(open)) return false;
@@ -108,7 +107,7 @@ bool read_part(Words& in, Set<T, capacity>& value) {
     });
 }
 
-/// One alone stands without brackets.
+/// A single item has no parentheses.
 template <class Item>
 bool read_row(Words& in, std::size_t count, const Item& item) {
     if (count > 1 && !in.take('(')) return false;
@@ -140,7 +139,7 @@ bool read_part(Words& in, String<longest>& value) {
     return text.size() <= longest && in.take('"');
 }
 
-/// The whole text is one value; else false, and `value` is as it was.
+/// Returns true if the whole text is one value; otherwise false, and `value` is unchanged.
 template <class T>
 [[maybe_unused]] bool read_value(const std::string& text, T& value) {
     Words in(text);

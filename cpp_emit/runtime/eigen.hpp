@@ -1,6 +1,6 @@
-// Vectors and matrices of the model as Eigen's fixed-size types and back, without copies where they are only looked at.
-// Include it where the robot's code computes with Eigen 3.4 (Debian: libeigen3-dev); nothing else needs Eigen.
-// Ships with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Vectors and matrices of the model as Eigen's fixed-size types and back, without copies for read access. Include it if
+// the robot's code computes with Eigen 3.4 (Debian: libeigen3-dev); nothing else needs Eigen. Delivered with the
+// generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_EIGEN_HPP
 #define ROBOCHART_EIGEN_HPP
 
@@ -10,13 +10,14 @@
 
 namespace robochart {
 
-/// Eigen::Matrix<T, rows, columns>; entries of the model are stored row after row, which a column vector is anyway.
+/// Eigen::Matrix<T, rows, columns>. Entries in the model are stored in row-major order, which for a column vector makes
+/// no difference.
 template <class Block>
 using EigenType =
     Eigen::Matrix<typename Block::value_type, static_cast<int>(Block::rows), static_cast<int>(Block::columns),
                   Block::columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
-/// The entries seen as an Eigen object: what is changed there is changed here.
+/// The entries as an Eigen object that refers to the same memory.
 template <class Block, std::enable_if_t<is_block<Block>, int> = 0>
 [[nodiscard]] Eigen::Map<EigenType<Block>> as_eigen(Block& block) noexcept {
     return Eigen::Map<EigenType<Block>>(block.data());

@@ -1,5 +1,5 @@
-// Helpers of the generated exploration interface (explore_abi.h): values as numbers, states as text.
-// Ships with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Helpers of the generated exploration interface (explore_abi.h): values as numbers, states as text. Delivered with the
+// generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_EXPLORE_HPP
 #define ROBOCHART_EXPLORE_HPP
 
@@ -14,7 +14,7 @@
 
 namespace robochart {
 
-/// Whether an ascending list has the value.
+/// Whether an ascending list contains the value.
 template <std::size_t size>
 constexpr bool listed(const std::int64_t (&values)[size], std::int64_t value) noexcept {
     std::size_t low = 0;
@@ -39,7 +39,7 @@ constexpr std::int64_t to_raw(T value) noexcept {
     }
 }
 
-/// The number of a composed value: its place in the list of all, -1 if it is none of them.
+/// The number of a composed value: its index in the list of all values; -1 if it is not in the list.
 template <class T, std::size_t size>
 constexpr std::int64_t place_in(const T (&values)[size], const T& value) noexcept {
     for (std::size_t i = 0; i < size; ++i)
@@ -74,14 +74,14 @@ inline rc_result to_abi(StepResult result) noexcept {
     return RC_QUIESCENT;
 }
 
-/// Nothing written, nothing asked; the answers given stay.
+/// Clears outputs and questions; the given answers stay.
 inline void clear(rc_log& log) noexcept {
     log.count = 0;
     log.overflow = 0;
     log.asked = 0;
 }
 
-/// Appends a record; beyond the log's end only the overflow is noted.
+/// Appends a record; if the log is full, only the overflow is noted.
 template <class... Values>
 void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept {
     static_assert(sizeof...(Values) <= ROBOCHART_MAX_ARGUMENTS);
@@ -95,7 +95,7 @@ void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept 
     log.record[log.count++] = record;
 }
 
-/// The alternative that the explorer wants; beyond the log's end only the overflow is noted.
+/// The alternative that the explorer has chosen; if the log is full, only the overflow is noted.
 inline std::size_t recorded_way(rc_log& log, std::size_t count) noexcept {
     if (log.asked == ROBOCHART_MAX_CHOICES) {
         log.overflow |= ROBOCHART_OVERFLOW_CHOICES;
@@ -106,7 +106,7 @@ inline std::size_t recorded_way(rc_log& log, std::size_t count) noexcept {
     return place < log.given ? log.choice[place] : 0;
 }
 
-/// Text in a buffer of fixed size, cut where it ends.
+/// Text in a buffer of fixed size, truncated at its end.
 class Text {
 public:
     Text(char* buffer, std::size_t size) noexcept : buffer_(buffer), size_(size) {
@@ -129,7 +129,7 @@ public:
         while (digits[last_] == '0') digits[last_--] = '\0';
         add(digits);
     }
-    /// `name=` with a blank before all but the first.
+    /// Appends `prefix` and `name` followed by `=`, after a blank except for the first item.
     void item(const char* prefix, const char* name) noexcept {
         if (used_ > 0) add(" ");
         add(prefix);

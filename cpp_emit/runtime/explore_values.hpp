@@ -1,6 +1,6 @@
-// States of the exploration as text: values with parts, in the words of logs (trace.hpp). Included before the trace
-// header of the controller, whose functions call those declared here. Ships with the generated code. Copyright: see
-// LICENSE (Apache-2.0).
+// States of the exploration as text: values with parts, as in logs (trace.hpp). Included before the trace header of the
+// controller, whose functions call those declared here. Delivered with the generated code. Copyright: see LICENSE
+// (Apache-2.0).
 #ifndef ROBOCHART_EXPLORE_VALUES_HPP
 #define ROBOCHART_EXPLORE_VALUES_HPP
 
@@ -10,7 +10,7 @@
 
 namespace robochart {
 
-/// Numbers over finite carriers are whole numbers of units.
+/// Numbers over finite carriers are integers that count units.
 template <class Carrier>
 void log_value(Tracer& tracer, Finite<Carrier> value) noexcept {
     char digits[64];
@@ -19,7 +19,7 @@ void log_value(Tracer& tracer, Finite<Carrier> value) noexcept {
     tracer.text(digits);
 }
 
-/// The words of a log, in a text.
+/// Writes log text to a Text.
 class TextTracer final : public Tracer {
 public:
     explicit TextTracer(Text& text) noexcept : text_(text) {}

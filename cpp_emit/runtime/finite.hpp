@@ -1,7 +1,7 @@
-// Numbers over finite carriers: the types under which the generated code is explored and checked. Arithmetic is that
-// of the model's semantics: reals are whole numbers of units 1/scale; a result outside the carrier is replaced by the
-// first operand; quotients and products of reals are rounded down. Ships with the generated code.
-// Copyright: see LICENSE (Apache-2.0).
+// Numbers over finite carriers: the types with which the generated code is explored and checked. Arithmetic is that of
+// the model's semantics: reals are integers in units of 1/scale; a result outside the carrier is replaced by the first
+// operand; quotients and products of reals are rounded down. Delivered with the generated code. Copyright: see LICENSE
+// (Apache-2.0).
 #ifndef ROBOCHART_FINITE_HPP
 #define ROBOCHART_FINITE_HPP
 
@@ -26,7 +26,7 @@ public:
     explicit constexpr Finite(T value) noexcept : raw_(static_cast<std::int64_t>(value) * Carrier::scale) {}
     explicit constexpr Finite(double value) noexcept
         : raw_(static_cast<std::int64_t>(value * static_cast<double>(Carrier::scale) + (value < 0.0 ? -0.5 : 0.5))) {}
-    /// Changes the unit; rounds down where the new one is coarser.
+    /// Converts the unit; rounds down if the new one is coarser.
     template <class Other>
     explicit constexpr Finite(Finite<Other> other) noexcept
         : raw_(static_cast<std::int64_t>(
@@ -41,7 +41,7 @@ public:
     explicit constexpr operator double() const noexcept {
         return static_cast<double>(raw_) / static_cast<double>(Carrier::scale);
     }
-    /// The carrier has it.
+    /// Whether the carrier contains the value.
     [[nodiscard]] constexpr bool carried() const noexcept { return Carrier::contains(raw_); }
 
     friend constexpr bool operator==(Finite a, Finite b) noexcept { return a.raw_ == b.raw_; }
@@ -57,7 +57,7 @@ public:
         return a.clipped(floor_quotient(WideInteger{a.raw_} * b.raw_, Carrier::scale));
     }
     friend constexpr Finite operator-(Finite a) noexcept { return a.clipped(-WideInteger{a.raw_}); }
-    /// Under the names by which generated code computes with whole numbers (runtime.hpp).
+    /// The names with which generated code computes with whole numbers (runtime.hpp).
     friend constexpr Finite plus(Finite a, Finite b) noexcept { return a + b; }
     friend constexpr Finite minus(Finite a, Finite b) noexcept { return a - b; }
     friend constexpr Finite times(Finite a, Finite b) noexcept { return a * b; }
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// The exact result if the carrier has it, else this value.
+    /// The exact result if the carrier contains it, otherwise this value.
     [[nodiscard]] constexpr Finite clipped(WideInteger exact) const noexcept {
         const bool fits = exact >= INT64_MIN && exact <= INT64_MAX;
         return fits && Carrier::contains(static_cast<std::int64_t>(exact)) ? from_raw(static_cast<std::int64_t>(exact))

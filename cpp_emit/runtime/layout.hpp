@@ -1,5 +1,5 @@
-// The layout of a generated State as data: for printing, hashing, logs and tools. Ships with the generated code; the
-// controller does not need it. Copyright: see LICENSE (Apache-2.0).
+// The layout of a generated State as data: for printing, hashing, logs and tools. Delivered with the generated code;
+// the controller does not need it. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_LAYOUT_HPP
 #define ROBOCHART_LAYOUT_HPP
 
@@ -11,7 +11,7 @@
 
 namespace robochart {
 
-/// How the bytes of a field are read.
+/// How the bytes of a field are interpreted.
 enum class FieldKind : std::uint8_t {
     boolean,
     enumeration,
@@ -27,7 +27,7 @@ struct Field {
     std::size_t offset;
     std::size_t size;
     FieldKind kind;
-    std::int64_t low;  ///< of booleans, enumerations and whole numbers that fit: the least value of the type
+    std::int64_t low;  ///< for booleans, enumerations and whole numbers that fit: the least value of the type
     std::int64_t high;
 };
 
@@ -60,7 +60,7 @@ constexpr Field filler(std::size_t offset, std::size_t size) noexcept {
     return Field{"", offset, size, FieldKind::filler, 0, 0};
 }
 
-/// Every byte of a state belongs to exactly one field: there is no padding.
+/// Whether every byte of a state belongs to exactly one field, so that there is no padding.
 template <std::size_t N>
 constexpr bool covers(const Field (&fields)[N], std::size_t size) noexcept {
     std::size_t sum = 0;
@@ -79,7 +79,7 @@ inline std::int64_t whole_value(const Field& field, const void* state) noexcept 
     const auto* const at = static_cast<const unsigned char*>(state) + field.offset;
     std::uint64_t bits = 0;
     std::memcpy(&bits, at, field.size < sizeof bits ? field.size : sizeof bits);
-    // Bytes above the value are the sign's.
+    // The bytes above the value are filled with its sign.
     if (field.low < 0 && field.size < 8 && (bits >> (8 * field.size - 1)) != 0)
         bits |= ~std::uint64_t{0} << (8 * field.size);
     return static_cast<std::int64_t>(bits);

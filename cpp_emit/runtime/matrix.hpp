@@ -1,6 +1,6 @@
 // Vectors and matrices of fixed size: trivially copyable, equal values have equal bytes, the arithmetic of the model
-// (entry by entry; products row times column, sums from the left). Ships with the generated code; robochart/eigen.hpp
-// shows them as Eigen's fixed-size types. Copyright: see LICENSE (Apache-2.0).
+// (entry by entry; products row times column, sums from the left). Delivered with the generated code;
+// robochart/eigen.hpp converts them to Eigen's fixed-size types. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_MATRIX_HPP
 #define ROBOCHART_MATRIX_HPP
 
@@ -14,7 +14,7 @@ namespace robochart {
 
 namespace detail {
 
-/// What vectors and matrices have in common: `entries` numbers in a row, row after row.
+/// The common part of vectors and matrices: `entries` numbers in row-major order.
 template <class T, std::size_t entries>
 struct Block {
     T entry_[entries]{};
@@ -53,7 +53,7 @@ struct Vector : detail::Block<T, length> {
         ((result.entry_[place++] = T(items)), ...);
         return result;
     }
-    /// Outside of the vector: a value as constructed.
+    /// Outside the vector: a default-constructed value.
     [[nodiscard]] constexpr T at(std::int64_t place) const noexcept {
         return detail::within(place, length) ? this->entry_[place - 1] : T{};
     }
@@ -118,7 +118,7 @@ constexpr B operator-(B a) noexcept {
     for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = negative(a.entry_[i]);
     return a;
 }
-/// Every entry times a number, the operands in the order written.
+/// Multiplies every entry by a number, with the operands in the order written.
 template <class B, std::enable_if_t<is_block<B>, int> = 0>
 constexpr B operator*(B a, typename B::value_type factor) noexcept {
     for (std::size_t i = 0; i < B::rows * B::columns; ++i) a.entry_[i] = times(a.entry_[i], factor);
@@ -130,7 +130,7 @@ constexpr B operator*(typename B::value_type factor, B a) noexcept {
     return a;
 }
 
-/// Rows times columns.
+/// Matrix product: rows times columns.
 template <class Result, class A, class B>
 constexpr Result product(const A& a, const B& b) noexcept {
     static_assert(A::columns == B::rows && Result::rows == A::rows && Result::columns == B::columns);
@@ -145,7 +145,7 @@ constexpr Result product(const A& a, const B& b) noexcept {
     }
     return result;
 }
-/// Of two vectors.
+/// Dot product.
 template <class T, std::size_t length>
 constexpr T dot(const Vector<T, length>& a, const Vector<T, length>& b) noexcept {
     T sum = times(a.entry_[0], b.entry_[0]);

@@ -1,6 +1,6 @@
-// A monitor beside a controller: follows what it reads and does in the normal form of its model, and says at the first
-// event that the model does not allow. State number and dense tables; no heap, no exceptions. Ships with generated
-// monitors. Copyright: see LICENSE (Apache-2.0).
+// A runtime monitor for a controller: follows its inputs and outputs in the normal form of its model, and reports the
+// first event that the model does not allow. State number and dense tables; no heap, no exceptions. Delivered with
+// generated monitors. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_MONITOR_HPP
 #define ROBOCHART_MONITOR_HPP
 
@@ -15,23 +15,23 @@ struct MonitorValues {
     std::uint32_t count;
     std::int64_t scale;
     bool consecutive;  ///< value[i] is value[0] + i
-    bool passed_on;    ///< others may stand for values outside: the model only passes them on
+    bool passed_on;    ///< one of them may represent values outside: the model only passes them on
 };
 
 /// An input or output.
 struct MonitorChannel {
-    const char* name;             ///< in the model: "seeRobot", "MoveForward"
-    const char* element;          ///< with file and line
-    const MonitorValues* values;  ///< of each argument
+    const char* name;             ///< name in the model: "seeRobot", "MoveForward"
+    const char* element;          ///< element with file and line
+    const MonitorValues* values;  ///< values of each argument
     std::uint32_t arguments;
-    /// Columns of the table. Inputs: absent, then present with each value. Outputs: by the places of the arguments'
-    /// values, the last one fastest.
+    /// Columns of the table. Inputs: absent, then present with each value. Outputs: by the indices of the arguments'
+    /// values; the last argument varies fastest.
     const std::uint16_t* column;
 };
 
 struct MonitorTables {
     const char* component;
-    std::uint32_t cycle_length;  ///< tocks of a cycle
+    std::uint32_t cycle_length;  ///< number of tocks in a cycle
     std::uint32_t states;
     std::uint32_t columns;
     const std::uint16_t* next;  ///< [state * columns + column]
@@ -39,19 +39,19 @@ struct MonitorTables {
     const MonitorChannel* input;
     std::uint32_t outputs;
     const MonitorChannel* output;
-    std::uint16_t tock;  ///< column
+    std::uint16_t tock;  ///< column of tock
     std::uint16_t tick;
-    const char* const* where;  ///< of states in which cycles begin: the elements the model may be in; else null
+    const char* const* where;  ///< for states in which cycles begin: the possible elements of the model; otherwise null
 };
 
 enum class MonitorVerdict : std::uint8_t {
-    allowed,   ///< all that was seen is a run of the model
-    violated,  ///< the last event seen is not
-    unknown,   ///< a value outside the finite instantiation, on which the model depends: nothing is known from here on
+    allowed,   ///< all observed events are a run of the model
+    violated,  ///< the last observed event is not allowed
+    unknown,   ///< a value outside the finite instantiation on which the model depends: later events cannot be judged
 };
 
-/// Called in every cycle: with each input in the order of the table, the writes in their order, then the time units. A
-/// value of a few bytes.
+/// Called in every cycle: with each input in the order of the table, the writes in their order, then the time units.
+/// The monitor is a value of a few bytes.
 class Monitor {
 public:
     static constexpr std::uint16_t dead = 0xffff;
@@ -91,8 +91,8 @@ public:
         for (std::uint32_t t = 0; t < tables_->cycle_length; ++t) take(tables_->tock, 0, 't');
         if (verdict_ == MonitorVerdict::allowed) begun_ = state_;
     }
-    /// In place of all calls for a cycle: it is allowed, and the next begins in `state` (as it did when the same
-    /// was observed from the same state).
+    /// Replaces all calls for a cycle that is known to be allowed: the next cycle begins in `state` (as it did when the
+    /// same events were observed from the same state).
     constexpr void continue_at(std::uint16_t state) noexcept {
         state_ = state;
         begun_ = state;
@@ -101,25 +101,25 @@ public:
     constexpr void reset() noexcept { *this = Monitor(*tables_); }
 
     [[nodiscard]] constexpr MonitorVerdict verdict() const noexcept { return verdict_; }
-    /// violated: the name of what was read or written, or "the end of the cycle", "termination".
+    /// violated: the name of the input or output, or "the end of the cycle", "termination".
     [[nodiscard]] constexpr const char* event() const noexcept {
         if (kind_ == 'r') return tables_->input[channel_].name;
         if (kind_ == 'w') return tables_->output[channel_].name;
         return kind_ == 't' ? "the end of the cycle" : "termination";
     }
-    /// violated: the element of the model behind it, "" for time and termination.
+    /// violated: its element in the model, "" for time and termination.
     [[nodiscard]] constexpr const char* element() const noexcept {
         if (kind_ == 'r') return tables_->input[channel_].element;
         return kind_ == 'w' ? tables_->output[channel_].element : "";
     }
-    /// Where the model may have been when the cycle began: elements with file and line.
+    /// The possible elements of the model, with file and line, when the cycle began.
     [[nodiscard]] constexpr const char* where() const noexcept {
         return tables_->where[begun_] == nullptr ? "" : tables_->where[begun_];
     }
     [[nodiscard]] constexpr std::uint16_t state() const noexcept { return state_; }
 
-    /// Where a value is among those of an argument, or the one that stands for it; `no_place`: outside of the finite
-    /// instantiation.
+    /// The index of a value among those of an argument, or of the value that represents it; `no_place`: outside the
+    /// finite instantiation.
     static constexpr std::uint32_t no_place = 0xffffffffU;
     static constexpr std::uint32_t place_of(const MonitorValues& values, bool value) noexcept {
         return among(values, value ? 1 : 0, value ? 1U : 0U);
@@ -130,7 +130,7 @@ public:
         const std::int64_t most = 4000000000000000 / values.scale;
         return value < -most || value > most ? outside(values, bits) : among(values, value * values.scale, bits);
     }
-    /// A decimal of the model in binary floating point is off by less than 1e-9 of itself.
+    /// The relative error of a decimal of the model in binary floating point is less than 1e-9.
     static constexpr std::uint32_t place_of(const MonitorValues& values, double value) noexcept {
         const double scaled = value * static_cast<double>(values.scale);
         if (!(scaled > -9e15 && scaled < 9e15)) return outside(values, 1);
@@ -168,7 +168,7 @@ private:
 
     static constexpr std::uint32_t among(const MonitorValues& values, std::int64_t value, std::uint64_t bits) noexcept {
         if (values.consecutive) {
-            // Unsigned, so that values before the first are far behind the last.
+            // Unsigned, so that values before the first get an index far beyond the last.
             const std::uint64_t place = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(values.value[0]);
             return place < values.count ? static_cast<std::uint32_t>(place) : outside(values, bits);
         }

@@ -1,5 +1,5 @@
-// Duties of rules in SLEEC while something runs: what a trigger asks for, and what events and seconds do to it. No heap,
-// no exceptions. Ships with generated monitors of rules. Copyright: see LICENSE (Apache-2.0).
+// Obligations of rules in SLEEC at run time: the demands of a trigger, and the effect of events and seconds on them. No
+// heap, no exceptions. Delivered with generated monitors of rules. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_RULES_HPP
 #define ROBOCHART_RULES_HPP
 
@@ -8,33 +8,33 @@
 
 namespace robochart {
 
-/// The end of a window that has none.
+/// The end of a window without a limit.
 inline constexpr std::int64_t rule_forever = INT64_MAX;
-/// In place of an event: the end of a second.
+/// Used instead of an event: the end of a second.
 inline constexpr std::uint32_t rule_no_event = 0xffffffffU;
 
-/// What a response asks for: its event comes, or does not, `from` to `to` seconds behind the instant at which the
-/// response begins.
+/// A demand of a response: its event must happen, or must not happen, `from` to `to` seconds after the instant at which
+/// the response begins.
 struct RuleDemand {
     bool forbids;
     std::uint32_t event;
     std::int64_t from;
-    std::int64_t to;  ///< inclusive; rule_forever: without limit
+    std::int64_t to;  ///< inclusive; rule_forever: no limit
 };
 
-/// A rule as it is written.
+/// The text of a rule.
 struct RuleText {
     const char* name;
     const char* text;   ///< "when Go then Stop within 5 seconds"
     const char* place;  ///< "rules.sleec:11"
 };
 
-/// A duty that was broken.
+/// A violated obligation.
 struct RuleViolation {
-    std::uint32_t rule;   ///< its place in the file
+    std::uint32_t rule;   ///< index in the file
     std::int64_t began;   ///< second of its trigger
-    std::int64_t second;  ///< in which it was broken
-    std::uint32_t event;  ///< that broke it, or rule_no_event: the second ended without what it asks for
+    std::int64_t second;  ///< second of the violation
+    std::uint32_t event;  ///< the event that violated it, or rule_no_event: the second ended without the demanded event
 };
 
 /// Sums and products in conditions stay within these bounds.
@@ -53,8 +53,8 @@ constexpr std::int64_t rule_product(std::int64_t a, std::int64_t b) noexcept {
     return rule_bounded(result);
 }
 
-/// What a trigger asks for: one of `Demands` demands at most, those behind `otherwise` begin where the limit of those
-/// before ends. `Endings`: how many events may end it (`unless EVENT`).
+/// The obligation of a trigger: at most one of `Demands` demands is active; those after `otherwise` begin when the
+/// window of the previous one ends. `Endings`: the number of events that may end it (`unless EVENT`).
 template <std::size_t Demands, std::size_t Endings>
 class RuleDuty {
     static_assert(Demands > 0 && Demands <= 32);
@@ -66,7 +66,7 @@ public:
     constexpr RuleDuty(std::uint32_t rule, std::int64_t began) noexcept : rule_(rule), began_(began) {}
 
     constexpr void ended_by(std::uint32_t event) noexcept { ends_[endings_++] = event; }
-    /// The next alternative.
+    /// Adds the next alternative.
     constexpr void ask(const RuleDemand& demand) noexcept {
         const bool open = demand.to == rule_forever;
         const std::int64_t end = open ? rule_forever : next_ + demand.to;
@@ -76,7 +76,7 @@ public:
         if (!open) next_ += demand.to;
     }
 
-    /// An event behind the trigger, at the instant reached.
+    /// An event after the trigger, at the current instant.
     constexpr Effect event(std::uint32_t event) noexcept {
         for (std::size_t i = 0; i < endings_; ++i)
             if (ends_[i] == event) return Effect::fulfilled;
@@ -96,12 +96,13 @@ public:
         return fate();
     }
 
-    /// Both ask for the same, and no history fulfils one and not the other.
+    /// Whether both have the same demands, and no history fulfils one and not the other.
     constexpr bool same_as(const RuleDuty& other) const noexcept {
         return asks_as(other) && elapsed_ == other.elapsed_ && broken_ == other.broken_;
     }
-    /// Every history that fulfils this duty fulfils the other, which asks for the same: of one event demanded from the
-    /// trigger on, the older decides; of one forbidden, the younger.
+    /// Whether every history that fulfils this obligation fulfils the other, which has the same demands. If an event is
+    /// demanded from the trigger on, the older obligation implies the younger; if an event is forbidden, the younger
+    /// implies the older.
     constexpr bool stands_for(const RuleDuty& other) const noexcept {
         if (same_as(other)) return true;
         if (demands_ != 1 || any_[0].from != 0 || !asks_as(other)) return false;
@@ -131,24 +132,24 @@ private:
     }
 
     std::uint32_t rule_ = 0;
-    std::uint32_t broken_ = 0;  ///< prohibitions that are broken, by their place
+    std::uint32_t broken_ = 0;  ///< violated prohibitions, by index
     std::int64_t began_ = 0;
-    std::int64_t elapsed_ = 0;  ///< seconds since the trigger; no further than matters
-    std::int64_t horizon_ = 0;  ///< behind this second nothing changes but for windows without end
-    std::int64_t next_ = 0;     ///< where what stands behind `otherwise` begins
+    std::int64_t elapsed_ = 0;  ///< seconds since the trigger, counted up to the horizon
+    std::int64_t horizon_ = 0;  ///< after this second only windows without limit can change
+    std::int64_t next_ = 0;     ///< start of the demand after `otherwise`
     std::size_t demands_ = 0;
     std::size_t endings_ = 0;
     RuleDemand any_[Demands] = {};  ///< windows counted from the trigger
     std::uint32_t ends_[Endings == 0 ? 1 : Endings] = {};
 };
 
-/// The duties that are open, `Slots` at most.
+/// The open obligations, at most `Slots`.
 template <std::size_t Demands, std::size_t Endings, std::size_t Slots>
 class RuleDuties {
 public:
     using Duty = RuleDuty<Demands, Endings>;
 
-    /// Opens a duty, unless one that is open stands for it.
+    /// Adds an obligation, unless an open one implies it.
     constexpr void keep(const Duty& duty) noexcept {
         std::size_t left = 0;
         for (std::size_t i = 0; i < count_; ++i) {
@@ -167,7 +168,7 @@ public:
             open_[count_++] = duty;
     }
 
-    /// `report`: called with each RuleViolation.
+    /// `report` is called with each RuleViolation.
     template <class Report>
     constexpr void event(std::uint32_t event, Report& report) {
         settle(event, report);

@@ -1,5 +1,5 @@
-// What every generated controller needs: results, input registers, the types of deployment, time.
-// Ships with the generated code. No heap, no exceptions, no statics. Copyright: see LICENSE (Apache-2.0).
+// Common parts of all generated controllers: results, input registers, the types of deployment, time. Delivered with
+// the generated code. No heap, no exceptions, no statics. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_RUNTIME_HPP
 #define ROBOCHART_RUNTIME_HPP
 
@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-/// What a violated precondition of an operation does. Define it before including generated code to change that.
+/// The reaction to a violated precondition of an operation. Define it before including generated code to change it.
 #ifndef RC_REQUIRE
 #include <cassert>
 #define RC_REQUIRE(condition) assert(condition)
@@ -22,8 +22,8 @@
         this->require(__VA_ARGS__); \
     } while (false)
 
-/// Around what is computed for the model. Comparisons that are always true or always false, and variables that are stored
-/// in themselves, are the model's affair: no warnings about them.
+/// Enclose code computed from the model. They disable warnings about comparisons that are always true or always false,
+/// and about variables that are assigned to themselves, because these come from the model.
 #if defined(__clang__)
 #define ROBOCHART_MODEL_BEGIN                                       \
     _Pragma("clang diagnostic push")                                \
@@ -45,13 +45,13 @@
 #define ROBOCHART_MODEL_END
 #endif
 
-/// 1: the generated classes can tell a tracer what they do (robochart/trace.hpp). It must be the same wherever their
-/// headers are included.
+/// 1: the generated classes report their behaviour to a tracer (robochart/trace.hpp). It must have the same value
+/// wherever their headers are included.
 #ifndef ROBOCHART_TRACE
 #define ROBOCHART_TRACE 0
 #endif
 
-/// Marks what happens once, so that compilers lay out the rest first.
+/// Marks code that runs once, so that compilers place other code first.
 #if __cplusplus >= 202002L || (defined(__GNUC__) && !defined(__clang__))
 #define ROBOCHART_UNLIKELY [[unlikely]]
 #else
@@ -62,8 +62,8 @@ namespace robochart {
 
 /// How a control cycle ended.
 enum class StepResult : std::uint8_t {
-    quiescent,     ///< nothing more can happen before time passes or an input comes
-    terminated,    ///< the final node is reached
+    quiescent,     ///< nothing more can happen before time passes or an input arrives
+    terminated,    ///< the final node has been reached
     step_bound,    ///< a loop that takes no time: the model diverges
     precondition,  ///< an operation was called outside its precondition
     deadline,      ///< a deadline was missed
@@ -112,11 +112,11 @@ struct Deployment {
     using Real = double;
     using Nat = std::int64_t;
     using Int = std::int64_t;
-    /// The longest sequence and the largest set.
+    /// The maximal length of sequences and size of sets.
     static constexpr std::size_t longest = 16;
 };
 
-/// A real as a whole number, rounded down; beyond the type's numbers its nearest one, 0 for what is no number.
+/// A real as a whole number, rounded down; the nearest number of the type if it is out of range, and 0 for NaN.
 template <class Whole>
 constexpr Whole rounded_down(double value) noexcept {
     constexpr Whole least = std::numeric_limits<Whole>::min();
@@ -136,8 +136,8 @@ using IfWhole = std::enable_if_t<std::is_integral_v<T>, int>;
 template <class T>
 using IfFloating = std::enable_if_t<std::is_floating_point_v<T>, int>;
 
-/// Arithmetic of whole numbers as in the model's semantics: a result that the type does not have is replaced by the first
-/// operand. So a counter at its limit keeps its value, and no operation is undefined.
+/// Arithmetic of whole numbers as in the model's semantics: a result that the type cannot represent is replaced by the
+/// first operand. So a counter at its limit keeps its value, and no operation is undefined.
 template <class T, IfWhole<T> = 0>
 constexpr T plus(T a, T b) noexcept {
     using Limits = std::numeric_limits<T>;
@@ -151,7 +151,8 @@ constexpr T minus(T a, T b) noexcept {
 template <class T, IfWhole<T> = 0>
 constexpr T times(T a, T b) noexcept {
     using Limits = std::numeric_limits<T>;
-    // Quotients are cut towards zero, so they are the exact bounds of the other factor. None divides the least number by -1.
+    // Quotients are truncated, so they are the exact bounds of the other factor. The least number is never divided by
+    // -1.
     bool fits = true;
     if (a > 0) fits = b > 0 ? a <= Limits::max() / b : b >= Limits::min() / a;
     if (a < 0) fits = b > 0 ? a >= Limits::min() / b : b >= Limits::max() / a;
@@ -161,7 +162,7 @@ template <class T, IfWhole<T> = 0>
 constexpr T negative(T a) noexcept {
     return a == std::numeric_limits<T>::min() ? a : static_cast<T>(-a);
 }
-/// Vectors and matrices compute with the same names, whatever their entries are.
+/// Vectors and matrices compute with the same names for entries of all types.
 template <class T, IfFloating<T> = 0>
 constexpr T plus(T a, T b) noexcept {
     return a + b;
@@ -179,8 +180,9 @@ constexpr T negative(T a) noexcept {
     return -a;
 }
 
-/// Division and remainder as in the model's semantics: by zero is by one, and for whole numbers the quotient is rounded
-/// down. The least number by -1 has no quotient in the type, so it stays as it is; its remainder is 0.
+/// Division and remainder as in the model's semantics: division by zero is division by one, and for whole numbers the
+/// quotient is rounded down. The least number divided by -1 has no quotient in the type, so the result is the least
+/// number; its remainder is 0.
 template <class T, IfFloating<T> = 0>
 constexpr T divide(T a, T b) noexcept {
     return a / (b < 0 || b > 0 ? b : T{1});
@@ -199,7 +201,7 @@ constexpr T modulus(T a, T b) noexcept {
     return rest != 0 && (rest < 0) != (b < 0) ? static_cast<T>(rest + b) : rest;
 }
 
-/// The condition itself.
+/// Returns the condition itself.
 constexpr bool holds(bool condition) noexcept {
     return condition;
 }
@@ -223,13 +225,14 @@ constexpr std::size_t first_way(const double* chances, std::size_t count) noexce
     return 0;
 }
 
-/// Draws ways of probabilistic junctions: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
-/// generators, OOPSLA 2014). The same seed draws the same ways on every platform; a copy goes on alike.
+/// Draws alternatives of probabilistic junctions: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
+/// generators, OOPSLA 2014). The same seed draws the same alternatives on every platform; a copy continues identically.
 class Draws {
 public:
     constexpr explicit Draws(std::uint64_t seed = 1) noexcept : state_(seed) {}
 
-    /// One of the ways, each as often as its share of all chances; one without a chance never, the first where none has.
+    /// Draws an alternative with a probability proportional to its chance; one with chance zero is never drawn. The
+    /// first if all chances are zero.
     constexpr std::size_t way(const double* chances, std::size_t count) noexcept {
         double all = 0.0;
         for (std::size_t way = 0; way < count; ++way)
@@ -264,7 +267,7 @@ template <class Controller>
 struct Seeded<Controller, std::void_t<decltype(std::declval<Controller&>().SetSeed(std::uint64_t{}))>>
     : std::true_type {};
 
-/// Gives a controller the seed of what it draws, if it draws anything.
+/// Sets the seed of a controller's random choices, if it has any.
 template <class Controller>
 void set_seed([[maybe_unused]] Controller& controller, [[maybe_unused]] std::uint64_t seed) noexcept {
     if constexpr (Seeded<Controller>::value) controller.SetSeed(seed);
@@ -276,8 +279,8 @@ template <class Platform>
 struct Chooses<Platform, std::void_t<decltype(std::declval<Platform&>().choose(static_cast<const double*>(nullptr),
                                                                                std::size_t{}))>> : std::true_type {};
 
-/// The alternative that a probabilistic junction takes: `platform.choose(chances, count)` if there is such a
-/// method, which may ask a source of random numbers; else the first with a positive probability. The model allows any.
+/// The alternative that a probabilistic junction takes: `platform.choose(chances, count)` if there is such a method,
+/// which may use random numbers; otherwise the first with a positive probability. The model allows any.
 template <class Platform, std::size_t count>
 constexpr std::size_t choose([[maybe_unused]] Platform& platform, const double (&chances)[count]) noexcept {
     std::size_t way = 0;
@@ -294,8 +297,8 @@ struct Picks : std::false_type {};
 template <class Platform>
 struct Picks<Platform, std::void_t<decltype(std::declval<Platform&>().pick(std::size_t{}))>> : std::true_type {};
 
-/// Which of several choices of the model is taken, in code that asks (`emit cpp --choices`): `platform.pick(count)` if
-/// there is such a method, else the first. Any answer is one that the model allows.
+/// The alternative taken in code that asks (`emit cpp --choices`): `platform.pick(count)` if there is such a method,
+/// otherwise the first. The model allows any answer.
 template <class Platform>
 constexpr std::size_t pick([[maybe_unused]] Platform& platform, std::size_t count) noexcept {
     if constexpr (Picks<Platform>::value) {
@@ -307,7 +310,7 @@ constexpr std::size_t pick([[maybe_unused]] Platform& platform, std::size_t coun
     }
 }
 
-/// Of those that are open; `count` where none is.
+/// Picks one of the open alternatives; returns `count` if none is open.
 template <class Platform, std::size_t count>
 constexpr std::size_t pick_open(Platform& platform, const bool (&open)[count]) noexcept {
     std::size_t all = 0;
@@ -323,7 +326,7 @@ constexpr std::uint32_t pick_between(Platform& platform, std::uint32_t least, st
     return most <= least ? least : least + static_cast<std::uint32_t>(pick(platform, std::size_t{most} - least + 1));
 }
 
-/// Goes through the enabled transitions of a moment twice: to count them, and to take the one that was picked.
+/// Visits the enabled transitions twice: to count them, and to take the picked one.
 class Turn {
 public:
     constexpr void count() noexcept { *this = Turn(); }
@@ -341,7 +344,7 @@ private:
     bool counting_ = true;
 };
 
-/// Answers that were given before, for platforms that repeat a run; the first choice beyond their end.
+/// Recorded answers, for platforms that repeat a run; the first alternative after their end.
 class RecordedChoices {
 public:
     constexpr RecordedChoices(const std::size_t* answers, std::size_t count) noexcept
@@ -362,14 +365,14 @@ struct Listens : std::false_type {};
 template <class Platform>
 struct Listens<Platform, std::void_t<decltype(std::declval<Platform&>().taken(std::uint32_t{}))>> : std::true_type {};
 
-/// A clock advances until its saturation: beyond it no guard can tell the difference.
+/// A clock advances until its saturation, above which guards cannot distinguish its values.
 constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uint32_t saturation) noexcept {
     if (clock >= saturation) return;
     const std::uint32_t left = saturation - clock;
     clock += units < left ? units : left;
 }
 
-/// What is left of a wait.
+/// Decreases the remaining time of a wait.
 constexpr void advance_wait(std::uint32_t& left, std::uint32_t units) noexcept {
     left = units < left ? left - units : 0;
 }
@@ -385,13 +388,13 @@ public:
         --budget_;
         return true;
     }
-    /// A deadline (time left plus one, 0 if none runs) comes nearer.
+    /// Decreases the remaining time of a deadline (plus one; 0 if none runs).
     constexpr void advance_deadline(std::uint32_t& left, std::uint32_t units) noexcept {
         if (left == 0) return;
         late_ = late_ || left <= units;
         left = left > units ? left - units : 1;
     }
-    /// Something had to be done before time passes, and was not.
+    /// Records that an action required before time passes was not performed.
     constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
     constexpr void require(bool precondition) noexcept { violated_ = violated_ || !precondition; }

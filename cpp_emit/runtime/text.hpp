@@ -1,5 +1,5 @@
-// Strings as values of fixed size: no heap, equal texts have equal bytes. Ships with the generated code.
-// Copyright: see LICENSE (Apache-2.0).
+// Strings as values of fixed size: no heap, equal texts have equal bytes. Delivered with the generated code. Copyright:
+// see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TEXT_HPP
 #define ROBOCHART_TEXT_HPP
 
@@ -7,7 +7,7 @@
 
 namespace robochart {
 
-/// A text of at most `longest` characters, ended by a zero; what does not fit is dropped.
+/// A text of at most `longest` characters, terminated by zero; further characters are dropped.
 template <std::size_t longest>
 class String {
 public:

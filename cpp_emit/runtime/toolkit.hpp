@@ -1,6 +1,6 @@
-// Values of other types, pairs, functions and relations as sets of pairs, and the functions of the toolkit libraries,
-// over values of fixed size. A result outside of a function's precondition is a value as constructed.
-// Ships with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Conversions between types, pairs, functions and relations as sets of pairs, and the functions of the toolkit
+// libraries, over values of fixed size. A result outside a function's precondition is a default-constructed value.
+// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TOOLKIT_HPP
 #define ROBOCHART_TOOLKIT_HPP
 
@@ -14,7 +14,7 @@
 
 namespace robochart {
 
-/// Places of a set: all values its members can have, up to a bound.
+/// Capacity of a set: the number of possible elements, up to a bound.
 constexpr std::size_t places(std::size_t values) noexcept {
     return values < 1024 ? values : 1024;
 }
@@ -23,14 +23,14 @@ constexpr std::size_t power(std::size_t base, std::size_t exponent) noexcept {
     for (std::size_t i = 0; i < exponent && result < 1024; ++i) result *= base;
     return places(result);
 }
-/// How many sequences of at most `longest` items there are.
+/// The number of sequences with at most `longest` items.
 constexpr std::size_t sequences(std::size_t items, std::size_t longest) noexcept {
     std::size_t result = 1;
     for (std::size_t i = 0; i < longest && result < 1024; ++i) result = 1 + items * result;
     return places(result);
 }
 
-/// 0: no padding; 1: padding at the end; 2: padding between.
+/// 0: no padding; 1: padding at the end; 2: padding between the parts.
 template <class A, class B>
 inline constexpr int pair_shape = alignof(A) == alignof(B)  ? 0
                                   : alignof(A) > alignof(B) ? 1
@@ -101,7 +101,7 @@ struct IsPair<T, std::void_t<decltype(T{}.item_1), decltype(T{}.item_2)>> : std:
 
 }  // namespace detail
 
-/// The value as one of another type: numbers in its unit, sequences as functions from 1.
+/// The value converted to another type: numbers to its unit, sequences to functions from 1.
 template <class To, class From>
 constexpr To convert(const From& from) noexcept {
     if constexpr (std::is_same_v<To, From>) {
@@ -136,7 +136,7 @@ constexpr To convert(const From& from) noexcept {
     }
 }
 
-/// Whether a number is one of another type.
+/// Whether a number belongs to another numeric type.
 template <class To, bool natural, class From>
 constexpr bool is_value(From value) noexcept {
     if constexpr (std::is_arithmetic_v<From>) {
@@ -147,7 +147,7 @@ constexpr bool is_value(From value) noexcept {
     }
 }
 
-/// A function applied; outside of its domain: a value as constructed.
+/// Applies a function; outside its domain: a default-constructed value.
 template <class Result, class Function, class Argument>
 constexpr Result apply(const Function& function, const Argument& argument) noexcept {
     for (const auto& pair : function)

@@ -1,6 +1,5 @@
-// The trace hook of generated controllers: what happens in a cycle, as the words of a log (docs/traces.md), and which
-// transitions are taken. Included where it is used only. Ships with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// The trace hook of generated controllers: the events of a cycle as text of a log (docs/traces.md), and the transitions
+// taken. Included only by code that uses it. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_HPP
 #define ROBOCHART_TRACE_HPP
 
@@ -19,10 +18,10 @@ struct TransitionName {
     const char* place;    ///< file and line
 };
 
-/// What a log begins with.
+/// The header of a log.
 struct RunHeader {
     const char* component;
-    const char* model;           ///< file
+    const char* model;           ///< file name
     std::uint32_t cycle_length;  ///< time units of a control cycle
     const TransitionName* transitions;
     std::size_t transition_count;
@@ -32,13 +31,13 @@ struct RunHeader {
 class Tracer {
 public:
     virtual ~Tracer() = default;
-    /// The controller begins anew.
+    /// The controller restarts.
     virtual void begin() noexcept {}
-    /// The next piece of the log.
+    /// The next piece of text for the log.
     virtual void text(const char* piece) noexcept = 0;
-    /// A transition was taken: its place in RunHeader::transitions.
+    /// A transition was taken: its index in RunHeader::transitions.
     virtual void taken(std::uint32_t /*transition*/) noexcept {}
-    /// The cycle is over, and so is its line of the log.
+    /// The cycle is over; its line of the log ends.
     virtual void end() noexcept {}
 };
 
@@ -69,8 +68,8 @@ inline void log_value(Tracer& tracer, float value) noexcept {
     log_value(tracer, static_cast<double>(value));
 }
 
-// Values with parts, as CSP writes them but for blanks, of which words of a log have none: <1,2>, {1,2}, (1,2). Their
-// types are declared in the headers that ship with models that have them.
+// Values with parts, as in CSP but without blanks, because blanks separate the words of a log: <1,2>, {1,2}, (1,2).
+// Their types are declared in the headers that are delivered with models that use them.
 template <class T, std::size_t capacity>
 class Sequence;
 template <class T, std::size_t capacity>
@@ -84,7 +83,7 @@ struct Pair;
 template <std::size_t longest>
 class String;
 
-/// Each by the function that is found for its type; around several of them stand `open` and `close`.
+/// Each part is written by the overload for its type; several parts are enclosed in `open` and `close`.
 template <class T>
 void log_parts(Tracer& tracer, const T* part, std::size_t count, const char* open, const char* close) noexcept {
     tracer.text(open);
@@ -125,7 +124,7 @@ void log_value(Tracer& tracer, const Pair<A, B, shape>& value) noexcept {
     tracer.text(")");
 }
 
-/// Characters that part words, and those that cannot be seen, by their octal numbers.
+/// Characters that separate words, and invisible ones, are written as octal numbers.
 template <std::size_t longest>
 void log_value(Tracer& tracer, const String<longest>& value) noexcept {
     tracer.text("\"");
@@ -140,7 +139,7 @@ void log_value(Tracer& tracer, const String<longest>& value) noexcept {
     tracer.text("\"");
 }
 
-/// How the cycle ended, in the words of the log.
+/// Writes the result of the cycle as in logs.
 inline void log_end(Tracer& tracer, StepResult result, std::uint32_t cycle_length) noexcept {
     if (result == StepResult::terminated) {
         tracer.text("terminate");
@@ -153,7 +152,7 @@ inline void log_end(Tracer& tracer, StepResult result, std::uint32_t cycle_lengt
     tracer.end();
 }
 
-/// The alternative that the platform takes, for a platform that forwards to it.
+/// The alternative that the platform takes, for a platform that forwards its calls.
 template <class Platform>
 std::size_t passed_choice(Platform& platform, const double* chances, std::size_t count) noexcept {
     if constexpr (Chooses<Platform>::value) {

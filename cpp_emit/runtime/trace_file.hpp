@@ -1,5 +1,5 @@
 // A tracer that writes a log for `robochart-verify conform --traces` and counts transitions; for hosts with files.
-// Ships with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_FILE_HPP
 #define ROBOCHART_TRACE_FILE_HPP
 
@@ -20,7 +20,7 @@ public:
         if (file_ != nullptr) std::fclose(file_);
     }
 
-    /// Begins the log; false if the file cannot be written. Without it transitions are counted only.
+    /// Begins the log; false if the file cannot be written. Without a log, only transitions are counted.
     [[nodiscard]] bool open(const std::string& path, const std::string& robot = "") {
         file_ = std::fopen(path.c_str(), "w");
         if (file_ == nullptr) return false;
@@ -31,7 +31,7 @@ public:
         begin();
         return std::ferror(file_) == 0;
     }
-    /// Everything so far has been written.
+    /// Whether everything has been written so far.
     [[nodiscard]] bool good() const { return file_ == nullptr || std::ferror(file_) == 0; }
 
     void begin() noexcept override {
@@ -46,14 +46,14 @@ public:
     void taken(std::uint32_t transition) noexcept override {
         if (transition < counts_.size()) ++counts_[transition];
     }
-    /// A log is good up to the last cycle, whatever happens to the program.
+    /// The log is complete up to the last cycle even if the program ends abnormally.
     void end() noexcept override {
         if (file_ != nullptr) std::fflush(file_);
     }
 
     /// How often each transition was taken.
     [[nodiscard]] const std::vector<unsigned long>& counts() const { return counts_; }
-    /// "3 of 4 transitions taken", then a line each: how often, which one, where it is in the model.
+    /// "3 of 4 transitions taken", then a line for each transition: count, name, place in the model.
     [[nodiscard]] std::string coverage() const {
         std::size_t taken = 0;
         for (const unsigned long count : counts_) taken += count > 0 ? 1 : 0;

@@ -23,7 +23,7 @@ public:
         seed();
     }
 
-    /// After the sensors, before the actuators.
+    /// Called after the sensors and before the actuators.
     void ControlStep() override {
         if (result_ != robochart::StepResult::quiescent) return;
         result_ = robot_.step();
@@ -34,7 +34,7 @@ public:
                           << std::endl;
     }
 
-    /// ARGoS begins again.
+    /// ARGoS restarts the experiment.
     void Reset() override {
         robot_.reset();
         seed();
@@ -43,7 +43,8 @@ public:
     }
 
 private:
-    /// What the robot draws begins with its name (FNV-1a, 64 bits): the same in every run, another for each robot.
+    /// The seed of the robot's random choices is its name (FNV-1a, 64 bits): equal in every run, different for each
+    /// robot.
     void seed() {
         std::uint64_t seed = 0xcbf29ce484222325U;
         for (const char c : GetId()) seed = (seed ^ static_cast<unsigned char>(c)) * 0x100000001b3U;

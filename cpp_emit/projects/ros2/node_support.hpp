@@ -1,5 +1,5 @@
-// What the ROS 2 nodes of generated controllers share: values into fields of messages and back, parameters, quality of
-// service. Written by robochart-verify.
+// Shared by the ROS 2 nodes of generated controllers: conversion of values to and from fields of messages, parameters,
+// quality of service. Written by robochart-verify.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace robochart::ros2 {
 
-/// Puts a value into a field; false, and the field as it was, where its type does not have the value.
+/// Stores a value in a field. Returns false and leaves the field unchanged if its type cannot represent the value.
 template <class Field, class Value>
 [[nodiscard]] bool put(Field& field, Value value) noexcept {
     static_assert(std::is_arithmetic_v<Field>, "the field is no number and no truth value");
@@ -38,7 +38,7 @@ template <class Field, class Value>
     return true;
 }
 
-/// Takes a value from a field; false where it is no value of the model: a real number is finite.
+/// Reads a value from a field. Returns false if it is not a value of the model: a real number must be finite.
 template <class Field>
 [[nodiscard]] bool take(double& value, const Field& field) noexcept {
     static_assert(std::is_arithmetic_v<Field> && !std::is_same_v<Field, bool>, "the field is no number");
@@ -78,7 +78,7 @@ template <class Literal, class Field>
     return true;
 }
 
-/// Of a parameter that is set when the node starts, and not later.
+/// Describes a parameter that is set when the node starts, and not later.
 inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description) {
     ::rcl_interfaces::msg::ParameterDescriptor descriptor;
     descriptor.description = description;
@@ -94,8 +94,8 @@ inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& de
     return descriptor;
 }
 
-/// The quality of service of a topic: parameters may override it (qos_overrides.TOPIC), which are declared when the node
-/// is configured for the first time. Afterwards it is what it was then.
+/// The quality of service of a topic. Parameters may override it (qos_overrides.TOPIC); they are declared when the node
+/// is configured for the first time. Afterwards the quality does not change.
 class Quality {
 public:
     explicit Quality(const ::rclcpp::QoS& usual) : quality_(usual) {}
@@ -110,7 +110,7 @@ public:
                 ::rclcpp::QosPolicyKind::Reliability};
         return options;
     }
-    /// What the publisher or subscription got.
+    /// Stores the actual quality of the publisher or subscription.
     void settle(const ::rclcpp::QoS& actual) {
         quality_ = actual;
         settled_ = true;
