@@ -1,6 +1,6 @@
-// The resources of one run: time and memory, until the run is interrupted. Every phase polls the budget. When a limit
-// is reached, an exception names it and the active phase. The budget also records what must be removed when the run
-// ends.
+// The resources of one run: time and memory. The run may also be interrupted. Every phase polls the budget. When a
+// limit is reached, an exception names it and the active phase. The budget also records what must be removed when the
+// run ends.
 #pragma once
 
 #include <sys/types.h>
@@ -17,7 +17,7 @@
 
 namespace robochart::diagnostics {
 
-/// A limit was reached or the run was interrupted; the message says which, and in which phase.
+/// A limit was reached or the run was interrupted; the message names the limit and the phase.
 class LimitReached : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -39,7 +39,7 @@ struct Limits {
 /// The limits of a run, which every long loop polls.
 class Budget {
 public:
-    /// `phase`: what the run does while no Phase is active.
+    /// `phase`: the activity of the run while no Phase is active.
     explicit Budget(Limits limits = {}, std::string phase = {});
     Budget(const Budget&) = delete;
     Budget& operator=(const Budget&) = delete;
@@ -64,7 +64,7 @@ public:
     /// The memory of the program and its children, as last measured.
     [[nodiscard]] std::uint64_t resident() const { return resident_.load(std::memory_order_relaxed); }
 
-    /// States what the run does while the object exists, such as "reading the model". Phases may be nested; the
+    /// Names the activity of the run while the object exists, such as "reading the model". Phases may be nested; the
     /// innermost is named.
     class Phase {
     public:

@@ -1,4 +1,4 @@
-// Control characters of ASCII in the languages that are written here. Those with a letter are written alike in all
+// ASCII control characters in the languages that the project writes. Those with a letter are written alike in all
 // languages (`\n`); the others are written as numbers, in the form of each language.
 #pragma once
 

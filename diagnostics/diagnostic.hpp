@@ -22,7 +22,7 @@ struct Rule {
     std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
 };
 
-/// Points to another relevant place or, if the span is unknown, adds to the message of the finding.
+/// Points to another relevant place. If the span is unknown, its text is added to the message of the finding.
 struct Note {
     Span span;
     std::string message;

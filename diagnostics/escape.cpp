@@ -39,9 +39,8 @@ unsigned decoded(std::string_view sequence) {
     return code;
 }
 
-/// C1 controls, characters without width and characters that change the direction (Unicode 15,
-/// Default_Ignorable_Code_Point and Bidi_Control), with which a text can look like another; line and paragraph
-/// separators.
+/// Characters with which a text can look like another: C1 controls, characters without width and characters that change
+/// the direction (Unicode 15, Default_Ignorable_Code_Point and Bidi_Control). Also line and paragraph separators.
 bool invisible(unsigned code) {
     return (code >= 0x80U && code <= 0x9FU) || code == 0xADU || code == 0x61CU ||
            (code >= 0x200BU && code <= 0x200FU) || (code >= 0x2028U && code <= 0x202EU) ||
@@ -49,7 +48,7 @@ bool invisible(unsigned code) {
            (code >= 0xE0000U && code <= 0xE0FFFU);
 }
 
-/// Keeps visible characters; `ascii` decides about those of ASCII.
+/// Escapes invisible characters; `ascii` converts the visible ones of ASCII.
 std::string visible(std::string_view text, Escape ascii, bool lines) {
     std::string result;
     while (!text.empty()) {

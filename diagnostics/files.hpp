@@ -59,7 +59,7 @@ public:
     GrowingFile(const GrowingFile&) = delete;
     GrowingFile& operator=(const GrowingFile&) = delete;
 
-    /// Returns the cause in words on failure, "" on success. After a failure nothing more is written.
+    /// Returns the cause in words on failure, "" on success. After a failure, later calls write no data.
     [[nodiscard]] std::string append(std::string_view text);
     /// Moves the file to its place.
     [[nodiscard]] std::string finish();

@@ -23,7 +23,7 @@ std::string_view severity_name(Severity severity) {
     return "error";
 }
 
-/// Adds the place of a span; adds nothing if the place is unknown.
+/// Adds the place of a span, unless the place is unknown.
 void add_place(Json& json, const SourceManager& sources, Span span) {
     if (!span.known()) return;
     const Position begin = sources.position(span.source, span.begin);

@@ -10,7 +10,7 @@ namespace robochart::diagnostics {
 /// The role of a part of a text.
 enum class Paint : unsigned char {
     heading,
-    name,  ///< of the subject of the text
+    name,  ///< the subject of the text
     note,
     warning,
     error,

@@ -75,8 +75,8 @@ Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::siz
     return json;
 }
 
-/// SARIF 2.1.0, 3.20: a run that was cut short states here that its results are incomplete. Findings that are not
-/// results are here, too.
+/// SARIF 2.1.0, 3.20: an invocation states that the results are incomplete if the run was cut short. It also contains
+/// the findings that are not results.
 Json invocation(const SarifRun& run) {
     Json notifications = Json::array();
     if (!run.limit.empty()) notifications.push_back({{"level", "error"}, {"message", sarif_text(run.limit)}});

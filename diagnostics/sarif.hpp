@@ -16,7 +16,7 @@ namespace robochart::diagnostics {
 [[nodiscard]] Json sarif_file(std::string_view path);
 /// A physical location: a path and a region from `begin` to `end` (exclusive), in code points.
 [[nodiscard]] Json sarif_place(std::string_view path, Position begin, Position end);
-/// A rule: the mistake as a phrase, from which the rule's name is made, and in sentences.
+/// A rule: the mistake as a phrase, which also gives the rule its name, and the same in sentences.
 [[nodiscard]] Json sarif_rule(std::string_view id, std::string_view title, std::string_view text,
                               std::string_view level);
 /// Distinguishes a result from the others of its file, independent of its position: the rule and the subject.

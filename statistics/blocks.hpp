@@ -1,5 +1,5 @@
-// Tests whether treatments differ if each was tried once on the same blocks: rank tests, which assume nothing about the
-// distribution of costs, and the paired t-test. Lower costs are better.
+// Tests whether treatments differ if each was tried once on the same blocks: rank tests, which need no assumption about
+// the distribution of costs, and the paired t-test. Lower costs are better.
 #pragma once
 
 #include <cstdint>

@@ -86,7 +86,7 @@ struct PairVisits {
     }
 };
 
-/// The states that had followed at the last look.
+/// The states that had followed this state at the last look.
 std::set<std::size_t> seen_next(const std::map<std::size_t, PairVisits>& befores) {
     std::set<std::size_t> result;
     for (const auto& [before, visits] : befores)

@@ -70,9 +70,9 @@ struct OrderContradiction {
 };
 
 /// Tests whether sequences contradict a chain of order 1 (Anderson and Goodman, "Statistical inference about Markov
-/// chains", Annals of Mathematical Statistics 28, 1957, use chi-squared tests for many visits). For each pair of
-/// consecutive states, there are intervals for the probabilities of the next state at the pair's last look. They hold
-/// jointly, because the error is divided among all permitted triples. In a chain of order 1, the intervals of one
+/// chains", Annals of Mathematical Statistics 28, 1957, use chi-squared tests for many visits). The test computes, for
+/// each pair of consecutive states, intervals for the probabilities of the next state at the pair's last look. They
+/// hold jointly, because the error is divided among all permitted triples. In a chain of order 1, the intervals of one
 /// middle state and one next state overlap. So a chain of order 1 is contradicted with a chance of at most `error`, for
 /// any number of visits. Returns the contradiction whose intervals are farthest apart. `poll` is called repeatedly and
 /// may throw.

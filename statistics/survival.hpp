@@ -1,7 +1,7 @@
 // The time until an event if some trials end before the event: Kaplan and Meier, "Nonparametric estimation from
 // incomplete observations", JASA 53, 1958, with bands by Greenwood's variance on the scale log(-log S) (Kalbfleisch and
-// Prentice, The Statistical Analysis of Failure Time Data, 1980). The bands are approximate, and pointwise: each holds
-// for its own time only.
+// Prentice, The Statistical Analysis of Failure Time Data, 1980). The bands are approximate, and pointwise: each band
+// is valid for its own time only.
 #pragma once
 
 #include <optional>

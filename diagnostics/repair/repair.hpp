@@ -1,5 +1,5 @@
-// Applies certain fixes only where they improve the texts. Fixes are applied in memory and the texts are read again; a
-// fix that does not help is undone.
+// Applies certain fixes only if they improve the texts. Fixes are applied in memory and the texts are read again; a fix
+// that does not help is undone.
 #pragma once
 
 #include <functional>
@@ -37,7 +37,7 @@ struct Repaired {
 };
 
 /// Applies the certain fixes of findings in these texts: first those of syntax errors, then those of other errors, then
-/// those of warnings, because each kind may only show when the earlier ones are gone. A group of fixes is applied if it
+/// those of warnings, because findings of one kind can hide those of the next. A group of fixes is applied if it
 /// removes at least one finding of its kind per fix and adds none of its kind or an earlier one. Otherwise each half of
 /// the group is tried. `is_syntax` is true for the rules of syntax.
 [[nodiscard]] Repaired repair(const Texts&, const ReadTexts&, const std::function<bool(const Rule&)>& is_syntax);

@@ -32,8 +32,8 @@ public:
     [[nodiscard]] unsigned size() const { return static_cast<unsigned>(errors_.size()); }
     /// Waits at most this long for all threads to return. True if they have returned.
     [[nodiscard]] bool returned_within(std::chrono::milliseconds);
-    /// Waits until all threads have returned, then throws the exception of the thread with the least number that threw
-    /// one.
+    /// Waits until all threads have returned. If some threw, rethrows the exception of the thread with the least
+    /// number.
     void join();
 
 private:

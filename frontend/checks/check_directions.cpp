@@ -83,7 +83,8 @@ void check_machine_end(TrafficReader& reader, const Connection& connection, cons
                {end.event.text(), end.node.text(), machine->name, found->second});
 }
 
-/// Connections inside a controller that end at, begin at, or are bidirectional at one of its own events.
+/// Connections inside a controller with one of the controller's own events: those that end at the event, those that
+/// begin at it, and bidirectional ones.
 struct Inside {
     const Connection* from = nullptr;
     const Connection* to = nullptr;

@@ -17,8 +17,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Declarations indexed by name; those of one name stay in textual order. Models have hundreds of operations and of
-/// components that require them, so a linear search for a name would be too slow.
+/// Declarations indexed by name. Declarations with the same name stay in textual order. Models have hundreds of
+/// operations and of components that require them, so a linear search for a name would be too slow.
 template <class Item>
 class Named {
 public:
@@ -217,8 +217,8 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     }
 }
 
-/// The same checks for an operation that is required but never called. This is less severe, because nothing is missing
-/// yet.
+/// The same checks for an operation that is required but never called. A mistake is less severe here, because the
+/// operation is not used yet.
 void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
                     Diagnostics& out) {
     const Lack lack = lack_of(caller, operation);

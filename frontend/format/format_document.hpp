@@ -1,5 +1,5 @@
 // Documents that can be laid out in several ways (private to the formatter), after Wadler, "A prettier printer" (2003).
-// A group is written on one line if it fits; otherwise all of its own breaks become line ends. Nodes store their
+// A group is written on one line if it fits; otherwise the breaks directly in it become line ends. Nodes store their
 // widths, so each decision takes constant time.
 #pragma once
 
@@ -35,7 +35,7 @@ public:
     Doc line_comment(std::string_view text);
     [[nodiscard]] Doc blank() const { return blank_; }
     [[nodiscard]] Doc line() const { return line_; }              ///< a blank or a line end
-    [[nodiscard]] Doc soft() const { return soft_; }              ///< nothing or a line end
+    [[nodiscard]] Doc soft() const { return soft_; }              ///< no text, or a line end
     [[nodiscard]] Doc hard() const { return hard_; }              ///< a line end
     [[nodiscard]] Doc empty_line() const { return empty_line_; }  ///< a line end and an empty line
     [[nodiscard]] Doc raw() const { return raw_; }                ///< a line end without indentation

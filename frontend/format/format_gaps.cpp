@@ -1,5 +1,5 @@
-// See format_gaps.hpp. The text between two tokens: a gap, with comments where the author put them. A comment after a
-// token stays on the token's line. A comment that begins a line still begins a line, indented as the next token.
+// See format_gaps.hpp. Writes the text between two tokens: a gap, and the comments in it. A comment after a token stays
+// on the token's line. A comment that begins a line still begins a line, indented as the next token.
 #include <algorithm>
 #include <array>
 

@@ -1,5 +1,5 @@
-// Tokens and the gaps between them (private to the formatter). Every token is written when it is read. So no token can
-// be lost, even where the formatter misreads the text.
+// Tokens and the gaps between them (private to the formatter). Every token is written when it is read, so no token is
+// lost even if the formatter misreads the text.
 //
 // Functions are named after the construct that they lay out. Their first parameter is the gap before it.
 #pragma once
@@ -18,9 +18,9 @@ namespace robochart::frontend {
 /// The text between two tokens.
 enum class Gap : std::uint8_t {
     done,    ///< already written
-    none,    ///< nothing
+    none,    ///< no text
     blank,   ///< a blank
-    soft,    ///< nothing, or a line end if the group breaks
+    soft,    ///< no text, or a line end if the group breaks
     line,    ///< a blank, or a line end if the group breaks
     open,    ///< the same after an opening brace
     first,   ///< a line end after an opening brace

@@ -113,7 +113,7 @@ private:
             if (transition->source != nullptr) points_.at(transition->source).out.push_back(transition.get());
     }
 
-    // ------------------------------------------------------------ what is certainly set
+    // ------------------------------------------------------------ variables that are certainly set
 
     void reach(const State& node, const Bits& with) {
         Point& point = points_.at(&node);

@@ -59,8 +59,8 @@ Linear sum(Linear a, const Linear& b) {
     return a;
 }
 
-/// True for names, their fields and their elements, which are treated as values of their own. The values of calls and
-/// of binders are unknown.
+/// True for names, their fields and their elements, which the reasoner treats as independent values. The values of
+/// calls and of binders are unknown.
 bool is_plain(const Expr& expr) {
     switch (expr.kind) {
         case ExprKind::name:
@@ -280,7 +280,7 @@ Formula Reasoner::read_comparison(const Expr& expr) {
     return found ? std::move(*found) : opaque(to_text(expr), false);
 }
 
-/// a <= value <= b, or < where the range is open.
+/// a <= value <= b, or < at an open end of the range.
 Formula Reasoner::range_membership(const Expr& value, const Expr& range, const Expr& whole) {
     const auto relation = [](bool closed) { return closed ? Relation::less_equal : Relation::less; };
     auto above = linear_atom(*range.args[0], value, relation(range.lower_closed), to_text(whole));

@@ -33,8 +33,8 @@ enum class Answer { possible, impossible, unknown };
 struct Finding {
     Answer answer = Answer::unknown;
     std::string example;
-    /// False if the example depends on terms about which nothing is known (calls, quantifiers, …), or on several
-    /// relations between terms (`t >= m`, `t < n`), because the author may know how m and n relate.
+    /// False if the example depends on unknown terms (calls, quantifiers, …), or on several relations between terms (`t
+    /// >= m`, `t < n`), because the author may know how m and n relate.
     bool trusted = true;
 };
 
@@ -61,17 +61,18 @@ public:
 private:
     friend class Search;
 
-    /// What is known about a term: whether it is an integer, and its least value.
+    /// The known facts about a term: whether it is an integer, and its least value.
     struct Term {
         bool integer = false;
         std::optional<double> least;
     };
     enum class KeyKind { boolean, enumeration, number };
-    /// What the search assigns a value to: a boolean, an enumeration value, or a linear form without its constant.
+    /// A key, to which the search assigns a value: a boolean, an enumeration value, or a linear form without its
+    /// constant.
     struct Key {
         KeyKind kind = KeyKind::boolean;
         std::string text;
-        bool opaque = false;                ///< boolean: a call or another term about which nothing is known
+        bool opaque = false;                ///< boolean: a call or another unknown term
         std::vector<std::string> literals;  ///< enumeration
         std::map<std::string, double> form;
         bool integer = false;

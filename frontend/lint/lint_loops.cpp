@@ -1,7 +1,7 @@
 // Cycles of transitions that need no event and no time (semantics 3.4, 3.10). Such transitions are urgent, so a machine
-// that can stay in the cycle forever does, and time stops. A cycle is reported only under three conditions: nothing on
-// it waits, calls or communicates; its guards can be true together; and nothing on it, nor any during action running
-// beside it, changes what the guards mention.
+// that can stay in the cycle stays in it, and time stops. A cycle is reported only if three conditions are met: no
+// action on it waits, calls or communicates; its guards can be true together; and neither its own actions nor a
+// concurrent during action changes a variable or clock in its guards.
 #include <algorithm>
 #include <deque>
 #include <set>

@@ -13,7 +13,7 @@ namespace robochart::frontend {
 namespace {
 
 /// An event that is raised in a control cycle of one time unit stays available until the end of the cycle, so a wait of
-/// one unit loses nothing.
+/// one unit does not lose it.
 constexpr double least_that_loses = 2;
 
 using Events = std::vector<const Declaration*>;

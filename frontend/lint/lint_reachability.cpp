@@ -61,7 +61,7 @@ private:
         return true;
     }
 
-    /// A transition that is never taken is reported itself (RC-W04), so the nodes behind it are not.
+    /// RC-W04 reports a transition that is never taken, so the nodes after it are not reported here.
     [[nodiscard]] bool cut_off(const State& node) const {
         const auto& ways = graph_.in(node);
         return std::any_of(ways.begin(), ways.end(), [&](const Transition* way) {

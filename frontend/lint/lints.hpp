@@ -1,6 +1,6 @@
 // Warnings about models that are well-formed but probably not intended (private to the front end). A warning is given
-// only where a reader who knows the semantics would agree (pages of the rules RC-W…); in doubt there is none. The cost
-// is linear in the size of the project, apart from bounded searches over the guards of one node.
+// only if a reader who knows the semantics would agree with it (pages of the rules RC-W…); in doubt, no warning is
+// given. The cost is linear in the size of the project, apart from bounded searches over the guards of one node.
 #pragma once
 
 #include <optional>

@@ -21,7 +21,8 @@ constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_typ
                                   DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
                                   DeclKind::controller,     DeclKind::module,      DeclKind::reference};
 
-/// The row of foreign_words for this name, if another notation uses it for what is looked for; otherwise null.
+/// The row of foreign_words for this name, if another notation uses the name for this kind of declaration; otherwise
+/// null.
 const ForeignWord* foreign_name(std::string_view what, const QualifiedName& name) {
     constexpr std::array<std::pair<std::string_view, ForeignPlace>, 4> places = {
         {{"type", ForeignPlace::type},

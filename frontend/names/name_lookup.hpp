@@ -23,8 +23,8 @@ public:
     /// "there is no X `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                      const std::vector<std::string>& candidates);
-    /// A component without a clause for an interface lacks all its members, which is one mistake. Returns true the
-    /// first time it is called for the two; only then is a missing member reported.
+    /// Returns true at the first call for this component and interface; only then is a missing member reported. If a
+    /// component has no clause for an interface, it lacks all members of the interface, but this is one mistake.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }

@@ -129,7 +129,7 @@ bool stands_inside(const Declaration* declaration, const Declaration* around) {
     return declaration == around;
 }
 
-/// Of several declarations with one name: the one in the nearest file, and among equally near files the first. If
+/// If several declarations have the name, returns the one in the nearest file, and the first of equally near ones. If
 /// `inside` is given, only declarations inside it count.
 const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file,
                              const Declaration* inside) const {

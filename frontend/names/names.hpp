@@ -42,14 +42,14 @@ public:
     explicit Names(const Model& model);
 
     /// The declaration that a name refers to at a place. Searches the enclosing declarations, then the package, its
-    /// imports and unnamed packages. Null if there is none of these kinds. Of several declarations with one name, the
-    /// one in the nearest file is taken (`nearness`), because neighbouring projects may use the same names.
+    /// imports and unnamed packages. Null if no declaration of these kinds is found. If several declarations have the
+    /// name, the one in the nearest file is taken (`nearness`), because neighbouring projects may use the same names.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
     /// All declarations with a full name.
     [[nodiscard]] const std::vector<const Declaration*>& all(const std::string& full_name) const;
     /// Simple names of all declarations of these kinds, for suggestions.
     [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
-    /// Any declaration with this simple name and kind, at any place; the first by full name.
+    /// The first declaration, by full name, with this simple name and kind, anywhere in the project.
     [[nodiscard]] const Declaration* anywhere(std::string_view simple_name, const Kinds& kinds) const;
     /// The first interface, by its full name, that declares an event, clock, variable (or constant) or operation
     /// signature of this name; null if there is none.

@@ -1,6 +1,6 @@
 // See incremental.hpp. The results kept for a file are those that resolving it again would give. They depend on its own
-// text, on what other files show of themselves (`outside_of`), and on a few facts about the project. Each of these is
-// compared.
+// text, on the parts of other files that it can see (`outside_of`), and on a few facts about the project. Each of these
+// is compared.
 #include "frontend/project/incremental.hpp"
 
 #include <algorithm>

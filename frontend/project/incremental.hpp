@@ -22,10 +22,11 @@ public:
     /// Replaces the tree of a file in the model by a new one. If possible, the old tree is kept and takes over the
     /// contents of the new one, so that pointers into it stay valid.
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
-    /// Must be called after files were added to the model or removed from it; the next `resolve` starts from nothing.
+    /// Must be called after files were added to the model or removed from it; the next `resolve` then resolves
+    /// everything.
     void forget();
-    /// Fills the model and reports what is wrong, like the function `resolve`. If the budget of `out` ends it, `forget`
-    /// must be called.
+    /// Fills the model and reports mistakes, like the function `resolve`. If the budget of `out` ends it, `forget` must
+    /// be called.
     void resolve(Model& model, diagnostics::Diagnostics& out);
     /// The number of files whose names and types the last `resolve` resolved.
     [[nodiscard]] std::size_t files_resolved() const;

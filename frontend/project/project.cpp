@@ -156,7 +156,7 @@ std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& ou
     return result;
 }
 
-/// The name of a file or folder beside the path that is similar to the path's name.
+/// The name of a file or folder in the same folder that is similar to the path's name.
 std::string similar_path(const fs::path& path) {
     std::error_code code;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");

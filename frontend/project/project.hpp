@@ -15,7 +15,7 @@ namespace robochart::frontend {
 /// matter.
 void resolve(Model&, diagnostics::Diagnostics&);
 
-/// Makes the toolkits in the model those that its files import. Call it before `resolve` if single files change
+/// Sets the toolkits of the model to those that its files import. Call it before `resolve` if single files change
 /// (editors). Unchanged toolkits are not read again.
 void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnostics&);
 

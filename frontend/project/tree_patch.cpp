@@ -11,7 +11,7 @@ namespace robochart::frontend {
 
 namespace {
 
-// ---------------------------------------------------------------- what others see
+// ---------------------------------------------------------------- the parts that other files see
 
 /// Removes the bodies of machines from a tree and restores them when it is destroyed.
 class Emptied {

@@ -1,5 +1,5 @@
-// Which files of a project belong together: files that refer to each other, import each other or have the same package.
-// Other files share nothing, in particular no finite instantiation.
+// Divides the files of a project into groups. Files belong together if one refers to the other, imports it or has the
+// same package. Files of different groups share no declaration and no finite instantiation.
 #pragma once
 
 #include <vector>

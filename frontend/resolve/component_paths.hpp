@@ -32,9 +32,10 @@ struct Way {
 /// Extends a path along the parts of a name from index `at`, while they name components.
 [[nodiscard]] Way walk_components(Way from, const QualifiedName& name, std::size_t at);
 /// The path for the longest prefix of the name that leads to declarations. The search starts at the file's package, its
-/// imports, unnamed packages, or a package that the name begins with. If nothing is found, it takes a component of any
-/// package, if only one has the name. Of equally long prefixes, the one with the fewest names of definitions instead of
-/// references is taken: `P::S` is the machine S of package P even if P has a controller P with a reference to S.
+/// imports, unnamed packages, or a package that the name begins with. If it fails, and only one component of all
+/// packages has the name, that component is taken. If several paths have equally long prefixes, the one with the fewest
+/// names of definitions instead of references is taken: `P::S` is the machine S of package P even if P has a controller
+/// P with a reference to S.
 [[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
 /// Collects the paths of the inner states with this name, for a suggestion.
 void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,

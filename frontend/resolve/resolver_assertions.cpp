@@ -101,7 +101,7 @@ ComponentPath AssertionResolver::context(const QualifiedName& name) {
     return component(name, false);
 }
 
-// ---------------------------------------------------------------- what is not there
+// ---------------------------------------------------------------- missing names
 
 std::vector<std::string> AssertionResolver::known_names() const {
     std::vector<std::string> names = finder_.candidates(component_kinds);

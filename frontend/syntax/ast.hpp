@@ -89,7 +89,7 @@ enum class ExprKind {
     record,   ///< R (| field = e ... |): name, bindings (name/value)
     sequence,
     set,                ///< < args >, { args }
-    set_range,          ///< { args[0] to args[1] }; of probabilities also: by step args[2]
+    set_range,          ///< { args[0] to args[1] }; in assertions also `by step args[2]`
     set_comprehension,  ///< { bindings | args[0] @ args[1] } ; args[1] may be null
     range,              ///< [a,b] (a,b] ...: args[0], args[1], lower_closed, upper_closed
     matrix,             ///< [| a, b ; c, d |]: args row by row, columns

@@ -269,7 +269,7 @@ bool Lexer::symbol() {
     return false;
 }
 
-/// A mathematical sign such as ≤: reported with RoboChart's equivalent, and read as that.
+/// Reads a mathematical sign such as ≤ as RoboChart's equivalent, and reports it.
 bool Lexer::mathematical() {
     struct Sign {
         std::string_view written;
@@ -299,8 +299,8 @@ bool Lexer::mathematical() {
     return true;
 }
 
-/// Consecutive bytes that begin no token are one mistake. If they are inside a name, the mistake includes the rest of
-/// the name.
+/// Consecutive bytes that begin no token are reported as one mistake. If they are inside a name, the mistake includes
+/// the rest of the name.
 void Lexer::unexpected() {
     const std::size_t begin = at_;
     const auto strange = [](char c) {

@@ -26,9 +26,8 @@ inline constexpr int plus_level = 10;
 inline constexpr int times_level = 11;
 inline constexpr int concat_level = 12;  ///< the tightest
 
-/// The operator that a token after an operand stands for; null if it is none. `^b` on the operand's line, which the
-/// lexer reads as an escaped name, is the operator `^`. `||` and `&&`, as in C, are read as the RoboChart operators
-/// that are meant.
+/// The operator that a token after an operand denotes; null if the token is not an operator. `^b` on the operand's
+/// line, which the lexer reads as an escaped name, is the operator `^`. C's `||` and `&&` are read as `\/` and `/\`.
 [[nodiscard]] const BinaryOperator* binary_operator(const Token& token);
 
 }  // namespace robochart::frontend

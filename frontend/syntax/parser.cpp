@@ -358,7 +358,7 @@ void Parser::pass_stray_brace() {
 
 /// The word of the grammar that is nearest to a misspelt name; "" if there is none.
 std::string_view Parser::meant_word() {
-    constexpr std::size_t most_checks = 1000;  // more would not help in a text that is not RoboChart
+    constexpr std::size_t most_checks = 1000;  // more checks would not help in a text that is not RoboChart
     if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
     std::vector<std::string> words(member_words.begin(), member_words.end());
     words.insert(words.end(), top_level_words.begin(), top_level_words.end());

@@ -108,7 +108,7 @@ private:
     /// after all.
     [[noreturn]] void wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places);
     /// Reports a word of another notation with RoboChart's equivalent. The equivalent replaces the word if it is a
-    /// single word; otherwise the mistake is thrown. Returns false if the word is of no other notation.
+    /// single word; otherwise the mistake is thrown. Returns false if the word belongs to no other notation.
     bool replace_foreign(ForeignPlace place);
     /// Reports a word that has no equivalent in RoboChart, with a fix that removes it, and skips it.
     void pass_superfluous(std::string_view reason);

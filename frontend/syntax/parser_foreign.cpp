@@ -127,7 +127,7 @@ bool Parser::pseudo_state(DeclKind kind) {
     return kind == DeclKind::initial;
 }
 
-/// `and`, `mod`, `<>`, `/=` between two expressions. In assertion files, `and` has a meaning of its own.
+/// `and`, `mod`, `<>`, `/=` between two expressions. In assertion files, `and` has a different meaning.
 bool Parser::foreign_operator() {
     if (is_assertions_) return false;
     const Token next = peek(1);

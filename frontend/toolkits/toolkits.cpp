@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Core is always visible; toolkits are visible where they are imported.
+/// Core is always visible; other toolkits are visible in files that import them.
 bool imports(const File& file, std::string_view package) {
     if (package == core_package) return true;
     return std::any_of(file.imports.begin(), file.imports.end(),

@@ -20,7 +20,7 @@ inline constexpr std::string_view core_package = "core";
 
 [[nodiscard]] const std::vector<Toolkit>& toolkits();
 
-/// Makes the toolkits of the model core, those that its files import, and those that they import in turn. Trees that
+/// Sets the toolkits of the model to core, those that its files import, and those that these import in turn. Trees that
 /// the model already contains are kept, so it may be called again after a change.
 void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
 

@@ -119,7 +119,7 @@ void Typer::call(Stmt& statement, Surroundings& around) {
     }
 }
 
-/// A call sees only required signatures, so the message says where the operation could be required from.
+/// A call sees only required signatures. The message therefore names the component that should require the operation.
 void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";

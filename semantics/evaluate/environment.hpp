@@ -12,7 +12,7 @@
 
 namespace robochart::ir {
 
-/// An expression has no value: division by zero, index out of range, or a result beyond 64 bits.
+/// The fault of an expression without a value: division by zero, an index out of range, or a result beyond 64 bits.
 class EvaluationFault : public std::runtime_error {
 public:
     EvaluationFault(const std::string& cause, diagnostics::Span where) : std::runtime_error(cause), span(where) {}

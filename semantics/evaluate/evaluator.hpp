@@ -66,7 +66,8 @@ private:
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
     Value access(const Expr& expr);
-    /// The values of the body (or what takes its place) for all bound values that satisfy the predicate, in order.
+    /// The values of the body (or the bound values, if there is no body) for all bound values that satisfy the
+    /// predicate, in order.
     std::vector<Value> where_satisfied(const Expr& expr);
     static Value only(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);

@@ -30,7 +30,7 @@ bool depends_on_state(const std::vector<ExprPtr>& exprs) {
     return std::any_of(exprs.begin(), exprs.end(), [](const ExprPtr& expr) { return expr && depends_on_state(*expr); });
 }
 
-/// True for a set or sequence literal with at least one element, whatever its value is.
+/// True for a set or sequence literal with at least one element. Its value does not matter.
 bool lists_something(const Expr& expr) {
     return (expr.kind == ExprKind::set || expr.kind == ExprKind::sequence) && !expr.args.empty();
 }
@@ -69,7 +69,7 @@ bool Evaluator::defined(const Expr& expr) {
            may_be_called(system_.functions.at(expr.function.index), operands(expr), expr);
 }
 
-/// The predicate must be defined for all bound values, the body for those that satisfy the predicate.
+/// The predicate must be defined for all bound values, and the body for those that satisfy the predicate.
 bool Evaluator::defined_for_all(const Expr& expr) {
     bool result = true;
     each_binding(expr, 0, [&] { result = result && (!expr.args.at(0) || defined(*expr.args[0])); });

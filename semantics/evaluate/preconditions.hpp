@@ -1,5 +1,5 @@
-// Preconditions of the functions that expressions call (semantics 3.5): whether they are true, and whether this can be
-// decided without running the model.
+// Preconditions of the functions that expressions call (semantics 3.5). Computes whether they are true, and whether
+// this can be decided without running the model.
 #pragma once
 
 #include <vector>

@@ -11,8 +11,7 @@
 
 namespace robochart::ir {
 
-/// Which type variables of the signature (by order of first occurrence) the result depends on through all values of the
-/// type.
+/// The type variables of the signature whose carriers the result depends on, as positions in order of first occurrence.
 [[nodiscard]] std::vector<std::size_t> toolkit_carriers(const std::string& function);
 /// True if the function has a precondition that can be false.
 [[nodiscard]] bool toolkit_precondition(const std::string& function);

@@ -186,7 +186,8 @@ const Values& KnownValues::constant(const std::string& name, int depth) const {
     return constants_[name] = found;
 }
 
-/// All constants of one name are treated as one, because a required constant takes its value from another of its name.
+/// All constants of one name are treated as one, because a required constant takes its value from another constant of
+/// this name.
 Values KnownValues::values_of(const std::string& name, int depth) const {
     Values values;
     for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);

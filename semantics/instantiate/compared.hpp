@@ -1,7 +1,7 @@
 // The numbers that values of a type are compared with (private to this component). RoboTool's carriers end at the
 // greatest literal. Here a carrier also contains, on both sides, one number beyond each number that values of the type
-// are compared with. Carriers of reals contain one number between each two neighbours. So each comparison can be true
-// and can be false. This does not apply if an option or a block Instantiations gives the carrier.
+// are compared with. Carriers of reals contain one number between each two neighbours. So every comparison is true for
+// some values and false for others. This does not apply if an option or a block Instantiations gives the carrier.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace robochart::ir {
 
-/// The numbers that a carrier needs so that each comparison can be true and can be false.
+/// The numbers that a carrier needs so that every comparison is true for some values and false for others.
 struct Compared {
     std::set<std::int64_t> nat, integer;  ///< the neighbours of the numbers that values are compared with
     std::set<std::int64_t> real;          ///< the whole numbers around them

@@ -123,7 +123,7 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
         return std::any_of(stronger.begin(), stronger.end(),
                            [&](const auto& option) { return means(option.first, path); });
     };
-    // An option that sets the machine's own constant also sets it where controllers run the machine.
+    // An option that sets the machine's own constant also sets it in all controllers that run the machine.
     const auto own = own_constants(system);
     std::set<std::string> set_by_machine;
     for (const NamedConstant& each : constants)

@@ -13,10 +13,10 @@ namespace robochart::ir {
 /// must not refer to the same constant (RC-S24).
 using GivenConstants = std::map<std::string, std::string>;
 
-/// The names of `weaker` that `stronger` does not override, however they are written. A name of which `stronger`
-/// overrides only some constants stays, so that both together are rejected (RC-S24). Otherwise it would be unclear
-/// which value is meant, because a constant passes its value to those of its components. Names that the system does not
-/// have stay, too.
+/// The names of `weaker` that `stronger` does not override; different spellings of a name are recognised. If `stronger`
+/// overrides only some constants of a name, the name is kept, so that both together are rejected (RC-S24). Otherwise it
+/// would be unclear which value is meant, because a constant passes its value to those of its components. Names that
+/// the system does not have are kept, too.
 [[nodiscard]] GivenConstants not_overridden(const System&, const GivenConstants& weaker,
                                             const GivenConstants& stronger);
 

@@ -56,7 +56,7 @@ private:
         return result;
     }
     /// Lengths are between 0 and the longest. Computes the length that is needed so that the comparison can be true and
-    /// false.
+    /// can be false.
     void compare(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||
                            expr.kind == (length_first ? ExprKind::less_equal : ExprKind::greater_equal);

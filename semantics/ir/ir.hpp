@@ -139,10 +139,10 @@ enum class ExprKind {
     the,
     set_comprehension,  ///< bound_names, bound_types; args: predicate, body
     let,                ///< bound_names[i] is args[i]; the last of args is the body
-    toolkit,    ///< a function of the toolkit libraries, text: its name as "set_toolkit_union"; bound_types: what the
-                ///< type variables of its signature stand for, in order of first occurrence
-    is_type,    ///< true if args[0] is a value of bound_types[0]
-    range,      ///< the numbers from args[0] to args[1]; number: 1 without the lower bound, 2 without the upper, 3 both
+    toolkit,  ///< a function of the toolkit libraries, text: its name as "set_toolkit_union"; bound_types: the types of
+              ///< the type variables of its signature, in order of first occurrence
+    is_type,  ///< true if args[0] is a value of bound_types[0]
+    range,    ///< the numbers from args[0] to args[1]; number: 1 without the lower bound, 2 without the upper, 3 both
     transpose,  ///< of the matrix or vector args[0]
 };
 
@@ -278,7 +278,7 @@ struct OperationSignature {
     Origin origin;
 };
 
-/// The kind of a node of a machine.
+/// The kinds of nodes of a machine.
 enum class NodeKind { state, initial, junction, probabilistic, final };
 
 /// A state, junction or final state of a machine.

@@ -26,7 +26,7 @@ struct Literals {
 [[nodiscard]] Literals literals_of(const System&);
 /// The names of constants that are used only as a whole duration or in a comparison with since(), and at least once.
 /// Their values are numbers of time units, too. All constants of one name are treated as one, because a required
-/// constant takes its value from another of its name.
+/// constant takes its value from another constant of this name.
 [[nodiscard]] std::set<std::string> durations(const System&);
 /// Adds the literals of one expression; `time`: the whole expression is a duration.
 void add_literals(const System&, const Expr&, bool time, Literals&);

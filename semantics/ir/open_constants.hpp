@@ -1,4 +1,4 @@
-// Constants without a value in the model that are used where a value is needed.
+// Finds constants without a value in the model that are used in a divisor.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Queries about a System that several readers of the IR need: which definition an operation has here, which name a
-// constant has.
+// Queries about a System that several readers of the IR need, such as the definition that an operation has in a context
+// and the name of a constant.
 #pragma once
 
 #include <string>

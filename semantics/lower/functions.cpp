@@ -45,7 +45,7 @@ bool defined_by_blocks(const Lowering& lowering, const Function& function) {
     return (timed || !timed_claims) && (untimed || !untimed_claims);
 }
 
-/// Reports which values the function is assumed to have, if the model does not define them.
+/// Reports the assumed values of functions that the model does not define.
 void report_values(const Lowering& lowering, const frontend::Function& source, const Function& function) {
     if (defined_by_blocks(lowering, function)) return;
     const bool open = function.postconditions.empty();

@@ -178,8 +178,8 @@ void MachineLowering::transition(Pending& pending) {
     machine_.transitions.push_back(std::move(transition));
 }
 
-/// `condition else`: no condition of the other transitions of the source is true, whatever their triggers. A transition
-/// without a condition counts as true.
+/// `condition else` is true if no condition of the other transitions of the source is true. Their triggers do not
+/// matter, and a transition without a condition counts as true.
 ExprPtr MachineLowering::otherwise(const Pending& pending, const Transition& transition) {
     ExprPtr none;
     for (const auto& sibling : pending_) {
