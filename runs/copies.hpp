@@ -1,6 +1,6 @@
-// Distinguishes copies of one component that run together: to which copy the sequential components of a run belong, and
-// to which copy an event of the whole process belongs. Machines of different copies have the same name in the model;
-// the copy is appended.
+// Distinguishes copies of one component that run together. It finds the copy to which each sequential component of a
+// run belongs, and the copy that performs an event of the whole process. Machines of different copies have the same
+// name in the model; the copy is appended.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ public:
 
     /// The copy that performs an event of the whole process, by the event's name there.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
-    /// What the copy does, if the component's own events do not say it; no value otherwise.
+    /// The action of the copy, if the component's own events do not show it; no value otherwise.
     [[nodiscard]] std::optional<std::string> words(const std::string& name) const;
     /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
     /// in the order of the copies.

@@ -135,7 +135,7 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
     }
 }
 
-/// What happens in a moment, separately for each copy that takes part; the copy that the event belongs to comes first.
+/// The actions in a moment, separately for each copy that takes part; the copy that the event belongs to comes first.
 Happening Interpreter::happening(const Moment& moment, const std::vector<ComponentStep>& moves) {
     const refine::Step& raw = raw_step(moment.raw);
     const std::string& whole = moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau);
@@ -174,7 +174,7 @@ Happening Interpreter::said_of_copy(Happening happening, const std::string& whol
 }
 
 /// The machine after this number of steps, or the last known one before that. Between an event and the update of a
-/// memory by it, a machine is in no known definition.
+/// memory that follows, a machine is in no known definition.
 const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
@@ -185,8 +185,8 @@ const Machine* Interpreter::last_known(const std::string& component, std::size_t
     return nullptr;
 }
 
-/// Changes since this number of steps. Clocks and countdowns change with time, and temporary values belong to no
-/// variable of the model, so both are ignored.
+/// Changes since this number of steps. Clocks and countdowns change with time, and temporary values are not variables
+/// of the model, so both are ignored.
 std::vector<Change> Interpreter::changes(std::size_t steps, const std::vector<Machine>& after) const {
     std::vector<Change> result;
     for (const Machine& now : after) {
@@ -278,7 +278,7 @@ bool Interpreter::read_apart() {
 }
 
 /// The machines of a state, from its text. If the state has as many definitions as any state of the run, they are in
-/// the order of the copies. Otherwise a copy has no definition, and the others cannot be assigned to copies.
+/// the order of the copies. Otherwise some copy has no definition, and the definitions cannot be assigned to copies.
 std::vector<Machine> Interpreter::machines_described(const std::string& state) {
     const std::vector<Call> calls = reader_.meanings().calls(state);
     const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;

@@ -134,7 +134,7 @@ bool is_in_transition(const std::string& text, const std::string& name) {
     return has_part(text, "transition " + name) || has_part(text, "action of " + name);
 }
 
-/// True if the process may have arrived there by this transition or statement.
+/// True if this transition or statement may have led the process to this definition.
 bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
     if (offer.target.empty()) return true;
     return std::any_of(after.begin(), after.end(), [&](const Call& call) {

@@ -117,12 +117,12 @@ struct Step {
     std::size_t more_offered = 0;   ///< the number of alternatives that are not listed
 };
 
-/// The violation at the end of a run, or what the run shows if the claim is that such a run does not exist.
+/// The violation at the end of a run. If the claim is that no such run exists, what the run shows.
 enum class EndKind {
     forbidden,              ///< the specification does not allow the last step
     refusal,                ///< fewer events are offered than the specification requires
     divergence,             ///< infinitely many internal steps
-    deadlock,               ///< nothing is possible; in the timed semantics, nothing but the passing of time
+    deadlock,               ///< no step is possible; in the timed semantics, no step except the passing of time
     nondeterminism,         ///< an event may be accepted and may be refused
     reached,                ///< the state has been reached
     terminated,             ///< it has terminated

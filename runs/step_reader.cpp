@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_unfoldings = 20;
 
 /// A value that the machine itself has is at least as recent as that of the memory. The memory's value is used only if
-/// something still reads it.
+/// it is still read.
 void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
     const auto& read = owner.remembered;
     const auto known = std::find_if(machine.variables.begin(), machine.variables.end(),

@@ -69,7 +69,7 @@ public:
     void take(std::size_t offer);
     /// Returns to the state after this number of steps.
     void back_to(std::size_t steps);
-    /// Takes hidden steps while nothing else is possible, at most `most`, and stops if a state repeats. Returns the
+    /// Takes hidden steps while no other step is possible, at most `most`, and stops if a state repeats. Returns the
     /// number of steps.
     std::size_t settle(std::size_t most);
 

@@ -48,7 +48,7 @@ bool synchronises(std::string_view op) {
            (op.starts_with("[|") && op.ends_with("|]"));
 }
 
-/// Why the operator above `part` blocks its event. "" if it does not, possibly renaming or hiding it.
+/// Why the operator above `part` blocks its event. "" if the operator lets the event pass, renames it or hides it.
 std::string reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
     if (whole.op == "prioritise") return "something of a higher priority is on offer";
     if (whole.op == "[…||…]") return "the parts that share it do not all offer it";

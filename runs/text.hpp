@@ -20,7 +20,7 @@ namespace robochart::runs {
 /// The state of a machine and its values: "in S1, x = 1".
 [[nodiscard]] std::string text(const Machine&);
 
-/// One line per step, without internal steps that are not news; then the end of the run, and the violation.
+/// One line per step that a run prints; then the end of the run, and the violation.
 [[nodiscard]] std::string text(const Run&, std::string_view indent);
 
 }  // namespace robochart::runs

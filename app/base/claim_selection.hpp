@@ -1,5 +1,5 @@
-// Selects claims by the words of --assertion: names, numbers, ranges of numbers and patterns; the same for models and
-// for scripts.
+// Selects claims by the words of --assertion: names, numbers, ranges of numbers and patterns. Models and scripts use
+// the same words.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The order in which claims are decided. Every claim gets a short turn before any gets a long one, so that a claim that
-// is never decided does not delay the others.
+// The order in which claims are decided. Every claim gets a short turn before any claim gets a long one, so that a
+// claim that is never decided does not delay the others.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Claims are independent of each other: an error in one says nothing about the others, if the text around both could be
+// Claims are independent of each other: an error in one does not affect the others if the text around both could be
 // parsed. A claim depends on the CSP blocks whose processes it names, and a block depends on those whose names it uses.
 // A block may also replace the instantiation, on which everything depends. Excluded items are blanked in the text, so
 // that the rest is read as if they did not exist.
@@ -104,8 +104,8 @@ public:
         }
         return true;
     }
-    /// Finds the items next to a text that belongs to no item. If the text is a claim that could not be parsed, the
-    /// item before it is not affected, and the item after it is not affected if it begins a line.
+    /// Finds the items next to a text that belongs to no item. A claim that could not be parsed does not affect the
+    /// item before it, and it does not affect the item after it if that item begins a line.
     void beside_strays(std::size_t head, std::vector<Item>& found) const {
         if (head < items_.front().begin && !begins_line(items_.front().begin)) found.push_back(items_.front());
         for (std::size_t i = 0; i < items_.size(); ++i) {

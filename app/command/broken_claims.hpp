@@ -24,7 +24,7 @@ struct BrokenClaims {
     bool some = false;  ///< a claim remains that can be decided
 };
 /// No value if an error is not in an assertion file, or if all remaining claims could depend on a part that cannot be
-/// read; nothing is decided then.
+/// read. No claim is decided in these cases.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
 /// True if there are errors, and all of them are in assertion files.
 [[nodiscard]] bool only_claims_broken(const Project&);

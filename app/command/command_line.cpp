@@ -90,8 +90,9 @@ std::vector<std::string> verbs_and_files() {
     return names;
 }
 
-/// If the first word is not a verb, it is a model. A word that looks like a verb and names no file is a usage error, as
-/// in git and cargo. A word with a dot, a separator or a capital letter is a path, which cannot be read.
+/// If the first word is not a verb, it is a model. A word that looks like a verb and is not the name of a file is a
+/// usage error, as in git and cargo. A word with a dot, a separator or a capital letter is treated as a path; if it
+/// cannot be read, this is reported.
 std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     const std::string& first = words.front();
     std::error_code ignored;

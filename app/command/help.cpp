@@ -46,7 +46,7 @@ std::string spelling(const OptionRow& row) {
                        name.empty() ? "" : " ", name);
 }
 
-/// The help text, the choices, and the default.
+/// The help text of an option with its choices and its default.
 std::string explained(const OptionRow& row) {
     std::string text = row.help;
     if (row.argument.choices[0] != '\0') text += fmt::format(" {{{}}}", row.argument.choices);

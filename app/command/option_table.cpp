@@ -585,7 +585,7 @@ bool parse_seconds(const std::string& text, double& seconds) {
     return plain && !text.empty() && *end == '\0' && std::isfinite(seconds);
 }
 
-/// Some texts that a parser reads as numbers (nan, -1, 1e300) are not meaningful here.
+/// Some texts that a parser reads as numbers (nan, -1, 1e300) are not valid here.
 bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& value) {
     if (wanted.kind == Kind::seconds) {
         double seconds = 0;

@@ -135,7 +135,7 @@ struct Options {
     std::string strategy = "auto";       ///< emit cpp: how the code finds the effect of an event
     std::string print;                   ///< phase to print; "": none
     std::vector<std::string> constants;  ///< NAME=VALUE
-    /// NAME=VALUE from a scenario, a swarm or a log; used for constants that `constants` does not set.
+    /// NAME=VALUE from a scenario, a swarm or a log. These values are used for constants that `constants` does not set.
     std::vector<std::string> weaker_constants;
     std::vector<std::string> ranges;   ///< TYPE=LOW..HIGH
     std::vector<std::string> allowed;  ///< codes of warnings to suppress

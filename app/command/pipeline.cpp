@@ -160,8 +160,8 @@ fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
 }
 
-/// A unique name for each unit: the name of its file, with the folder before it if several are equal, and with a number
-/// if that is not enough.
+/// A unique name for each unit: the name of its file. If several are equal, the folder is put before the name; if that
+/// is not enough, a number is added.
 std::vector<std::string> names_of(const Project& whole, const std::vector<frontend::Unit>& units) {
     std::map<std::string, std::size_t> called;
     for (const frontend::Unit& unit : units) ++called[project_name(naming_file(whole, unit).string())];
@@ -179,7 +179,7 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
     return names;
 }
 
-/// The part that consists of these files, some of them with other texts.
+/// The part that consists of these files; some of them have other texts.
 std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
                                  const Options& options, const std::map<std::size_t, std::string>& other_texts = {}) {
     auto part = std::make_unique<Project>(whole.texts);
@@ -355,7 +355,7 @@ void name_claims(Project& whole, Options& options) {
     const ClaimSelection selection = select_claims(options.claims, names);
     options.claims.clear();
     for (const std::size_t place : selection.chosen) options.claims.push_back(names[place]);
-    const bool errors = !whole.diagnostics.ok();  // a claim may be missing because of them
+    const bool errors = !whole.diagnostics.ok();  // because of them, the list of claims may be incomplete
     for (const std::string& word : selection.lost)
         if (errors)
             options.claims.push_back(word);
@@ -389,8 +389,9 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
     });
 }
 
-/// A claim or CSP block with errors does not prevent the other claims from being decided. A part with errors is divided
-/// into two if something can be decided then (broken_claims.hpp). Scripts are written for the part without errors.
+/// A claim or CSP block with errors does not prevent the other claims from being decided. If some claims can be
+/// decided, a part with errors is divided into two (broken_claims.hpp). Scripts are written for the part without
+/// errors.
 void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
     const bool writes = options.verb == Verb::emit_csp;
     if ((!decides_assertions(options.verb) && !writes) || !options.print.empty() || !are_claimed(parts, options.claims))
@@ -578,7 +579,7 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
 
 namespace {
 
-/// The component that the options name must exist in some part; otherwise the first part reports it.
+/// The component that the options name must exist in some part. If it does not, the first part reports this.
 void check_component(const std::vector<Part>& parts, const Options& options) {
     std::vector<std::string> known;
     for (const Part& part : parts) {

@@ -19,9 +19,9 @@ extern const diagnostics::Rule left_out;      ///< an assertion file with errors
 
 /// All rules of all components, by component, then in the order of their tables.
 [[nodiscard]] std::vector<const diagnostics::Rule*> all_rules();
-/// The codes that a word may mean: the code itself, or the codes that are equal to it except for case, hyphens and the
-/// part before the last hyphen. `w17` and `RCW17` mean RC-W17; `P01` means CSPM-P01, PRISM-P01, RC-P01 and SLEEC-P01.
-/// Sorted, without duplicates.
+/// The codes that a word may mean. A code matches if the word equals it, ignoring case and hyphens; the word may omit
+/// the part before the last hyphen. `w17` and `RCW17` mean RC-W17; `P01` means CSPM-P01, PRISM-P01, RC-P01 and
+/// SLEEC-P01. Sorted, without duplicates.
 [[nodiscard]] std::vector<std::string> codes_meant(std::string_view word);
 /// The rows of a code, ignoring case. A published rule may have several rows, for different circumstances.
 [[nodiscard]] std::vector<const diagnostics::Rule*> find_rules(std::string_view code);

@@ -1,5 +1,5 @@
 // One run of the command: its budget, and a thread that watches it. The thread receives SIGINT, SIGTERM, SIGHUP and
-// SIGXCPU, and checks the limits continuously. Phases notice a limit when they poll the budget, and the verb then ends
+// SIGXCPU, and checks the limits continuously. A phase notices a limit when it polls the budget, and the verb then ends
 // normally. If some work does not poll for too long, the thread itself prints the known results and ends the program,
 // so limits do not depend on polling. A second signal ends the program at once.
 #pragma once
@@ -54,16 +54,17 @@ public:
     void last_word(LastWord);
     /// Must be held while the data shown by the last word are changed. A thread may hold it several times.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> edit() { return std::unique_lock(mutex_); }
-    /// Must be called when the verb has its answer, or will get none, and prints. Limits no longer cut it short.
+    /// Must be called when the verb has its answer, or will get none, and prints it. From then on, limits do not
+    /// interrupt it.
     void finish();
-    /// True if this run has not yet written a file with this path below `--out`; registers the path.
+    /// Registers the path of a file below `--out`. True if this run has not yet written a file with this path.
     [[nodiscard]] bool claim(const std::string& path) { return written_.insert(path).second; }
     /// The last word, called by the verb's own thread.
     Exit stopped(const std::string& why);
     /// True if the watching thread calls this; data of the verb's thread must not be accessed then.
     [[nodiscard]] bool is_watching() const { return std::this_thread::get_id() == watcher_.get_id(); }
 
-    /// Appends to the text that the file with this path gets when the run ends, however it ends.
+    /// Appends to a text that is written to the file with this path when the run ends, even if it ends early.
     void keep_for(const std::string& path, const std::string& text);
     /// Writes these files. Returns false, with a message, if one cannot be written.
     [[nodiscard]] bool write_kept();

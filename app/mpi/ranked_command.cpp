@@ -41,7 +41,7 @@ int command(int argc, char** argv, refine::Exchange& exchange) {
         Options options = given;
         options.by_levels = &served;
         options.identity = command_identity();
-        // mpirun connects its programs to its own terminals, even if its output goes elsewhere.
+        // mpirun connects its programs to its own terminals, even if the output of mpirun is redirected.
         if (options.color == Color::automatic) options.color = Color::never;
         return run_verb(options);
     });

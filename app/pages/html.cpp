@@ -24,7 +24,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// The number of steps shown of one run; of longer runs, the first and the last steps.
+/// The number of steps shown of one run. Of a longer run, the first and the last steps are shown.
 constexpr std::size_t most_steps = 2000;
 
 const char* look(Answer answer) {
@@ -519,7 +519,7 @@ void ReportPage::code() {
     out_ += "</section>\n";
 }
 
-/// The elements that some claim asks about and that no run exercises.
+/// The elements that a claim asks about and that no run exercises.
 std::set<std::string> ReportPage::unexercised() const {
     std::set<std::string> result, exercised;
     for (const AssertionReport& each : report_.assertions) {

@@ -1,5 +1,5 @@
 // A simulation as one page: the scenario and its results, a trial to replay, the active states of each robot on the
-// diagrams of its machines, the measures over time. page.hpp states what holds for every page.
+// diagrams of its machines, the measures over time. page.hpp states what all pages have in common.
 #pragma once
 
 #include <string>

@@ -21,8 +21,8 @@ struct ShownTrials {
     std::size_t every = 1;
 };
 
-/// Selects trials: first those that stopped, then those outside of a band, then the first ones. `most_letters`: for all
-/// positions together.
+/// Selects trials: first those that stopped, then those outside of a band, then the first ones. `most_letters` limits
+/// the positions of all trials together.
 [[nodiscard]] ShownTrials shown_trials(const simulation::Scenario&, const simulation::RunResult&, std::size_t machines,
                                        std::size_t most_letters = 650'000);
 

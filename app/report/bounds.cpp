@@ -87,7 +87,7 @@ void BoundWatch::add(diagnostics::Span span, std::string text, std::string remed
     if (std::ranges::find(met_, ground) == met_.end()) met_.push_back(std::move(ground));
 }
 
-// ---------------------------------------------------------------- what runs come to
+// ---------------------------------------------------------------- bounds that runs reach
 
 namespace {
 

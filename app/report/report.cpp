@@ -68,7 +68,7 @@ std::string symmetry_text(const refine::Statistics& size) {
                              : "";
 }
 
-/// Where the run of an assertion is printed, and the other components with the same run.
+/// The assertion at which a run is printed, and the other components with the same run.
 struct SharedRun {
     std::string shown_at;             ///< "module P::M"; "": with this assertion
     std::vector<std::string> others;  ///< components with the same run
@@ -481,7 +481,7 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// Explains the word that is printed instead of the seconds, if it occurs.
+/// Explains the word that is printed in place of the seconds, if the report contains it.
 std::string legend(const Report& report, const Options& options) {
     const auto shown = [&](const AssertionReport& a) {
         return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds || !a.basis.empty());

@@ -22,7 +22,7 @@ enum class Answer {
     inconclusive,
     no_check,   ///< the claim has no check in this semantics; it is listed, but does not count as true
     error,      ///< the claim could not be evaluated because of wrong input
-    unchecked,  ///< a claim of a kind that is not decided here, so nothing is known about it
+    unchecked,  ///< a claim of a kind that is not decided here, so its answer is unknown
     computed,   ///< a value was requested and computed
 };
 
@@ -32,14 +32,14 @@ enum class Answer {
 /// The answer for people: "holds", "FAILS".
 [[nodiscard]] std::string_view answer_word(Answer);
 
-/// The reason why a claim is inconclusive before anything is known about it.
+/// The reason of a claim that is inconclusive because its decision has not begun.
 inline constexpr const char* undecided_at_limit = "it was not decided before the limit";
 
 /// Additional data of an assertion that is a core property, which is checked for every component.
 struct CoreReport {
     std::string component;     ///< "state machine P::S"
     std::string property;      ///< "deadlock-free"
-    bool information = false;  ///< purely informative: neither a false nor an unknown answer is a problem
+    bool information = false;  ///< informative only: neither a false nor an unknown answer is a problem
     /// If the question is which elements are exercised: the transitions or states of the resolved model that it is
     /// about.
     std::vector<std::string> elements = {};

@@ -1,5 +1,5 @@
 // Explores the processes of a decided claim again, to find the basis of its verdict that no search for a violation
-// shows. Only processes with few states are explored; about larger ones nothing is reported.
+// shows. Only processes with few states are explored; larger ones are skipped.
 #pragma once
 
 #include <map>

@@ -111,7 +111,7 @@ public:
         return verdict.kind != RuleVerdict::Kind::not_decided;
     }
 
-    /// True if no run makes the rule demand anything.
+    /// True if the rule makes no demand in any run.
     bool never_asked() {
         return session_->check(*never_asked_, limits(of_.options_)).verdict.outcome == refine::Outcome::holds;
     }

@@ -1,5 +1,5 @@
-// Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rules are in files beside the
-// assertions.
+// Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rules are in files in the folder of
+// the assertions.
 #pragma once
 
 #include <map>

@@ -37,7 +37,7 @@ struct DecidedClaim {
     friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;
 };
 
-/// What was decided about a model with certain constants, and the texts that it is about.
+/// The decisions about a model with certain constants, and the texts that they are about.
 struct Evidence {
     using Files = std::vector<std::pair<std::string, std::string>>;
 

@@ -70,7 +70,7 @@ std::vector<std::string> constants_unlike(const Project& project, const Definiti
         const auto shown = [&](const std::string& text) {
             return runs::value_text(project.system, project.instantiation, constant.type, text);
         };
-        // If a block defines the machine's own constant, that value applies where a controller runs the machine.
+        // If a block defines the machine's own constant, that value applies in controllers that run the machine.
         const auto machines = own.find(constant.name);
         const bool of_machine = machines != own.end() && there.is_written(machines->second);
         const std::string& deciding = of_machine ? machines->second : constant.name;

@@ -1,5 +1,5 @@
-// Finds values that csp blocks replace: the assertions then use other values than the generated code and its
-// comparison.
+// Finds values that csp blocks replace. If there are any, the assertions use other values than the generated code and
+// its comparison.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace robochart::app {
 
 /// The constants and functions that the timed blocks define differently from these definitions, which were made without
-/// blocks: "RC = 0 (there 1), ms(...)". "": there are none.
+/// blocks: "RC = 0 (there 1), ms(...)". "" if they define none differently.
 [[nodiscard]] std::string values_unlike_blocks(const Project&, const cspm::Script& without_blocks);
 
 }  // namespace robochart::app

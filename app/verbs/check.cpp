@@ -213,9 +213,8 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
     }
 }
 
-/// Either all assertions must hold, and the first that fails ends the check. Or one suffices: then the first that holds
-/// decides, and the claim fails only if all of them fail. If none holds and one of them is unknown, the claim is
-/// inconclusive.
+/// If all assertions must hold, the first that fails ends the check. If one suffices, the first that holds decides, and
+/// the claim fails only if all of them fail. If none holds and one of them is unknown, the claim is inconclusive.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     std::optional<std::string> unknown;  // why the first inconclusive one is inconclusive
     Basis before;                        // basis of assertions that do not decide the claim alone
@@ -242,8 +241,8 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 /// The premises of claims; each is decided once.
 class Premises {
 public:
-    /// If a claim holds but its premise does not, the claim becomes inconclusive, and the run that refutes the premise
-    /// is shown.
+    /// A claim that holds becomes inconclusive if its premise does not hold, and the run that refutes the premise is
+    /// shown.
     void apply(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
         if (obligation.premise == nullptr || report.answer != Answer::holds) return;
         const AssertionReport premise = answer(context, obligation);
@@ -293,7 +292,7 @@ bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
                 : asked_for(context.options, context.project.system.properties[obligation.property].name);
 }
 
-/// The elements of the question which of them are exercised.
+/// The transitions or states of which the obligation finds out whether runs exercise them.
 std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     std::vector<std::string> result;
     if (obligation.firing)
@@ -343,7 +342,7 @@ void announce(const Context& context, Report& report) {
     }
 }
 
-/// If a script uses an undefined name, this is wrong input; it is reported once for all its claims.
+/// If a script uses an undefined name, the input is wrong; this is reported once for all claims of the script.
 std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time,
                                     const Options& options, Report& report) {
     try {

@@ -352,7 +352,7 @@ void print_report(const Known& known, const Options& options) {
         print_styled(wrapped(render_text(known.report, options), line_width(STDOUT_FILENO)));
 }
 
-/// Prints the rest of the output about a script. It is printed completely, and the last word does not repeat it.
+/// Prints the rest of the output about a script. It is printed completely, and the last word does not print it again.
 void print_last(const std::string& text, const Options& options, Known& known) {
     if (known.last) options.run->finish();
     const auto edit = options.run->edit();

@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// A terminated robot reports this in every later cycle.
+    /// A terminated robot reports its termination in every later cycle.
     bool ended_before(std::size_t robot) {
         ended_.resize(monitors_.size());
         return std::exchange(ended_[robot], std::uint8_t{1}) != 0;

@@ -62,8 +62,8 @@ void add_trials(const Simulation&, diagnostics::Hasher&);
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
 /// The options for the model of one controller: its path, and its constants. These are the constants of `--const` for
-/// this controller and, if they leave one open, those of the scenario (`const ...` in `robots` and `environment`). The
-/// robots are simulated with these constants, so all claims about the models are decided with them.
+/// this controller and, for constants without a value there, those of the scenario (`const ...` in `robots` and
+/// `environment`). The robots are simulated with these constants, so all claims about the models are decided with them.
 [[nodiscard]] Options options_for(const simulation::Scenario&, Options, std::size_t controller);
 /// "NAME=VALUE" for all constants that were given to the model.
 [[nodiscard]] std::vector<std::string> constants_of(const Project&);
@@ -71,11 +71,12 @@ void add_trials(const Simulation&, diagnostics::Hasher&);
 /// Shows the findings about the scenario and its model, and those about the models of the other controllers.
 void show_all_diagnostics(const Simulation&, const Options&);
 
-/// Add to the evidence what is decided with the constants of options_for. The first: the assertions of the scenario's
-/// models and the digests of their files. The second: whether the code of each controller conforms. The third: the
-/// scenario's claims; it returns false if the scenario cannot be run, and the simulation's project contains the reason.
-/// Results about controllers other than the first have the controller's name in front, "leaders: A1". Two controllers
-/// with the same model and constants are decided once. Throw diagnostics::LimitReached.
+/// The three functions add to the evidence what is decided with the constants of options_for. The first adds the
+/// assertions of the scenario's models and the digests of their files. The second adds whether the code of each
+/// controller conforms. The third adds the scenario's claims; it returns false if the scenario cannot be run, and the
+/// simulation's project contains the reason. Results about controllers other than the first have the controller's name
+/// in front, "leaders: A1". Two controllers with the same model and constants are decided once. Throw
+/// diagnostics::LimitReached.
 void decide_assertions(const Options&, const simulation::Scenario&, Evidence&);
 void decide_conformance(const Options&, const simulation::Scenario&, Evidence&);
 [[nodiscard]] bool decide_claims(const Options&, Evidence&, std::unique_ptr<Simulation>&);

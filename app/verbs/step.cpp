@@ -34,7 +34,7 @@
 namespace robochart::app {
 namespace {
 
-/// The number of hidden steps that are taken at once while nothing else is possible.
+/// The number of hidden steps that are taken at once while no other step is possible.
 constexpr std::size_t most_settled = 10'000;
 /// The number of steps in which `until` searches for its condition.
 constexpr std::size_t most_until = 100'000;

@@ -172,7 +172,7 @@ private:
         return std::nullopt;
     }
 
-    /// The hash of everything that an answer depends on.
+    /// The hash of all data that an answer depends on.
     [[nodiscard]] diagnostics::Digest key_of(const simulation::Point& point) const {
         const Simulation& simulation = *prepared_.simulation;
         diagnostics::Hasher hasher;
@@ -242,8 +242,8 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// Success if everything that `--monitor` checks was observed, and every point is decided or, if values are tried
-    /// until one is proved, every least value is.
+    /// Success if all that `--monitor` checks was observed and every point is decided. If values are tried until one is
+    /// proved, every least value must be decided instead.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
         if (std::any_of(compared_.begin(), compared_.end(),

@@ -161,7 +161,7 @@ public:
 
     /// Why a candidate could not be used; "" if all could be used.
     [[nodiscard]] const std::string& unusable() const { return unusable_; }
-    /// Why a candidate was refused although it was among the best; "" if none was.
+    /// Why one of the best candidates was refused; "" if none was.
     [[nodiscard]] const std::string& refused() const { return refusal_; }
     [[nodiscard]] std::uint64_t earlier_trials() const { return earlier_; }
 
@@ -187,7 +187,7 @@ private:
                 unusable_ = fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), each.message());
     }
 
-    /// The hash of everything that a trial's cost depends on except its seed.
+    /// The hash of all data that a trial's cost depends on except its seed.
     static diagnostics::Digest digest_of(const Simulation& simulation) {
         diagnostics::Hasher hasher;
         hasher.add("trial of a search");

@@ -75,7 +75,7 @@ diagnostics::Diagnostics together(const std::vector<Part>& parts) {
     return all;
 }
 
-/// No errors, and no warnings where they are denied.
+/// True if there are no errors and, with --deny-warnings, no warnings.
 bool valid(const diagnostics::Diagnostics& findings, const Options& options) {
     return findings.ok() && !(options.deny_warnings && findings.warnings() > 0);
 }

@@ -203,7 +203,7 @@ Exit print_report(const Report& report, const Options& options) {
     return report.exit();
 }
 
-/// `code`: code is generated from its components, and no earlier part has them.
+/// `code`: code is generated for the part's components, and no earlier part has them.
 bool run_phases(Project& project, const Options& options, bool code, Report& report) {
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, options, report);
@@ -600,7 +600,7 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
     return exit;
 }
 
-/// A log may be of any part, so all parts must be correct.
+/// A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto refused =
         std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });

@@ -76,7 +76,7 @@ private:
 };
 
 /// An order of the boxes with few backward edges. Boxes without incoming edges come first, boxes without outgoing edges
-/// last. If there are none of either, the box with the largest surplus of outgoing edges comes next; ties are broken by
+/// last. If there is no such box, the box with the largest surplus of outgoing edges comes next; ties are broken by
 /// textual order.
 class GreedyOrder {
 public:

@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// How much larger a box must be than it was drawn.
+    /// The width and height that a box must gain compared with the drawing.
     [[nodiscard]] Size growth_of(std::size_t b) const {
         if (!drawn_.boxes[b] || level_.boxes[b].round) return {};
         const DrawnBox& drawn = *drawn_.boxes[b];
@@ -117,7 +117,7 @@ private:
                 drawn.height ? std::max(0.0, least.height - *drawn.height) : 0};
     }
 
-    /// How far each box moves right and down, because boxes to the left of it or above it have grown.
+    /// The distance that each box moves right and down, because boxes to the left of it or above it have grown.
     [[nodiscard]] std::vector<Point> shifts() const {
         std::vector<Point> result(level_.boxes.size());
         push(result, &Point::x, &Size::width, &DrawnBox::width);

@@ -12,7 +12,7 @@ namespace robochart::diagrams::layout {
 [[nodiscard]] Rectangle square_at(const Point& centre);
 /// The squares of a box, without labels (see `ports_as_drawn`).
 [[nodiscard]] std::vector<PlacedPort> squares_of(const Rectangle& box, double header, const DrawnPorts& drawn);
-/// Places the labels of the squares where nothing else is.
+/// Places the labels of the squares in free space.
 void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space);
 
 /// Squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their side; the

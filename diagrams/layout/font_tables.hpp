@@ -16,7 +16,7 @@ struct WidthRange {
     const std::uint16_t* bold;
 };
 
-/// The ranges in ascending order. A character in no range is assumed to be one em wide.
+/// The ranges in ascending order. A character outside all ranges is assumed to be one em wide.
 [[nodiscard]] std::span<const WidthRange> width_ranges();
 
 }  // namespace robochart::diagrams::layout

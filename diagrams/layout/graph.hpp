@@ -2,7 +2,8 @@
 // right, boxes and labels are transposed before and transposed back after.
 //
 // Even layers contain boxes, odd layers labels. An edge has a node in each layer between its ends, so that every link
-// joins adjacent layers. An exception are turns, where an edge leaves a port on the side away from its other end.
+// joins adjacent layers. The exceptions are turns: links of edges that leave a port on the side away from their other
+// end.
 #pragma once
 
 #include <cstddef>

@@ -40,8 +40,8 @@ std::vector<std::size_t> topological_order(const Neighbours& near) {
     return order;
 }
 
-/// The first layer that a box may be in, apart from its neighbours: after pinned boxes, and not above its layer before
-/// an edit.
+/// The first layer that a box may be in if its neighbours are ignored: after pinned boxes, and not above its layer
+/// before an edit.
 std::size_t first_layer(const Level& level, std::size_t box, bool some_first) {
     const Box& it = level.boxes[box];
     const std::size_t lowest = some_first && it.pin != Pin::first ? 1 : 0;

@@ -25,7 +25,7 @@ struct Rank {
 
 /// A square on the left or right border of a box, at which edges end. A level with ports is laid out to the right.
 struct Port {
-    double label_width = 0;  ///< of the text beside it inside the box
+    double label_width = 0;  ///< of the text next to it inside the box
 };
 
 /// A node of the layout, joined by edges.
@@ -63,7 +63,7 @@ inline constexpr double port_size = 18;
 struct PlacedPort {
     bool left = false;  ///< on the left border; otherwise on the right, unless drawn elsewhere
     Point centre;
-    std::optional<Rectangle> label = {};  ///< if the label is not in the box beside the port
+    std::optional<Rectangle> label = {};  ///< if the label is not in the box next to the port
 };
 
 /// The placement of a box.

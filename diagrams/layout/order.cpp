@@ -1,7 +1,7 @@
 // Orders the nodes of each layer. Sweeps sort each layer by the mean position of the neighbours in the adjacent layer
-// (barycentres), and adjacent nodes are exchanged. This is done from several initial orders. The order with the fewest
-// crossings is kept; of equal ones, the first. The first initial order is that of the text (Domroes, von Hanxleden:
-// Preserving order during crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
+// (barycentres), and adjacent nodes are exchanged. This is done from several initial orders. The first of the orders
+// with the fewest crossings is kept. The first initial order is that of the text (Domroes, von Hanxleden: Preserving
+// order during crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
 #include <algorithm>
 #include <cstdint>
 

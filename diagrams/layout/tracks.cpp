@@ -99,8 +99,8 @@ public:
     }
 
 private:
-    /// Inserts the segments one at a time, longest first, each where it costs least. Then moves each again until the
-    /// cost does not improve.
+    /// Inserts the segments one at a time, longest first, at the cheapest position. Then moves every segment again
+    /// until the cost no longer improves.
     void order() {
         for (Piece& piece : pieces_) piece.track = 0;
         std::stable_sort(pieces_.begin(), pieces_.end(),
@@ -187,7 +187,7 @@ private:
         return true;
     }
 
-    /// The x nearest to this one at which no vertical line is.
+    /// The nearest x without a vertical line.
     [[nodiscard]] double free_x(double middle) const {
         for (double away = 0;; away += 1)
             for (const double x : {middle + away, middle - away}) {

@@ -28,7 +28,7 @@ private:
         Look look = Look::plain;
         Title title;
         Rows rows;
-        std::vector<const frontend::Event*> events;  ///< null for one that is only named
+        std::vector<const frontend::Event*> events;  ///< null if only its name is known
         std::vector<EventSquare> squares;            ///< one per event
         bool on_border = false;                      ///< an own event of the module or controller
         std::unique_ptr<NodeLevel> inner;            ///< of a machine whose nodes a person drew here

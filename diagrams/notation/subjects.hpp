@@ -20,7 +20,7 @@ struct Subject {
 [[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
 
 /// In textual order: modules, controllers, machines, operations and platforms (also inline ones), then every package
-/// with types, functions or interfaces. `paths`: where the texts come from, for the names of packages without a name.
+/// with types, functions or interfaces. `paths`: the paths of the texts, which name packages without a name.
 [[nodiscard]] std::vector<Subject> subjects(const frontend::Model& model, const diagnostics::SourceManager& sources);
 
 /// The diagram. A model with errors is drawn as far as possible; an unresolved name is drawn as a box. Throws

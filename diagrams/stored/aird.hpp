@@ -59,8 +59,8 @@ struct Aird {
 /// The longest text that is accepted, in bytes.
 inline constexpr std::size_t longest_aird = std::size_t{64} << 20U;
 
-/// XML in UTF-8 without a document type. Entity definitions, which could grow without bound or name other files, are
-/// rejected. Elements that are nested too deeply and numbers out of range are rejected, too.
+/// Reads XML in UTF-8 without a document type. Entity definitions, which could grow without bound or name other files,
+/// are rejected. Elements that are nested too deeply and numbers out of range are rejected, too.
 [[nodiscard]] Aird read_aird(std::string_view text, diagnostics::Budget* budget = nullptr);
 
 }  // namespace robochart::diagrams

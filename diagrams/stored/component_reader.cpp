@@ -328,8 +328,8 @@ private:
         return connection != nullptr && is(connection->from, source) && is(connection->to, target);
     }
 
-    /// Finds a declaration for the line, in the container of the line's source, that has no other line; of several, the
-    /// one with the line's label.
+    /// Finds a declaration for the line in the container of the line's source. Declarations that have a line already
+    /// are skipped. If several fit, the one with the line's label is preferred.
     void find_line(const AirdLine& line, const AirdElement& element) {
         const Declaration* source = end_of(element.source).node;
         const Declaration* best = nullptr;

@@ -15,8 +15,8 @@ namespace robochart::diagrams {
 /// Finds the declarations to which references lead.
 class Fragments {
 public:
-    /// `folder`: the folder of the referring file, "" or ending with "/". Of several files with one name, the one in
-    /// this folder is used.
+    /// `folder`: the folder of the referring file, "" or ending with "/". If several files have the same name, the one
+    /// in this folder is used.
     Fragments(const frontend::Model& model, const diagnostics::SourceManager& sources, const std::string& folder);
 
     /// Null if the reference does not lead to a drawn declaration.

@@ -22,9 +22,9 @@ struct StoredDiagram {
     std::string file;  ///< its path
     StoredLayout layout;
     std::size_t elements = 0;  ///< nodes, parts, squares of events and lines
-    std::size_t found = 0;     ///< of these, how many the model has, with their names or ends
+    std::size_t found = 0;     ///< number of these that the model has, with their names or ends
     std::size_t boxes = 0;     ///< nodes and parts
-    std::size_t stacked = 0;   ///< of these, how many are at the place of another one, because nobody moved them
+    std::size_t stacked = 0;   ///< number of these at the place of another one, because nobody moved them
 
     /// True if a person arranged it; false if it is as RoboTool created it.
     [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
@@ -44,8 +44,8 @@ public:
     /// Adds the diagrams in files `representations.aird` in the folders of the model's files and in their common
     /// folder. A file that cannot be read is reported once.
     void read(const frontend::Model& model, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out);
-    /// Adds the diagrams of a file with this path. Of several diagrams of one component, the one that fits best is
-    /// kept; of equal ones, the first.
+    /// Adds the diagrams of a file with this path. If a component has several diagrams, the one that fits best is kept,
+    /// or the first of those that fit equally well.
     void add(const Aird& aird, const std::string& path, const frontend::Model& model,
              const diagnostics::SourceManager& sources, diagnostics::Budget* budget);
 

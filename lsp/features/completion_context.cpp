@@ -52,7 +52,8 @@ const HeadRow* head_row(const Token& token) {
     return nullptr;
 }
 
-/// The bodies that contain the end of a list of tokens. A missing brace is noticed when a token cannot be where it is.
+/// The bodies that contain the end of a list of tokens. A missing brace is detected when a token cannot occur in the
+/// current body.
 class Bodies {
 public:
     std::vector<Enclosing> around(const Tokens& words) {
@@ -99,7 +100,7 @@ private:
     std::optional<Enclosing> head_;
 };
 
-// ---------------------------------------------------------------- what is wanted
+// ---------------------------------------------------------------- the expected construct
 
 /// The tokens before the cursor, and queries about them.
 class Reader {

@@ -44,7 +44,7 @@ DiagramParameters diagram_parameters(View params) {
     return {!position.is_null(), component.text(), theme_of(params["theme"])};
 }
 
-// ---------------------------------------------------------------- which component
+// ---------------------------------------------------------------- the requested component
 
 Span span_of_declaration(const frontend::Declaration& declaration) {
     return diagnostics::join(declaration.span, declaration.name_span);

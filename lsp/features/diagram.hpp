@@ -1,4 +1,4 @@
-// Diagrams beside the text: the project's own requests and notifications `robochart/diagram` and
+// Diagrams next to the text: the project's own requests and notifications `robochart/diagram` and
 // `robochart/diagramChanged` (docs/lsp.md, "Diagrams").
 #pragma once
 

@@ -45,7 +45,7 @@ void did_close(Session& session, View params) {
     session.workspace.close(params["textDocument"]["uri"].text());
 }
 
-/// The open text is already known, so saving changes nothing.
+/// The open text is already known, so saving has no effect.
 void did_save(Session&, View) {}
 
 void did_change_watched_files(Session& session, View params) {

@@ -52,7 +52,7 @@ void publish(Session&);
 [[nodiscard]] Json code_lenses(Session&, View params);
 
 // diagram.cpp
-/// `{version, component, svg, elements, stale}`, or null where nothing is to be drawn.
+/// `{version, component, svg, elements, stale}`, or null if there is no component to draw.
 [[nodiscard]] Json diagram(Session&, View params);
 
 // folding.cpp

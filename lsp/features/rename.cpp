@@ -102,7 +102,7 @@ bool same_family(DeclKind a, DeclKind b) {
     return group(a) != 0 && group(a) == group(b);
 }
 
-/// The names that are equal and that other components may match with it.
+/// The occurrences of equal names that other components may match with this one.
 std::vector<const Occurrence*> family(Project& project, const Occurrence& name) {
     std::set<const Declaration*> members;
     for (const Occurrence& each : project.occurrences())

@@ -26,7 +26,7 @@ public:
         if (holds && span.begin < span.end) spans_.insert({span.end - span.begin, span.begin});
     }
 
-    /// From the smallest outwards, each inside the next; of two that overlap, the smaller one is kept.
+    /// The spans from the smallest outwards, each inside the next. If two overlap, the smaller one is kept.
     [[nodiscard]] std::vector<Span> nested() const {
         std::vector<Span> result;
         for (const auto& [length, begin] : spans_) {

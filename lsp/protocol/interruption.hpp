@@ -21,7 +21,7 @@ public:
     // For the reader thread:
     /// A message has arrived. It may end work before it is handled itself.
     void arrived(View message);
-    /// The input has ended.
+    /// Records that the input has ended.
     void input_ended();
 
     // For the thread that works:

@@ -16,8 +16,8 @@ struct RuleName {
 };
 /// The word at or directly before an offset.
 [[nodiscard]] std::optional<RuleName> rule_name_at(const RuleText&, const sleec::RuleFile&, std::uint32_t offset);
-/// A description of the name: its declaration and the rules that mention it. For a keyword, its meaning. "" if nothing
-/// is known.
+/// A description of the name: its declaration and the rules that mention it. For a keyword, its meaning. "" if the word
+/// is unknown.
 [[nodiscard]] std::string about_rule_name(const sleec::RuleFile&, const RuleName&, bool markdown);
 
 /// The outline of definitions, rules, concerns and purposes: DocumentSymbols, or SymbolInformation for editors that

@@ -1,4 +1,4 @@
-// Finds the occurrences that refer to the same thing.
+// Finds the occurrences of names that refer to the same declaration or element.
 #pragma once
 
 #include <vector>
