@@ -48,7 +48,7 @@ struct ChainAnswer {
     std::vector<ChainCheck> checks;  ///< at the times of the chain's states
     bool of_no_chain = false;        ///< the order of the chain is refuted, for all questions
 
-    /// True if trials contradict the chain, so that its bounds say nothing about the swarm.
+    /// True if trials contradict the chain, so that its bounds do not apply to the swarm.
     [[nodiscard]] bool refuted() const;
     /// The verdict on the claim; `estimated` if there is no claim. Must not be called if the answer is refuted.
     [[nodiscard]] ClaimVerdict verdict() const;

@@ -15,8 +15,8 @@
 
 namespace robochart::simulation {
 
-/// Which states of a robot can follow which between two states of the chain. A class is a set of bits: bit i is set if
-/// the robot is in the state of the i-th distinction by `in_state`.
+/// The changes of state that a robot can make between two states of the chain. A class is a set of bits: bit i is set
+/// if the robot is in the state of the i-th distinction by `in_state`.
 struct RobotSteps {
     std::vector<std::uint32_t> classes;    ///< ascending
     std::vector<bool> first;               ///< for each class: a robot can start in it
@@ -62,10 +62,10 @@ public:
     /// For each state, whether the condition is true in it (false in the start state); no value if a state does not
     /// determine it.
     [[nodiscard]] std::optional<std::vector<bool>> holding(const Formula& condition) const;
-    /// The permitted transitions: those of robot numbers as the robots' steps allow, those of other measures without
-    /// restriction. A robot's steps allow a change of the numbers exactly if, for every set of classes, at most as many
-    /// robots are in it as are in its successors afterwards (Hall's theorem for transports). If they allow no successor
-    /// of a state, all are permitted: a proof that time stops says nothing about code that continues.
+    /// The permitted transitions. The robots' steps restrict changes of robot numbers; other measures may change
+    /// without restriction. A robot's steps allow a change of the numbers exactly if, for every set of classes, at most
+    /// as many robots are in it as are in its successors afterwards (Hall's theorem for transports). If they allow no
+    /// successor of a state, all are permitted: a proof that time stops does not apply to code that continues.
     [[nodiscard]] statistics::Permitted permitted(diagnostics::Budget* = nullptr) const;
 
 private:
@@ -95,8 +95,7 @@ private:
     std::vector<Tuple> states_;       ///< ascending
 };
 
-/// The classes of a robot if nothing is known about the model: those of all states of the machine, and of the time
-/// between states.
+/// The classes of a robot of an unknown model: those of all states of the machine, and of the time between states.
 [[nodiscard]] std::vector<std::uint32_t> robot_classes(const Scenario&);
 
 }  // namespace robochart::simulation

@@ -121,8 +121,8 @@ public:
     }
 
 private:
-    /// True if robots of this kind send nothing for this sensor. If no kind could send it, this is reported for the
-    /// first kind only.
+    /// True if robots of this kind do not send the variable of this sensor. If no kind could send it, this is reported
+    /// for the first kind only.
     [[nodiscard]] bool is_silent(const Sensor& sensor, const Emissions& all) const {
         if (sensor.message.text.empty()) return true;
         const auto sends = [&](const cpp_emit::DriveEmission* emission) {
@@ -134,8 +134,7 @@ private:
                (&emission_ != all.kinds.front() || std::any_of(all.kinds.begin(), all.kinds.end(), sends));
     }
 
-    /// Reports events that nothing feeds, and operations without an effect. `effects` contains the effects of each
-    /// output.
+    /// Reports events without a feed, and operations without an effect. `effects` contains the effects of each output.
     template <class Effects>
     void report_unused(const Controlled& controlled, const std::vector<Effects>& effects) {
         std::vector<Name> ignored = controlled.ignored;
@@ -188,8 +187,8 @@ private:
         return std::nullopt;
     }
 
-    /// Binds the event for every kind of robots that has it. An event with a value but without a given one takes the
-    /// value of the command.
+    /// Binds the event for every kind of robots that has it. If the event carries a value and the scenario gives none,
+    /// it takes the value of the command.
     void bind_raised(const WorldAct& act, const Port& from, const Emissions& all, BoundAct& bound) {
         const Stimulus& stimulus = act.stimulus;
         const bool valued = stimulus.value || stimulus.truth || stimulus.named;

@@ -149,7 +149,7 @@ private:
     /// `SENSOR.OPTION`.
     void sensor_option(Variation& variation);
 
-    // scenario_abstraction.cpp: the states of a chain and what only it answers
+    // scenario_abstraction.cpp: the states of a chain and the questions that only it answers
     void abstract();
     /// Returns true if another one follows.
     bool distinction(Abstraction& abstraction);

@@ -350,7 +350,7 @@ private:
 
     // ------------------------------------------------------------ sensing
 
-    /// A failed sensor reports nothing: no event, false, 0. The radio is not such a sensor.
+    /// A failed sensor reports no event, false or 0. The radio is not such a sensor.
     [[nodiscard]] bool is_blind(std::size_t robot, const BoundFeed& bound) const {
         return failed_[robot].sensors && bound.sensor != no_slot && sensor(bound).kind != SensorKind::range_and_bearing;
     }
@@ -474,7 +474,8 @@ private:
     double measured(std::size_t robot, const BoundFeed& bound) {
         if (bound.feed->reading == Reading::distance) return sight(robot, bound).distance;
         const auto others = stage_.direction_of_others(robot, sensor(bound), argument(robot, bound));
-        // If no robot is heard, there is nothing to turn away from; a robot that is alone turns around.
+        // If no robot is heard, `away` is straight ahead, and the direction of others is backwards, so that a lone
+        // robot turns around.
         if (bound.feed->reading == Reading::away) return others ? normal_angle(*others + std::numbers::pi) : 0;
         return others.value_or(std::numbers::pi);
     }
@@ -639,7 +640,7 @@ private:
     std::vector<Course> courses_;
     std::vector<Failed> failed_;
     std::vector<Failing> failing_;
-    std::vector<bool> working_;  ///< empty if nothing can fail
+    std::vector<bool> working_;  ///< empty if no part can fail
     Random draws_;  ///< for failures, messages and random walks; sensors and wheels use the world's generator
     std::vector<std::optional<Sight>> sights_;
     std::vector<MovingLight> lights_;

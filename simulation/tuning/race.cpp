@@ -125,8 +125,8 @@ bool Race::iterate() {
     return true;
 }
 
-/// Draws new candidates, without duplicates: anything in the first iteration, later near the best ones. If nothing new
-/// is found near them, the neighbourhood grows. The result is smaller if there are no more candidates.
+/// Draws new candidates, without duplicates: arbitrary ones in the first iteration, later ones near the best. If no new
+/// candidate is found near them, the neighbourhood grows. The result is smaller if there are no more candidates.
 std::vector<std::size_t> Race::sample(std::uint64_t fresh, double progress) {
     for (const std::size_t elite : elites_)
         narrow(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
@@ -185,8 +185,8 @@ void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::ui
     iterations_.back().trials += trials.size();
 }
 
-/// The race of one iteration, within its share of the budget. The seeds are: a new one, so that elites are tested on it
-/// like the others; then those that elites have seen; then new ones.
+/// The race of one iteration, within its share of the budget. The first seed is new, so that elites are tested on it
+/// like the others. The seeds that elites have seen come next, then further new ones.
 void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
     const std::uint64_t known = elites_.empty() ? 0 : seeds_;
     const std::uint64_t begin = trials_;

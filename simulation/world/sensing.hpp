@@ -1,6 +1,6 @@
-// What robots perceive in a world: a line of sight, the range and bearing of others, light with shadows, and proximity.
-// The models follow published ones of the e-puck: Li et al. 2017, section 3; ARGoS' range-and-bearing and light
-// sensors.
+// The sensors of robots in the built-in world: a line of sight, the range and bearing of others, light with shadows,
+// and proximity. The models follow published ones of the e-puck: Li et al. 2017, section 3; ARGoS' range-and-bearing
+// and light sensors.
 #pragma once
 
 #include <cstdint>
@@ -65,8 +65,8 @@ public:
     [[nodiscard]] bool somebody_within(std::size_t robot, const RangeAndBearing&, double within);
     /// The number of sensors of the ring that the light reaches; other robots cast shadows.
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const LightRing&, Vector light);
-    /// The distance from the body to the nearest robot or wall that a sensor of the ring meets; no value if nothing is
-    /// in range.
+    /// The distance from the body to the nearest robot or wall that a sensor of the ring meets; no value if none is in
+    /// range.
     [[nodiscard]] std::optional<double> nearest(std::size_t robot, const ProximityRing&) const;
 
 private:

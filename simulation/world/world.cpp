@@ -96,7 +96,7 @@ void World::place(const Pose& pose) {
     listed_x_.clear();
 }
 
-/// Places where a robot can be: not overlapping others, walls or obstacles.
+/// The places for a robot that overlap no other robot, wall or obstacle.
 class World::Free {
 public:
     explicit Free(const World& world)

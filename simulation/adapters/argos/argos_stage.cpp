@@ -1,5 +1,5 @@
 // The adapter for ARGoS; see argos_stage.hpp. ARGoS executes a step in our order (act, physics, media, sense, control).
-// Its controllers do nothing: the trial reads their sensors and sets their wheels between two steps.
+// Its controllers are empty: the trial reads their sensors and sets their wheels between two steps.
 #include "simulation/adapters/argos/argos_stage.hpp"
 
 #include <argos3/core/control_interface/ci_controller.h>
@@ -50,7 +50,7 @@ public:
     argos::CCI_RangeAndBearingSensor* radio = nullptr;
 
 private:
-    /// A robot that has sent nothing is not heard.
+    /// A robot that has not sent a message is not heard.
     void speak() {
         if (sender_ != nullptr) sender_->SetData(0, 1);
     }
@@ -133,7 +133,7 @@ public:
         if (!arena.walled) far_ += 4 * scenario.world.body.max_wheel * scenario.duration;
         for (std::size_t i = 0; i < start.size(); ++i) robots_.push_back(find(i));
         for (std::size_t i = 0; i < start.size(); ++i) place(robots_[i], start.position(i), start.heading(i));
-        // Updates the sensors once at the start, before anything moves.
+        // Updates the sensors once at the start, before the robots move.
         for (argos::CMedium* medium : simulator_.GetMedia()) medium->Update();
         for (const Robot& robot : robots_) robot.control->Sense();
     }

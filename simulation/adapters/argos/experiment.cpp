@@ -106,7 +106,7 @@ std::string grid(double width, double height) {
 
 std::string argos_experiment(const Scenario& scenario, const World& start) {
     const WorldOptions& world = scenario.world;
-    // Without walls, the space is as large as robots can reach.
+    // Without walls, the space contains all points that the robots can reach.
     const double around = world.arena.walled ? 4 * thickness : 2 * metres(world.body.max_wheel) * scenario.duration + 1;
     const double width = metres(world.arena.width) + around;
     const double height = metres(world.arena.height) + around;
