@@ -151,7 +151,7 @@ void Channels::emit_modules() {
 
 /// R12: "Untyped buffer: f:bool; OUT always possible (overwrites, loses), IN if full." R13: "Buffer: OUT needs both
 /// FINs, clears f, then one unlabelled step copies EVT__IN'=EVT__OUT, fills." An end that no machine uses has no
-/// command, so nothing can happen there.
+/// command, so no step is possible there.
 void Channels::emit_buffer(const Channel& channel) {
     prism::Module module;
     module.name.text = context_.unique("BUF_" + channel.name);

@@ -123,8 +123,8 @@ private:
         return tree::name(context_.literal(expr.type, expr.number));
     }
 
-    /// PRISM has one type of numbers: whole numbers need no rounding, and others are rejected where they are assigned
-    /// to a variable.
+    /// PRISM has one type of numbers. Whole numbers need no rounding, and others are rejected when they are assigned to
+    /// a variable.
     ExprPtr cast(const ir::Expr& expr) {
         const bool rounds = context_.system.type(expr.type).kind != ir::TypeKind::real &&
                             context_.system.type(expr.args.front()->type).kind == ir::TypeKind::real;

@@ -23,7 +23,7 @@ struct Path {
     };
     std::string begin;  ///< the initial state
     std::vector<Step> steps;
-    bool deadlock = false;  ///< nothing is possible at its end
+    bool deadlock = false;  ///< no step is possible at its end
 };
 
 /// The answer for one combination.

@@ -33,8 +33,7 @@ struct Choice {
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// States in which nothing is possible except the passing of time: the largest set of states that is closed and has
-/// only tock steps.
+/// States in which only time can pass: the largest set of states that is closed and has only tock steps.
 markov::StateSet deadlocked(const Exploration& explored, const std::function<bool(const Step&)>& tock,
                             const std::function<void()>& poll) {
     markov::StateSet result(explored.size(), true);

@@ -48,7 +48,7 @@ struct Sources {
 
 struct DecisionProcess {
     markov::Model model;
-    markov::StateSet deadlocks;            ///< nothing is possible except the passing of time
+    markov::StateSet deadlocks;            ///< only time can pass
     std::vector<lts::StateIndex> origins;  ///< for each state, its state in the exploration
     std::vector<EventSet> happening;  ///< the sets of events of choices, without duplicates; contains the empty set
 };

@@ -60,8 +60,8 @@ public:
 
 private:
     /// Rejects models in which the code may differ from the process. Generated code continues if the model terminates
-    /// or time stops, and it reports the source state while time passes in a transition. The process says nothing about
-    /// these cases.
+    /// or time stops, and it reports the source state while time passes in a transition. The process does not describe
+    /// this behaviour.
     void check_time(const std::string& machine, const std::set<std::string>& leaves) {
         const Exploration& explored = *process_.exploration;
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
@@ -116,7 +116,7 @@ private:
                                         result_.classes.begin());
     }
 
-    /// The states after a time unit that passes in the class, taken before or after the step.
+    /// The states after a time unit whose class, before or after the step, is this one.
     [[nodiscard]] std::vector<bool> behind_time(std::size_t from) {
         const Exploration& explored = *process_.exploration;
         std::vector<bool> result(explored.size());

@@ -1,5 +1,5 @@
-// Which states of a machine can follow which after some time units, for any environment: a proof about the timed
-// semantics of its component that uses all states.
+// Computes which states of a machine can follow each other after some time units, for any environment. The result is a
+// proof about the timed semantics of its component, because the computation uses all states.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ struct ObservedEvent {
     bool valued = false;    ///< it carries values
     bool module = false;    ///< the component is a module: it has no event when it terminates
 
-    /// The name of the observer's definition in the provenance, where it is a separate component.
+    /// The name of the observer's definition in the provenance, if it is a separate component.
     [[nodiscard]] std::string name() const { return component + " " + event; }
 };
 

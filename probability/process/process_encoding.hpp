@@ -59,7 +59,7 @@ private:
     diagnostics::SourceManager& sources_;
     ProcessOptions options_;
     std::unique_ptr<ProcessNames> names_;
-    std::unique_ptr<Explored> explored_;  ///< the latest one; questions about one model are asked consecutively
+    std::unique_ptr<Explored> explored_;  ///< the latest one; questions about one model come one after another
     std::unique_ptr<Answered> answered_;
 };
 

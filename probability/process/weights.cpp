@@ -138,7 +138,7 @@ Rational Weights::value(const Scope& scope, const ir::Expr& expr) const {
         case ExprKind::divide: {
             const Rational divisor = arg(1);
             if (divisor == 0) throw Wrong("a probability divides by 0");
-            // Numbers in probabilities are fractions: 1/3 is a third, whatever the types of 1 and 3 are.
+            // Numbers in probabilities are fractions: 1/3 is a third, even if 1 and 3 are whole numbers.
             return arg(0) / divisor;
         }
         case ExprKind::if_then_else:

@@ -1,5 +1,5 @@
 // Computes the probabilities of the branches of probabilistic junctions exactly, as fractions. Unlike in the CSP
-// semantics, nothing is clipped or rounded: a probability is the number in the model.
+// semantics, values are not clipped or rounded: a probability is the number in the model.
 #pragma once
 
 #include <functional>

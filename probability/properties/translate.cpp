@@ -284,7 +284,7 @@ std::string Translator::full_path(const ast::QualifiedName& name) {
     Beginning begin = beginning(all_, file_, name);
     if (begin.used == 0) refuse(fmt::format("`{}`, which begins with no component", name.text()));
     for (std::size_t i = begin.used; i < name.parts.size(); ++i) {
-        // A platform is identified by its own name, whatever the name of the reference is.
+        // A platform is identified by its own name and not by that of the reference.
         const ast::Context* const platform = i == begin.used ? ast::platform_of(begin.end, name.parts[i]) : nullptr;
         begin.parts.push_back(platform != nullptr ? platform->name : name.parts[i]);
     }

@@ -58,7 +58,7 @@ private:
     prism_emit::Preferences emitted_for_;  ///< the ranges of `emission_`
     std::unique_ptr<Names> names_;
     Wording wording_;
-    std::unique_ptr<Prepared> prepared_;  ///< the latest one; questions about one model are asked consecutively
+    std::unique_ptr<Prepared> prepared_;  ///< the latest one; questions about one model come one after another
 };
 
 }  // namespace robochart::probability

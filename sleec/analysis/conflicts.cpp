@@ -51,7 +51,7 @@ std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligation
     return result;
 }
 
-/// For each rule, the rules that it triggers at once: it demands their trigger at the instant of its own.
+/// For each rule, the rules that it triggers at once: it demands their trigger at the instant of its own trigger.
 using Answers = std::vector<std::vector<std::size_t>>;
 
 Answers answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
@@ -207,8 +207,8 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// The steps to a state from which no second can pass, whatever happens, and from which no clash of some of the rules
-/// is reachable. No value if there is no such state.
+/// The steps to a state from which time can no longer pass and no clash of some of the rules is reachable. No value if
+/// there is no such state.
 std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const AnalysisOptions& options) {
     const auto explored = lts::explore(system, [&](std::size_t states) {
         if (options.budget != nullptr) options.budget->poll();
@@ -424,8 +424,8 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
     Questions(rules, options, take).ask_all();
 }
 
-/// True if, for each sample of its trigger, the rule demands nothing or the other rule's demand implies it. Measures
-/// are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
+/// True if, for each sample of its trigger, the rule makes no demand or the other rule's demand implies its demand.
+/// Measures are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
 bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
     const auto all = samples(rules, {rule, by}, rules.rules[rule].trigger, options.without_limit, options.budget);
     return std::all_of(all.begin(), all.end(), [](const Sample& sample) {

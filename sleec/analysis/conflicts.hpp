@@ -28,8 +28,8 @@ struct Side {
 struct Conflict {
     std::vector<Side> due, forbidding;
     std::int64_t instant = 0;
-    bool for_ever = false;  ///< nothing is due yet, but the demanded event is forbidden forever
-    bool endless = false;   ///< nothing is forbidden, but every due event triggers further demands at this instant,
+    bool for_ever = false;  ///< no demand is due yet, but the demanded event is forbidden forever
+    bool endless = false;   ///< no event is forbidden, but every due event triggers further demands at this instant,
                             ///< without end
     /// Other events before the conflict that are needed to obey the rules: second and event.
     std::vector<std::pair<std::int64_t, std::size_t>> besides;
@@ -63,7 +63,7 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
 /// True if everything that `rule` demands is demanded by `by` for the same trigger. Throws NotDecided.
 [[nodiscard]] bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by,
                              const AnalysisOptions& options);
-/// True if a rule demands nothing for any values of the measures. Throws NotDecided.
+/// True if a rule makes no demand for any values of the measures. Throws NotDecided.
 [[nodiscard]] bool asks_for_nothing(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
 }  // namespace robochart::sleec

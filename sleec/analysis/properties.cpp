@@ -1,8 +1,8 @@
 // See properties.hpp. A shortest history begins with the occurrences of the property, at one instant. Every other
 // occurrence fulfils or ends an open duty; the remaining ones can be left out, because they only open duties, so no
 // rule is broken. The history can continue forever in two cases. It reaches a state in which all open duties are
-// satisfied if nothing more happens. Or it reaches a part of the graph in which seconds pass repeatedly and every duty
-// without limit is fulfilled or ended.
+// satisfied if no further event occurs. Or it reaches a part of the graph in which seconds pass repeatedly and every
+// duty without limit is fulfilled or ended.
 #include "sleec/analysis/properties.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ struct Step {
     std::optional<Happening> happening;  ///< no value: the end of a second
 };
 
-/// The property as additional rules that open a duty at its occurrences. The rule for `exists` demands nothing, but its
+/// The property as additional rules that open a duty at its occurrences. The rule for `exists` makes no demand, but its
 /// samples show whether the condition is true.
 CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& property) {
     CheckedRules result = rules;
@@ -228,7 +228,7 @@ private:
     }
 
     /// True if the property needs no further event. A duty that must be broken is broken already, or it has no limit
-    /// and stays unfulfilled if nothing happens.
+    /// and stays unfulfilled if no further event occurs.
     [[nodiscard]] bool has_come(const State& state) const {
         return !state.awaited && !state.during && (!state.to_break || without_limit(*state.to_break));
     }
@@ -263,7 +263,7 @@ private:
         steps_[before].push_back({known->second, std::move(happening)});
     }
 
-    /// True if nothing more needs to happen: every open duty has a prohibition that can still be satisfied.
+    /// True if no further event is needed: every open duty has a prohibition that can still be satisfied.
     [[nodiscard]] bool is_quiet(const State& state) const {
         return has_come(state) && std::all_of(state.open.begin(), state.open.end(), [&](const OpenDuty& duty) {
                    const Obligation& obligation = obligations_[duty.obligation];

@@ -22,7 +22,7 @@ struct Happening {
 /// Whether some history in which the property occurs obeys all rules.
 struct PropertyAnswer {
     Answer possible = Answer::no;
-    std::vector<Happening> history;  ///< possible: such a history; after it nothing new happens, or its end repeats
+    std::vector<Happening> history;  ///< possible: such a history; after it no event occurs, or its end repeats
     std::string reason;              ///< not decided: the reason
     std::uint64_t states = 0;
 };

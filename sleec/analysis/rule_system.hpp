@@ -53,9 +53,9 @@ struct Clash {
 [[nodiscard]] std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open);
 
 /// Only a few occurrences are spontaneous (`unasked_occurrences`); every other one fulfils an open obligation. This
-/// loses no conflict. Take a history with one and keep the triggers of the clashing obligations, and the events that
-/// broke prohibitions among their alternatives. Then repeatedly keep the occurrence that first fulfilled an obligation
-/// of a kept occurrence. Every remaining obligation has the same outcome as before.
+/// loses no conflict. Take a history with a conflict and keep the triggers of the clashing obligations, and the events
+/// that broke prohibitions among their alternatives. Then repeatedly keep the occurrence that first fulfilled an
+/// obligation of a kept occurrence. Every remaining obligation has the same outcome as before.
 class RuleSystem final : public lts::TransitionSystem {
 public:
     explicit RuleSystem(const Question& question);
@@ -71,8 +71,8 @@ public:
     [[nodiscard]] bool is_tock(lts::Event event) const { return event == tock_; }
     /// True if some of the rules clash in this state.
     [[nodiscard]] bool some_clash(lts::StateView state) const;
-    /// True if states were left out because a rule would have too many open obligations; a search without a conflict
-    /// then proves nothing.
+    /// True if states were left out because a rule would have too many open obligations. A search that finds no
+    /// conflict is then not a proof.
     [[nodiscard]] bool left_out() const { return left_out_; }
 
 private:

@@ -60,7 +60,7 @@ struct CheckedProperty {
     bool exists = false;
     std::size_t trigger = 0;
     std::optional<Condition> condition;
-    DutyPtr duty;                       ///< null: nothing is demanded
+    DutyPtr duty;                       ///< null: no demand
     std::optional<std::size_t> during;  ///< `while` this event
     std::optional<Condition> during_condition;
     const Property* written = nullptr;

@@ -468,7 +468,7 @@ bool Watch::reads() const {
                        [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
 }
 
-/// A terminated component does nothing more, but time continues.
+/// A terminated component has no further steps, but time continues.
 Tree Watch::both() const {
     Exprs not_read;
     for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(unknown));

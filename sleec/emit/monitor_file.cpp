@@ -124,7 +124,7 @@ public:
 private:
     struct Way {
         std::size_t demands = 0, prohibitions = 0, endings = 0;
-        std::int64_t seconds = 0;  ///< after which nothing changes
+        std::int64_t seconds = 0;  ///< after them, it no longer changes
         std::int64_t begin = 0;
         bool at_once = true;  ///< its only window starts at the trigger
     };

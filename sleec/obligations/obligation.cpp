@@ -25,7 +25,7 @@ public:
             begin += length;
             at = in_force(at->otherwise);
         }
-        return std::nullopt;  // nothing is demanded in the end, so the obligation is always fulfilled
+        return std::nullopt;  // no demand is left in the end, so the obligation is always fulfilled
     }
 
 private:

@@ -6,7 +6,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// After this second, nothing changes except in windows without end.
+/// After this second, only windows without end can still change.
 std::int64_t horizon(const Obligation& obligation) {
     std::int64_t last = 0;
     for (const Demand& each : obligation.any) last = std::max(last, each.end == forever ? each.begin : each.end + 1);

@@ -24,9 +24,9 @@ inline constexpr std::size_t most_demands = 15;
 /// The end of a second.
 [[nodiscard]] Effect take_tock(const Obligation& obligation, Progress& progress);
 
-/// The demands of which one must be fulfilled at this instant, if the obligation cannot survive it otherwise; empty if
-/// it can. A demand without limit counts if `never_again` returns true, which means that its event is forbidden
-/// forever.
+/// The demands of which one must be fulfilled at this instant, because the obligation is broken otherwise. Empty if it
+/// is not broken otherwise. A demand without limit counts if `never_again` returns true, which means that its event is
+/// forbidden forever.
 template <class NeverAgain>
 std::vector<const Demand*> due_now(const Obligation& obligation, const Progress& progress,
                                    const NeverAgain& never_again);

@@ -15,8 +15,8 @@ struct Sample {
     std::vector<std::optional<Obligation>> obligations;  ///< for each rule of the question, in order
 };
 
-/// The samples of an event that differ in the demands of some of these rules. Rules with another trigger demand
-/// nothing. Numbers are represented by the constants that they are compared with, by their neighbours, and by as many
+/// The samples of an event that differ in the demands of some of these rules. Rules with another trigger make no
+/// demand. Numbers are represented by the constants that they are compared with, by their neighbours, and by as many
 /// values in between as there are numbers compared with each other. Throws NotDecided if measures occur in arithmetic,
 /// or if there are too many values.
 [[nodiscard]] std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::size_t>& asked,

@@ -10,9 +10,9 @@
 
 namespace robochart::sleec {
 
-/// Returns the text in the standard layout; formatting the result again changes nothing. Returns no value if the text
-/// has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost; this is an
-/// internal error, whatever the text contains.
+/// Returns the text in the standard layout; formatting the result again does not change it. Returns no value if the
+/// text has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost, which is an
+/// internal error.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
                                                 diagnostics::Diagnostics&);
 

@@ -1,4 +1,4 @@
-// See printer.hpp. Parentheses are written where the tree needs them, and between `and` and `or`.
+// See printer.hpp. Parentheses are written if the tree needs them, and between `and` and `or`.
 #include "sleec/syntax/printer.hpp"
 
 #include <fmt/format.h>
