@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C++ source that holds every page of FOLDER as a raw string (see pages.hpp).
+# Writes OUTPUT, a C++ source that contains every page of FOLDER as a raw string (app/command/rule_pages.hpp).
 # cmake -DFOLDER=docs/rules -DOUTPUT=page_texts.cpp -P embed_pages.cmake
 file(GLOB pages ${FOLDER}/*.md)
 list(SORT pages)

@@ -1,4 +1,4 @@
-# Writes command_identity.cpp: PROGRAM's build ID as READELF prints it. The file is not touched where it stays as it was.
+# Writes command_identity.cpp with PROGRAM's build ID as READELF prints it. An unchanged file is not written again.
 execute_process(COMMAND ${READELF} --notes ${PROGRAM} OUTPUT_VARIABLE notes RESULT_VARIABLE failed)
 set(bytes "")
 if(NOT failed AND notes MATCHES "Build ID: ([0-9a-f]+)")

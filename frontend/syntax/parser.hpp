@@ -82,7 +82,7 @@ private:
     [[nodiscard]] bool at_follower() const;
 
     // Mistakes and recovery (parser.cpp)
-    /// Null if the mistake follows from one already reported.
+    /// The finding; null if the mistake follows from one that was reported already.
     diagnostics::Diagnostic* report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);

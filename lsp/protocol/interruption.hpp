@@ -19,7 +19,7 @@ public:
     enum class Reason { none, cancelled, modified, leaving };
 
     // For the reader thread:
-    /// A message has arrived. It may end work before it is handled itself.
+    /// Records that a message has arrived. It may end the current work before it is handled itself.
     void arrived(View message);
     /// Records that the input has ended.
     void input_ended();

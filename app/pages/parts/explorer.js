@@ -6,11 +6,11 @@
   document.documentElement.classList.add("scripted");
   if (data.states.length === 0) return;
 
-  /* The way: the labels that were taken, with their numbers among the offers, and the states, one more. */
+  /* The steps so far: the labels that were taken, with their numbers among the offers. There is one state more than steps. */
   let way = [];
   let states = [0];
   let digits = "";
-  /* What of a long way is shown at first: showing all of it takes long. */
+  /* The number of steps that are shown at first, because showing many steps takes long. */
   let mostEntries = 200;
 
   const labelOf = ([what, place, hidden, role, word, fired]) =>
@@ -25,7 +25,7 @@
   const here = () => states[states.length - 1];
   const timeOf = (steps) => way.slice(0, steps).filter((step) => step.label.role === roles.tock).length;
 
-  /* ---- going ---- */
+  /* ---- taking steps ---- */
 
   function go(number) {
     const offer = offersOf(here())[number];
@@ -34,7 +34,7 @@
     states.push(offer.target);
     return true;
   }
-  /* Is a state left at once: by a hidden step that nothing else competes with? */
+  /* True if the state is left at once, because a hidden step is its only offer. */
   function passes(state) {
     const offers = offersOf(state);
     return !part("hidden").checked && offers.length === 1 && offers[0].label.hidden && offers[0].target >= 0;
@@ -76,7 +76,7 @@
     else say("time cannot pass here");
   }
 
-  /* ---- the address: "#1.1.4x9": the numbers of the offers that were taken; "#0": none ---- */
+  /* ---- the address: "#1.1.4x9" contains the numbers of the offers that were taken; "#0": no step ---- */
 
   function address() {
     const words = [];
@@ -102,7 +102,7 @@
     if (!good) say("the address could be followed to step " + way.length + " only");
   }
 
-  /* ---- showing ---- */
+  /* ---- display ---- */
 
   function element(name, content, look) {
     const made = document.createElement(name);
@@ -110,7 +110,7 @@
     if (look) made.className = look;
     return made;
   }
-  /* The file without its folders; all of it when it is pointed at. */
+  /* The file without its folders; the tooltip contains the whole path. */
   function placeOf(place) {
     const made = element("small", place.slice(place.lastIndexOf("/") + 1));
     made.title = place;
@@ -193,7 +193,7 @@
     if (table.rows.length > 0) item.append(table);
     return item;
   }
-  /* Against the state that the last choice was made in: hidden steps may have followed. */
+  /* The number of steps before the last choice. Hidden steps may have followed the choice. */
   function lastChoice() {
     let steps = way.length - 1;
     while (steps > 0 && passes(states[steps])) --steps;
@@ -206,7 +206,7 @@
     if (items.length === 0 && process !== undefined) items.push(element("li", text(process)));
     fill(part("machines"), items);
   }
-  /* ---- the structure of the process: operators may be folded, and stay so by their place in it ---- */
+  /* ---- the structure of the process: an operator that is folded stays folded in later states ---- */
 
   const folded = new Set();
   const textOfPart = (number) => data.parts[number].slice(0, 2).join();
@@ -262,7 +262,7 @@
     item.append(button);
     return item;
   }
-  /* Consecutive time units are one entry: [steps behind it, time in front of it, text, look]. */
+  /* Consecutive time units are one entry: [number of steps including it, time before it, text, look]. */
   function entries() {
     const result = [[0, 0, "the beginning", ""]];
     let time = 0;
@@ -318,11 +318,11 @@
       if (moved) history.pushState(null, "", address());
       else history.replaceState(null, "", address());
     } catch (error) {
-      /* The browser allows only so many in a time. */
+      /* Browsers limit the number of changes of the address. */
     }
   }
 
-  /* ---- the way as a log, by the rules of `save` (docs/step.md) ---- */
+  /* ---- the steps as a log, by the rules of `save` (docs/step.md) ---- */
 
   function logText() {
     const cycles = [{ inputs: [], rest: [] }];

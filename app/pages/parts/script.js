@@ -12,7 +12,7 @@
       for (const part of claim.querySelectorAll(parts)) part.classList.add(name);
     }
   }
-  // Rows have the variables of a machine where they are not as in the row before.
+  // A row contains the variables of a machine only if they differ from those in the row before.
   function values(claim, rows, index) {
     for (const place of claim.querySelectorAll("figure .values")) {
       const figure = place.closest("figure");
@@ -28,7 +28,7 @@
     }
   }
   function valuesOf(row) { return JSON.parse(row.dataset.values); }
-  // Of several diagrams, that of the machine which acts is in view.
+  // If there are several diagrams, scrolls to that of the machine that acts.
   function bring(panel, part) {
     if (!part) return;
     const [view, it] = [panel.getBoundingClientRect(), part.getBoundingClientRect()];
@@ -37,15 +37,15 @@
     const after = part.getBoundingClientRect();
     if (after.bottom > view.bottom) panel.scrollTop += after.top - view.top - view.height / 3;
   }
-  // Rows that have not been in view have no height of their own yet: once they are drawn, the row is sought again.
+  // Rows that have not been visible do not have their final height. After they are drawn, the row is searched again.
   function seek(panel, row, more) {
     if (row.getAttribute("aria-current") !== "step") return;
     if (row.offsetTop < panel.scrollTop || row.offsetTop + row.offsetHeight > panel.scrollTop + panel.clientHeight)
       panel.scrollTop = row.offsetTop - panel.clientHeight / 2;
     if (more > 0) requestAnimationFrame(() => seek(panel, row, more - 1));
   }
-  // Browsers drop changes of the address beyond two hundred in ten seconds. After a hundred, the last of those within a
-  // fifth of a second counts.
+  // Browsers drop changes of the address after two hundred in ten seconds. After a hundred, the address is written at
+  // most once per fifth of a second.
   const address = { text: "", timer: null, changes: 0 };
   function writeAddress() {
     clearTimeout(address.timer);
@@ -79,7 +79,7 @@
       row.scrollIntoView({ block: "nearest" });
     }
   }
-  // The next step in which the element is marked, from the beginning behind the last one.
+  // The next step in which the element is marked; after the last step, the search continues at the first.
   function nextWith(claim, figure, part) {
     const mark = figure.dataset.machine + ":" + part.dataset.element;
     const rows = steps(claim);
@@ -96,9 +96,9 @@
       if (index !== undefined) return go(claim, index);
     }
   }
-  /* ---- playing: one claim at a time, which a step chosen by hand ends ---- */
+  /* ---- playing: one claim at a time; a step chosen by hand stops it ---- */
 
-  // Nothing moves between two steps. Readers who prefer less motion get a step in three seconds at most.
+  // There is no movement between two steps. For readers who prefer less motion, each step takes at least three seconds.
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let playing = null;
   function stop() {
@@ -131,7 +131,7 @@
     show(claim, index, true);
   }
 
-  // Where the browser gives no clipboard, the link is there to be copied by hand.
+  // If the browser does not give access to the clipboard, the link is shown so that it can be copied by hand.
   async function copyLink(claim) {
     stop();
     show(claim, at(claim), true);

@@ -109,7 +109,7 @@
     }
     return index;
   }
-  // What changed by the reader's hand is said, and is in the address.
+  // Changes made by the reader are announced in the status line and stored in the address.
   function show(time, silent) {
     const index = draw(time);
     if (silent) return;
@@ -141,7 +141,7 @@
     if (now >= trial.times[trial.times.length - 1]) draw(0);
     play.textContent = "pause";
     let before = null;
-    // Readers who prefer less motion get a new time twice a second, without movement in between.
+    // For readers who prefer less motion, the time changes twice a second, without movement in between.
     const tick = (at) => {
       if (before === null) before = at;
       if (!calm.matches || at - before >= 500) {

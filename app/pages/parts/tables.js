@@ -1,10 +1,10 @@
 "use strict";
-// What all pages have. Tables of the class "sortable": their headings become buttons that sort by their column, upwards, then downwards, then
-// as written.
+// The script of all pages. In tables of the class "sortable", the headings become buttons that sort by their column:
+// first ascending, then descending, then in the original order.
 (function () {
   const text = (row, column) => (row.cells[column] ? row.cells[column].textContent.trim() : "");
   const collator = new Intl.Collator("en", { numeric: true });
-  // Numbers may have thousands apart, and units; what is none comes last.
+  // Numbers may have separators of thousands, and units. Texts that are not numbers come last.
   function number(words) {
     const match = /^-?[0-9][0-9,]*(?:\.[0-9]+)?/.exec(words);
     return match ? Number(match[0].replaceAll(",", "")) : undefined;
@@ -28,13 +28,13 @@
         for (const each of headings) each.removeAttribute("aria-sort");
         if (next !== "") heading.setAttribute("aria-sort", next);
         const sign = { ascending: 1, descending: -1, "": 0 }[next];
-        // Rows that are equal stay as written.
+        // Equal rows keep their original order.
         table.tBodies[0].append(...written.slice().sort((one, other) => sign * compare(text(one, column), text(other, column))));
       });
     });
   }
 })();
-// Pictures shrink to their place, but not so far that their text cannot be read: then the figure around them scrolls.
+// Pictures shrink to the available space, but their text stays readable. If the space is too small, the figure scrolls.
 (function () {
   const least = 0.6;
   for (const svg of document.querySelectorAll(".drawn svg")) {
