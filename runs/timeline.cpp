@@ -110,8 +110,8 @@ Timeline Builder::build(const Behaviour& whole) {
     result.initial = now;
     for (Entry& entry : entries_) {
         for (const auto& [leaf, term] : entry.reached) now[leaf] = term;
-        // A leaf that exists from the next moment on exists after this one. A leaf that no longer exists in the next
-        // moment is removed after this one.
+        // A leaf that begins to exist in the next moment is added after this one. A leaf that no longer exists in the
+        // next moment is removed after this one.
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
             if (is_next(leaves_[i].span.begin, entry)) now[i] = leaves_[i].initial;
             if (is_next(leaves_[i].span.end, entry)) now[i] = std::nullopt;

@@ -24,7 +24,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// The number of steps shown of one run. Of a longer run, the first and the last steps are shown.
+/// The number of steps shown of one run. For a longer run, the first and the last steps are shown.
 constexpr std::size_t most_steps = 2000;
 
 const char* look(Answer answer) {

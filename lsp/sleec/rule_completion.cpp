@@ -36,7 +36,7 @@ public:
                 if (token.kind != Tok::comment) before_.push_back(token);
                 continue;
             }
-            // The place is at the end of a token or inside it.
+            // This token ends at the place or contains it.
             inside_ = token.kind == Tok::comment || token.kind == Tok::number;
             prefix.begin = token.span.begin;
         }

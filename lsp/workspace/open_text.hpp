@@ -26,7 +26,8 @@ void take_opened(View params, const std::function<OpenText&(const std::string& u
 /// Calls `change` with the text after each change of a notification, in order.
 void take_changes(OpenText& document, View params, Encoding encoding,
                   const std::function<void(std::string text)>& change);
-/// The answer to a request for the findings of a document. The findings are recorded as requested.
+/// The answer to a request for the findings of a document. The findings are stored as the last ones that the editor
+/// requested.
 [[nodiscard]] Json pulled_findings(OpenText& document, const std::map<std::string, Json>& found);
 
 /// The findings that the editor has received.

@@ -102,7 +102,7 @@ struct Light {
     Vector to;
     double speed = 0;  ///< cm/s; 0: it does not move
 
-    /// `time`: since it was at `at`.
+    /// `time`: seconds since the light was at `at`.
     [[nodiscard]] Vector position(double time) const;
     diagnostics::Span span;
 };
