@@ -1,4 +1,4 @@
-// The emission of one component: follow it, refuse what can't be generated, write its files.
+// The emission of one component: resolves it, rejects what cannot be generated, writes its files.
 #include "cpp_emit/emit.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
-/// Whether the exploration interface can be written; refuses where it has to be.
+/// Whether the exploration interface can be written; reports an error if it is required and cannot.
 bool explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     const auto beyond = beyond_exploration(generation.system, generation.inst, component);

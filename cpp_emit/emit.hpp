@@ -1,4 +1,4 @@
-// From the shared IR to C++ controllers: the founding paper's class mapping (Li et al., 2017) over a lean core of
+// Converts the shared IR to C++ controllers: the founding paper's class mapping (Li et al., 2017) over a core with
 // value-type state and a step function that runs to quiescence. Independent of the CSP semantics.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace robochart::cpp_emit {
 
-/// Emits the controller of one state machine, controller or module. `component` is the path as in
-/// ir::ComponentRef ("AggregationFSM", "AggregationModule"). What cannot be generated is refused by name.
+/// Emits the controller of one state machine, controller or module. `component` is the path as in ir::ComponentRef
+/// ("AggregationFSM", "AggregationModule"). Constructs without C++ are rejected by name.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                             const Options&, diagnostics::Diagnostics&);
 

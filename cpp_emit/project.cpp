@@ -1,4 +1,4 @@
-// Which files make up the project of a target; see project.hpp.
+// The files in the project of a target; see project.hpp.
 #include "cpp_emit/project.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    /// The element stands in comments, and in text where the file is of XML.
+    /// The name of the element appears in comments, and in text if the file is XML.
     void add(const std::string& path, const std::string& text) {
         const bool xml = text.ends_with(".xml") || text.ends_with(".argos");
         keys_["ELEMENT"] = xml ? diagnostics::xml_text(element_) : diagnostics::comment_text(element_);
@@ -83,7 +83,7 @@ private:
         return text;
     }
 
-    /// What the texts of the package say of the messages that the node uses.
+    /// Defines the texts about the messages that the node uses.
     void message_keys() {
         std::set<std::string> taken{"ament_cmake",       "ament_index_python", "launch",
                                     "launch_ros",        "lifecycle_msgs",     "rclcpp",

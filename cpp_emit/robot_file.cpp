@@ -1,5 +1,5 @@
-// robot.hpp of the projects for simulators: where events come from and what operations do is no part of a model, so
-// this file is the author's. As generated it raises nothing and tells what the controller does.
+// robot.hpp of the projects for simulators. A model does not define where events come from and what operations do, so
+// the author completes this file. As generated, it raises no events and prints the controller's outputs.
 #include <fmt/format.h>
 
 #include "cpp_emit/plan/types.hpp"

@@ -50,18 +50,18 @@ std::string full_name(const std::string& package, const std::string& name) {
     return package.empty() ? name : package + "::" + name;
 }
 
-/// What a port carries for a value of a type without parts: a number in the model's units, a truth value as 0 or 1, a
-/// literal by its place.
+/// The encoding of a value in a port, for types without parts: a number in the model's units, a boolean as 0 or 1, a
+/// literal by its index.
 double carried_value(const ir::Instantiation& inst, Carried kind, const ir::Value& value) {
     const auto number = static_cast<double>(value.number);
     return kind == Carried::real ? number / static_cast<double>(inst.scale) : number;
 }
 
-/// A port with what the emitted text needs.
+/// A port with the data for the emitted text.
 struct Channel {
     Port port;
     std::string exported;  ///< name in the interface
-    std::string member;    ///< of Inputs, or method of the platform
+    std::string member;    ///< member of Inputs, or method of the platform
     std::vector<ir::TypeId> types;
 };
 
@@ -217,7 +217,7 @@ private:
 
     [[nodiscard]] std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
-    /// rc_value to the type.
+    /// Converts an rc_value to the type.
     [[nodiscard]] std::string from_value(ir::TypeId id, const std::string& value) const {
         switch (carried(generation_.system.type(id).kind)) {
             case Carried::real:
@@ -260,7 +260,7 @@ private:
         out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
     }
 
-    /// Functions without definition have the default of their type (semantics 3.13).
+    /// Functions without a definition return the default of their type (semantics 3.13).
     void function_method(const FunctionHook& hook) {
         const ir::Function& function = generation_.system.functions[hook.id.index];
         std::vector<std::string> parameters;
@@ -349,7 +349,7 @@ private:
         out_.close();
     }
 
-    /// In front of the members of a part's machine: "", "stm0.".
+    /// Prefix of the members of a part's machine: "", "stm0.".
     [[nodiscard]] std::string member_prefix(std::size_t part) const {
         const std::string& tag = generation_.component.parts[part].tag;
         return tag.empty() ? "" : tag + ".";
@@ -434,7 +434,7 @@ std::vector<DriveConstant> constants_of(const Component& component, const ir::Sy
     return result;
 }
 
-/// rc_value holds numbers only.
+/// An rc_value holds only numbers.
 bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.errors();
     const auto check = [&](ir::TypeId id, const std::string& name) {

@@ -1,5 +1,5 @@
-// The controller for whoever runs many of them at once (simulators): the same core over the types it ships with, behind
-// the plain C interface of runtime/drive_abi.h.
+// The controller for programs that run many instances at once (simulators): the same core with its deployed types,
+// called through the C interface of runtime/drive_abi.h.
 #pragma once
 
 #include <optional>
@@ -12,48 +12,48 @@
 
 namespace robochart::cpp_emit {
 
-/// How a value crosses the interface: member `real` or `whole` of rc_value.
+/// How a value is passed through the interface: member `real` or `whole` of rc_value.
 enum class Carried { boolean, whole, real, enumeration };
 
 /// An input or output of the controller, as in the tables of the interface.
 struct Port {
     enum class Kind { event, call, variable };
     Kind kind = Kind::event;
-    std::string name;                ///< in the model: "seeRobot", "MoveForward", "reached"
+    std::string name;                ///< name in the model: "seeRobot", "MoveForward", "reached"
     std::vector<Carried> arguments;  ///< at most one for inputs
-    double initial = 0;              ///< variables: the value before the first write (truth values, literals: 0)
-    std::string exported = {};       ///< in the interface: "seeRobot.in", "MoveForwardCall", "set_EXT_reached"
-    std::vector<std::vector<std::string>> literals = {};  ///< of each argument: names of its enumeration's values
-    std::vector<std::string> types = {};                  ///< of each argument: "nat", "Zone", "pack::Zone"
+    double initial = 0;              ///< variables: the value before the first write (booleans and literals: 0)
+    std::string exported = {};       ///< name in the interface: "seeRobot.in", "MoveForwardCall", "set_EXT_reached"
+    std::vector<std::vector<std::string>> literals = {};  ///< for each argument: names of its enumeration's values
+    std::vector<std::string> types = {};                  ///< for each argument: "nat", "Zone", "pack::Zone"
 };
 
 /// A constant of the model with its value in a machine of the controller.
 struct DriveConstant {
     std::string name;   ///< "limit"
     std::string owner;  ///< the machine, "pack::Keep"
-    std::string type;   ///< as Port::types
+    std::string type;   ///< as in Port::types
     Carried carried = Carried::whole;
-    double value = 0;  ///< truth values: 0, 1; literals: the place in their enumeration
+    double value = 0;  ///< booleans: 0, 1; literals: the index in their enumeration
 };
 
 /// A state machine of the controller, as in the table of the interface.
 struct DriveMachine {
-    std::string name;  ///< where it is in the component: "ctrl0::stm0"; "" if it is the only one
+    std::string name;  ///< its path in the component: "ctrl0::stm0"; "" if it is the only one
     ir::MachineId machine;
-    std::vector<ir::NodeId> states;  ///< final ones too
+    std::vector<ir::NodeId> states;  ///< including final ones
 };
 
 struct DriveEmission {
     std::vector<OutputFile> files;
-    std::vector<std::string> sources;  ///< paths of the sources to compile; empty where nothing could be emitted
-    std::vector<Port> inputs;          ///< events received, shared variables written from outside
-    std::vector<Port> outputs;         ///< operations of the platform, events sent, shared variables written
+    std::vector<std::string> sources;  ///< paths of the sources to compile; empty if nothing could be emitted
+    std::vector<Port> inputs;          ///< received events, externally written shared variables
+    std::vector<Port> outputs;         ///< operations of the platform, sent events, written shared variables
     std::vector<DriveMachine> machines;
-    std::vector<DriveConstant> constants;  ///< those whose values a port can carry, machine by machine
-    std::uint32_t fault_sites = 0;         ///< how many places the requested fault applies to
+    std::vector<DriveConstant> constants;  ///< constants whose values a port can carry, machine by machine
+    std::uint32_t fault_sites = 0;         ///< number of places to which the requested fault applies
 };
 
-/// Emits the controller of one component. What cannot be generated is refused by name, as by emit().
+/// Emits the controller of one component. Constructs without C++ are rejected by name, as by emit().
 [[nodiscard]] DriveEmission emit_drive(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                                        const Options&, diagnostics::Diagnostics&);
 
