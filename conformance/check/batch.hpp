@@ -1,5 +1,5 @@
-// Many small components at once: their generated code is compiled as one translation unit, then each is judged by
-// itself. For random models and surveys.
+// Many small components at once: their generated code is compiled as one translation unit, then each component is
+// checked separately. Used for random models and surveys.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace robochart::conformance {
 
-/// A model with its component, ready to be judged.
+/// A model and its component, ready to be checked.
 struct Candidate {
     ir::System system;
     ir::Instantiation instantiation;
@@ -25,7 +25,7 @@ struct Candidate {
     cpp_emit::Emission code;
 };
 
-/// The model's timed script and its generated code; nothing, with what was found, if it is refused.
+/// The model's timed script and its generated code; null, with diagnostics, if the generator rejects it.
 [[nodiscard]] std::unique_ptr<Candidate> candidate(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                                                    const Options&, diagnostics::SourceManager&,
                                                    diagnostics::Diagnostics&);
@@ -33,12 +33,12 @@ struct Candidate {
 /// Candidates compiled together.
 class Batch {
 public:
-    /// On failure returns nothing and sets `error` to the compiler's words.
+    /// On failure returns null and sets `error` to the compiler's output.
     static std::unique_ptr<Batch> build(std::vector<std::unique_ptr<Candidate>>, const Options&, std::string& error);
 
     [[nodiscard]] std::size_t size() const { return candidates_.size(); }
     [[nodiscard]] const Candidate& candidate(std::size_t index) const { return *candidates_.at(index); }
-    /// Schedulability and refinement of one.
+    /// Checks schedulability and refinement of one candidate.
     [[nodiscard]] Result judge(std::size_t index,
                                std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
 

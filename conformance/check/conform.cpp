@@ -1,4 +1,4 @@
-// The whole check: script of the model, generated code, shared object, and the judgement (docs/conformance.md).
+// The whole check: script of the model, generated code, shared object, and the comparison (docs/conformance.md).
 #include "conformance/check/conform.hpp"
 
 #include <fmt/format.h>
@@ -44,14 +44,14 @@ std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Op
     return SharedObject::build(emission.files, sources, wanted, error);
 }
 
-/// The definition as text, for FDR and for reading; the check does not depend on it.
+/// The definition as text, for FDR and for readers; the check does not depend on it.
 std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprPtr& process, const Alphabet& alphabet,
                              std::uint32_t cycle_length) {
     const NormalFormScript form = normal_form(script.definitions, process, alphabet, cycle_length, Reading::any_order);
     return cspm::print(cspm::Script{form.decls});
 }
 
-/// What was searched before a limit was reached, then walks. They follow the model term by term where it was not
+/// Combines the search up to its limit with random walks. The walks follow the model term by term if it was not
 /// compiled as a whole.
 Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled, const cspm::ExprPtr& process,
               const Interface& interface, const rc_interface& code, const Options& options) {
@@ -74,7 +74,7 @@ Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* com
     return result;
 }
 
-/// Where walks may follow, the search does not take all the time that is left.
+/// If walks may follow, the search does not use all of the remaining time.
 refine::Limits limits_of_search(const Options& options) {
     refine::Limits limits = options.limits;
     const auto now = std::chrono::steady_clock::now();
@@ -83,7 +83,8 @@ refine::Limits limits_of_search(const Options& options) {
     return limits;
 }
 
-/// Where the valuations of all registers in all states were too many: only those on which something depends.
+/// Used if there are too many valuations of all registers in all states: tries only readings on which something
+/// depends.
 void partially(Result& result, lts::TransitionSystem& model, cspm::Session& session, const Interface& interface,
                const rc_interface& code, const Options& options, const EventPlaces& places) {
     const Alphabet alphabet(interface, session.event_table());
@@ -116,7 +117,7 @@ Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Inter
     return walked(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-/// For each output, which of its arguments are represented by few values. Empty: none of any output.
+/// For each output, which of its arguments are represented by few values. Empty: no arguments of any output.
 using Represented = std::vector<std::vector<bool>>;
 
 Represented represented_arguments(const ir::System& system, const Representatives& few,
@@ -130,7 +131,7 @@ Represented represented_arguments(const ir::System& system, const Representative
     return result;
 }
 
-/// The outcome for few values is that for all unless the model chooses between values.
+/// The outcome for few values is the outcome for all values, unless the model chooses between values.
 void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
                     const Represented& represented, const Options& options) {
     if (represented.empty() || result.outcome != Outcome::conforms) return;
@@ -152,7 +153,7 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
     result.reason = std::move(reason);
 }
 
-/// Of a check that a limit ended: the inputs whose values make the cycles many.
+/// For a check that a limit ended: reports the inputs whose values cause the large number of cycles.
 void say_inputs(Result& result, const Interface& interface) {
     constexpr double many = 100;
     constexpr std::size_t most = 3;
@@ -178,8 +179,8 @@ void say_inputs(Result& result, const Interface& interface) {
     if (!parts.empty()) result.reason += "; --range makes carriers smaller";
 }
 
-/// Where the model is, behind ", at " and at the end of cycles, by its elements instead of the definitions of the
-/// script; what is no element of the model is left out.
+/// Replaces definitions of the script by elements of the model after ", at " and at the end of cycles. Definitions that
+/// correspond to no element of the model are left out.
 void say_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
                 const diagnostics::SourceManager& sources) {
     const auto in_words = [&](const std::string& state) {
@@ -193,14 +194,14 @@ void say_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit:
     for (Cycle& cycle : cycles) cycle.state = in_words(cycle.state);
 }
 
-/// Of what is the model's, not the code's.
+/// The same for the parts of a result that concern the model, not the code.
 void say_places(Result& result, const csp_emit::Provenance& provenance, const diagnostics::SourceManager& sources) {
     for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
         if (*aside) say_places((*aside)->reason, (*aside)->cycles, provenance, sources);
     if (result.outcome == Outcome::not_schedulable) say_places(result.reason, result.cycles, provenance, sources);
 }
 
-/// `sources`: where the model was read from; null: outcomes that are the model's are not explained in its words.
+/// `sources`: the texts of the model; null: outcomes caused by the model are not explained in its terms.
 Result judged(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
               const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
               const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
@@ -235,7 +236,7 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
     }
 }
 
-/// What one component is compared with where few values stand for all.
+/// The model with which one component is compared if few values represent all.
 struct FewValuesModel {
     ir::Instantiation instantiation;
     csp_emit::Emission script;
@@ -243,11 +244,11 @@ struct FewValuesModel {
     std::vector<FewValues> types;
 };
 
-/// Nothing if all values of the component can be explored, or no type is only passed on.
+/// No value if all values of the component can be explored, or no type is only passed on.
 std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir::ComponentRef& component,
                                                diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;
-    diagnostics::Diagnostics apart;  // the emitter reports the same
+    diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
     const auto resolved = cpp_emit::resolve(model.system, model.instantiation, component, apart);
     if (!resolved) return std::nullopt;
     Representatives few = representatives(model.system, model.instantiation, *resolved);

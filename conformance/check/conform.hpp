@@ -1,5 +1,5 @@
-// Does the generated code refine the model? NF_c(M) [FD= L(G), by exploring the compiled code over all inputs
-// (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
+// Checks whether the generated code refines the model, NF_c(M) [FD= L(G), by exploring the compiled code over all
+// inputs (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
 #pragma once
 
 #include "conformance/check/result.hpp"
@@ -16,22 +16,22 @@ namespace robochart::conformance {
 [[nodiscard]] Result judge_code(const csp_emit::Emission& script, const ir::System&, const ir::Instantiation&,
                                 const ir::ComponentRef&, const rc_interface& code, const Options&);
 
-/// What the components of a model are compared with: it is the same for all of them.
+/// The timed semantics of a model, shared by all of its components.
 struct TimedModel {
     RenamedSystem model;
     csp_emit::Emission script;
-    diagnostics::SourceManager* sources = nullptr;  ///< outlives it
-    bool sound = false;                             ///< without errors; else nothing is generated
+    diagnostics::SourceManager* sources = nullptr;  ///< must outlive the object
+    bool sound = false;                             ///< no errors; otherwise nothing is generated
 };
 
-/// Findings go to the diagnostics.
+/// Reports findings to the diagnostics.
 [[nodiscard]] TimedModel timed_model(const ir::System&, const ir::Instantiation&, diagnostics::SourceManager&,
                                      diagnostics::Diagnostics&);
 
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
                              diagnostics::Diagnostics&);
-/// The same for a model of which no other component is asked.
+/// The same for a model whose other components are not checked.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

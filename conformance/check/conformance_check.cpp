@@ -1,4 +1,4 @@
-// Asks the checker and tells its counterexamples in cycles; see conformance_check.hpp.
+// Runs the checker and converts its counterexamples to cycles; see conformance_check.hpp.
 #include "conformance/check/conformance_check.hpp"
 
 #include <fmt/format.h>
@@ -21,14 +21,14 @@ namespace {
 /// A run of NF_c(M) or L(G), cycle by cycle.
 struct Witness {
     std::vector<Cycle> cycles;
-    std::vector<std::vector<std::uint32_t>> readings;  ///< per cycle, one per register read
-    std::vector<std::vector<process::Event>> writes;   ///< per cycle
+    std::vector<std::vector<std::uint32_t>> readings;  ///< by cycle: a reading for each register
+    std::vector<std::vector<process::Event>> writes;   ///< by cycle
     std::vector<std::string> raw;
 };
 
 void add_step(Witness& run, const Alphabet& alphabet, const refine::Step& step, std::uint32_t& tocks,
               std::uint32_t cycle_length) {
-    // Hidden writes are reported too.
+    // hidden writes are reported too
     const process::Event event = step.event == process::tau ? step.revealed : step.event;
     if (event == process::tau) return;
     const CycleRole role = alphabet.cycle_role(event);
@@ -66,7 +66,7 @@ Witness tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabe
     return run;
 }
 
-/// The states of the code, by running it again over the inputs of the counterexample.
+/// Adds the states of the code by running it again over the inputs of the counterexample.
 void replay(Witness& run, CodeSystem& code) {
     std::uint32_t image = code.reset();
     for (std::size_t c = 0; c < run.cycles.size(); ++c) {
@@ -92,8 +92,8 @@ std::string expected_text(const refine::Counterexample& found, const Alphabet& a
     return text.empty() ? "nothing" : text;
 }
 
-/// What the code does that the model does not allow. Outside of reads L(G) offers one event; where the model insists on
-/// another, the checker stops before it, at the refusal.
+/// The event of the code that the model does not allow. Outside of reads L(G) offers one event; if the model requires
+/// another, the search stops before it, at the refusal.
 std::optional<process::Event> offence(const refine::Counterexample& found) {
     if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
     if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
@@ -106,7 +106,7 @@ std::string difference(const refine::Counterexample& found, const Alphabet& alph
     if (found.kind == refine::ViolationKind::divergence)
         return "the code's cycle does not end: its step bound is reached";
     const auto event = offence(found);
-    // Only at a missed deadline it offers nothing (code_system.cpp).
+    // L(G) offers nothing only at a missed deadline (code_system.cpp).
     if (!event && found.offered.empty()) return "the code misses a deadline";
     if (!event) return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
     const std::string& name = alphabet.events().name(*event);
@@ -150,10 +150,10 @@ Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refin
     std::vector<process::Event> trace;
     for (const refine::Step& step : found.steps) {
         const process::Event event = step.event == process::tau ? step.revealed : step.event;
-        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;  // hidden, it is reported too
+        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;  // reported even if it is hidden
         if (step.event != process::tau || write) trace.push_back(event);
     }
-    trace.pop_back();  // the mark of what is not so
+    trace.pop_back();  // removes the event that marks the violation
     return {false, std::move(reason), std::move(run.cycles), &rule, traced(trace), {}};
 }
 
@@ -175,7 +175,8 @@ void differs(Result& result, const refine::Counterexample& found, const Alphabet
     result.raw = std::move(run.raw);
 }
 
-/// The model of the relation has no divergences of its own to compare: the code's are looked for apart.
+/// The model in the relation has no divergences of its own to compare, so divergences of the code are searched
+/// separately.
 refine::Verdict related(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
                         const refine::Limits& limits, Relation relation) {
     if (relation == Relation::failures_divergences)
@@ -198,8 +199,8 @@ void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
 
 }  // namespace
 
-/// The first search has both: whether M can be run in cycles, and whether in cycles that make each output once and miss
-/// no deadline. It ends at the first that is not so; the next asks for what is left.
+/// The first search checks two things together: whether M can be run in cycles, and whether it can be run in cycles
+/// that make each output once and miss no deadline. It ends at the first violation; the next search checks the rest.
 Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                    const refine::Limits& limits) {
     Result result;

@@ -1,5 +1,5 @@
-// The two questions of docs/conformance.md: is NF_c(M) schedulable, and does it have L(G) as a refinement?
-// Results are given in control cycles.
+// The two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? Results are given in control
+// cycles.
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -10,16 +10,16 @@
 
 namespace robochart::conformance {
 
-/// Schedulable: no reachable state of NF_c(M) is a timelock or a divergence. `outcome` is `conforms` if so.
+/// Schedulable: no reachable state of NF_c(M) is a timelock or a divergence. `outcome` is `conforms` in this case.
 [[nodiscard]] Result schedulable(ModelGraph&, const Alphabet&, std::uint32_t cycle_length, const refine::Limits&);
 
-/// NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError when model and code do not fit together, and
-/// std::length_error when there are too many valuations.
+/// NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError if model and code do not fit together, and
+/// std::length_error if there are too many valuations.
 [[nodiscard]] Result refined_by(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// Schedulability first, then NF_c(M) [FD= L(code). `interface` is the code's with carriers filled in and
+/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the code's, completed with carriers and with
 /// `component` set to the CSP prefix of M's events; `events` is the model's table.
 [[nodiscard]] Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
                            const rc_interface& code, std::uint32_t cycle_length, const refine::Limits&,

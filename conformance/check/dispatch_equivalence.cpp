@@ -1,4 +1,4 @@
-// See dispatch_equivalence.hpp. Events that are not dispatched are raised beside the one that is: it must not look at
+// See dispatch_equivalence.hpp. Other events are raised together with the dispatched one, because dispatch must ignore
 // them.
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/standstill.hpp"
@@ -28,7 +28,7 @@ const char* ends(rc_result result) {
     return place < words.size() ? words[place] : "an unknown result";
 }
 
-/// A state and what was done to it since.
+/// A state and the calls made since.
 struct Run {
     Bytes state;
     CycleLog log;
@@ -60,7 +60,7 @@ rc_result pass(void* arguments) {
 
 struct ApiComparison {
     std::uint64_t compared = 0;
-    std::uint32_t image = 0;  ///< where they differ
+    std::uint32_t image = 0;  ///< image in which they differ
     std::optional<ApiDifference> difference;
 };
 
@@ -84,7 +84,7 @@ public:
     }
 
 private:
-    /// All of these are false where the APIs differ.
+    /// All of these return false if the APIs differ.
     bool in_state() {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         event_ = code_.events;
@@ -111,7 +111,7 @@ private:
         return true;
     }
 
-    /// Under the answers that cycle_.log has.
+    /// Uses the answers in cycle_.log.
     bool with_answers() {
         perform(step, cycle_, alone_);
         take_answers(dispatched_);
@@ -125,7 +125,7 @@ private:
         return alike(whole_) && (event_ != code_.events || passes_alone());
     }
 
-    /// After it nothing is enabled: what needs no event is looked for again, and nothing comes.
+    /// Afterwards nothing is enabled: another look for transitions without events finds none.
     bool stays() {
         again_.state = dispatched_.state;
         again_.log.given = 0;
@@ -143,8 +143,8 @@ private:
                promise(cycle_.state == other.state, other, "another state");
     }
 
-    /// Once the machine has begun, a cycle without inputs is one call. Before, it begins the machine or counts for
-    /// nothing.
+    /// After the machine has begun, a cycle without inputs is one call. Before, the cycle begins the machine or has no
+    /// effect.
     bool passes_alone() {
         take_answers(whole_);
         whole_.state = from_;
@@ -233,15 +233,15 @@ private:
     refine::Budget budget_;
     ApiComparison found_;
     Bytes from_;
-    std::uint32_t event_ = 0;    ///< code_.events: none
-    std::uint32_t reading_ = 0;  ///< of it; 0: none
-    bool passed_ = false;        ///< what is compared is `pass` alone
+    std::uint32_t event_ = 0;    ///< code_.events: no event
+    std::uint32_t reading_ = 0;  ///< reading of the event; 0: none
+    bool passed_ = false;        ///< only `pass` is compared
     bool endless_ = false;
     Registers alone_, raised_;
     Run cycle_, dispatched_, again_, whole_;
 };
 
-/// The cycles that lead to the state in which the APIs differ; all of them are the model's.
+/// Reports the cycles that lead to the state in which the APIs differ; the model allows all of them.
 void apis_differ(Result& result, const ApiComparison& found, const CodeSystem& code, const Alphabet& alphabet) {
     result.outcome = Outcome::differs;
     result.api_difference = found.difference;

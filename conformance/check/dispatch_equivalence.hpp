@@ -1,5 +1,5 @@
-// The event API of generated code against its cycle: both change one state, and an event dispatched must do
-// what a cycle with this event does (docs/conformance.md, "One event at a time").
+// Compares the event API of generated code with its cycle: both change the same state, and a dispatched event must have
+// the effect of a cycle with this event (docs/conformance.md, "One event at a time").
 #pragma once
 
 #include "conformance/check/result.hpp"
@@ -7,10 +7,10 @@
 
 namespace robochart::conformance {
 
-/// Compares both APIs in all states that `system` has begun a cycle in, with every event and every value of it, and
-/// with none; for all answers where the code asks for a choice. Unless the code was found to differ already, a
-/// difference is the result: the cycles that lead there, and what both APIs do then. Nothing where no event is
-/// received.
+/// Compares both APIs in all states in which `system` has begun a cycle, with every event and each of its values, and
+/// without an event; for all answers if the code asks for a choice. If no difference of the code is known yet, a
+/// difference becomes the result: the cycles that lead there, and the behaviour of both APIs. Does nothing if the
+/// component receives no event.
 void compare_event_api(Result&, const rc_interface&, const CodeSystem& system, const Alphabet&, const refine::Limits&);
 
 }  // namespace robochart::conformance

@@ -1,4 +1,4 @@
-// See export.hpp. The script reads registers in the fixed order on both sides ("One order of reading").
+// See export.hpp. The script reads registers in the same fixed order on both sides ("One order of reading").
 #include "conformance/check/export.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// What no normal form does has no channel there.
+/// Events that no normal form performs have no channel there.
 std::string fault_channel(const lts::Graph& graph, const process::EventTable& events) {
     for (lts::StateIndex state = 0; state < graph.size(); ++state)
         for (const lts::Edge& edge : graph.edges(state))

@@ -8,7 +8,7 @@
 
 namespace robochart::conformance {
 
-/// What a check of one controller has at hand.
+/// The data of the check of one controller.
 struct CheckedCode {
     const csp_emit::Emission& script;
     const cspm::ExprPtr& process;  ///< M
@@ -16,7 +16,7 @@ struct CheckedCode {
     const Alphabet& alphabet;
 };
 
-/// Explores the code and writes it in the format asked for into `result`; or why that cannot be had.
+/// Explores the code and writes it in the requested format into `result`, or the reason why this is impossible.
 void export_code(Result& result, const CheckedCode&, const Options&);
 
 }  // namespace robochart::conformance

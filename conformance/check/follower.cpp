@@ -61,8 +61,8 @@ Mismatch Follower::differs(Node node, std::string reason) {
     return {Outcome::differs, std::move(reason), allowed(node), nullptr};
 }
 
-/// Whether a stable state behind the node offers nothing but this event (or nothing at all), or there is no stable
-/// one: acceptances are minimal.
+/// Whether a stable state of the node offers only this event (or nothing), or there is no stable state; acceptances are
+/// minimal.
 bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     const auto& acceptances = form_.acceptances(node);
     const auto fits = [&](const process::EventSet& wanted) {
@@ -85,8 +85,8 @@ std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool 
     return std::nullopt;
 }
 
-/// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
-/// there is no fault of the code.
+/// If the model cannot be run in cycles, nothing is checked after the point where this shows: the behaviour of the code
+/// there is not an error of the code.
 std::optional<Mismatch> Follower::model_stops(Node node) {
     if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
     const auto& acceptances = form_.acceptances(node);
@@ -98,7 +98,7 @@ std::optional<Mismatch> Follower::model_stops(Node node) {
     return std::nullopt;
 }
 
-/// Whether outputs can follow each other without end, before time passes.
+/// Whether outputs can follow each other without end before time passes.
 bool Follower::endless(Node from) {
     std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
     struct Place {

@@ -1,5 +1,5 @@
-// NF_c(M) made deterministic on the fly and followed along what the code does, event by event: for walks, and for the
-// search over partial readings.
+// NF_c(M), determinised on the fly, follows the code event by event: for random walks, and for the search over partial
+// readings.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace robochart::conformance {
 
-/// Where code and model part.
+/// The point where code and model differ.
 struct Mismatch {
     Outcome outcome = Outcome::differs;
     std::string reason;
@@ -32,14 +32,14 @@ public:
     [[nodiscard]] std::size_t nodes() const { return form_.size(); }
     [[nodiscard]] const NormalFormSystem& system() const { return system_; }
 
-    /// L(G) offers this event alone (or, `read`, all readings of a register). NF_c(M) must allow it, and may not insist
-    /// on others. Nothing: it is so, and `node` has gone on.
+    /// L(G) offers only this event (or, with `read`, all readings of a register). NF_c(M) must allow it, and must not
+    /// require others. Returns no value and advances `node` if this holds.
     [[nodiscard]] std::optional<Mismatch> follow(Node& node, process::Event event, bool read);
-    /// The end of a cycle behind its writes; `cut`: the code did more than is logged, of which nothing is said.
+    /// The end of a cycle after its writes. `cut`: the code did more than is logged; the rest is not checked.
     [[nodiscard]] std::optional<Mismatch> finish(Node& node, rc_result outcome, bool cut);
-    /// Whether the code has ended in the cycle that was finished last.
+    /// Whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool over() const { return over_; }
-    /// Frame::unread: a register whose reading would decide something here.
+    /// Frame::unread: a register on whose reading something depends here.
     [[nodiscard]] std::optional<std::uint32_t> asked(Node node);
 
 private:

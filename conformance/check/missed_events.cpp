@@ -1,5 +1,5 @@
-// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there, whatever the others
-// hold: then equal trees follow all of its readings.
+// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there for any readings of the
+// others: then equal trees follow all of its readings.
 #include "conformance/check/missed_events.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    /// The images in which an event is missed for one reason, with where the machine is.
+    /// The images in which an event is missed for one reason, and the states of the machine.
     struct Missed {
         std::vector<std::uint32_t> images;
         std::set<std::uint32_t> known;
@@ -40,7 +40,7 @@ private:
     }
 
     void look_at(std::uint32_t image) {
-        std::vector<bool> lost;  // once it is asked for
+        std::vector<bool> lost;  // computed on first use
         for (const cpp_emit::EventPlace* found : places_.in(code_.print(image))) {
             const cpp_emit::EventPlace& place = *found;
             if (lost.empty()) lost = lost_below(code_.known_root(image), 0);
@@ -56,7 +56,7 @@ private:
             all.places.push_back(place.element);
     }
 
-    /// Of the registers from this one on, those that make no difference. As deep as there are registers.
+    /// Which of the registers from this one on make no difference. Recursion depth: the number of registers.
     const std::vector<bool>& lost_below(std::uint32_t node, std::size_t level) {
         if (level == 0) lost_.resize(inputs_ + 1);
         const auto found = lost_[level].find(node);
@@ -73,7 +73,7 @@ private:
         return lost_[level].emplace(node, std::move(lost)).first->second;
     }
 
-    /// The images that a cycle in this one may lead to.
+    /// The images to which a cycle in this image may lead.
     const std::vector<std::uint32_t>& behind(std::uint32_t image) {
         const auto known = behind_.find(image);
         if (known != behind_.end()) return known->second;
@@ -110,7 +110,7 @@ private:
         result.push_back(std::move(found));
     }
 
-    /// The most cycles in a row that begin in these images; nothing where they can go on for ever.
+    /// The maximal number of consecutive cycles that begin in these images; no value if it is unbounded.
     std::optional<std::uint64_t> longest_run(const Missed& all) {
         struct Visit {
             std::uint32_t image = 0;

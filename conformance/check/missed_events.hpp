@@ -1,5 +1,5 @@
-// Events that come while nothing can take them, in all states of the code (docs/conformance.md, "Events that can be
-// missed").
+// Finds events that arrive while nothing can take them, over all states of the code (docs/conformance.md, "Events that
+// can be missed").
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace robochart::conformance {
 
-/// The events of which a register may be raised in vain. `code` has been explored as a whole.
+/// The events whose register may be raised without effect. `code` must have been explored completely.
 [[nodiscard]] std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

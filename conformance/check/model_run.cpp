@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_explanation{10};
 
-/// The actions of a run as the frame has them: reports of writes are seen, or are not.
+/// The actions of a run with the frame's visibility: reports of writes are visible or hidden.
 refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
     refine::Run run;
     for (const refine::Step& step : steps) {
@@ -34,8 +34,8 @@ refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, c
     return run;
 }
 
-/// Hidden steps of M that are no outputs as long as there are some, the first of each state; ends where a state is met
-/// again.
+/// Adds hidden steps of M that are not outputs as long as there are some, the first of each state; ends if a state
+/// repeats.
 void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
     const auto silent = [&](const refine::RunStep& step) {
         return step.event == process::tau && alphabet.model_role(step.revealed).kind != ModelRole::Kind::output;
@@ -49,7 +49,7 @@ void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run
     }
 }
 
-/// What M does in a run of NF_c(M), as a counterexample of M.
+/// The behaviour of M in a run of NF_c(M), as a counterexample of M.
 class RunOfModel {
 public:
     RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
@@ -126,7 +126,7 @@ std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const F
         if (result->kind == refine::ViolationKind::no_trace) settle(normal_form, alphabet, result->run, budget);
     } catch (const process::Interrupted&) {
     } catch (const std::logic_error&) {
-        // Which way it is shown decides nothing: a run that is only found otherwise is not shown.
+        // How the run is displayed does not affect the verdict: a run that is not found in this form is not displayed.
     }
     normal_form.watch({});
     return result;

@@ -1,5 +1,5 @@
-// What the model M does in a run of NF_c(M), as a run in the words of the model: of a model that cannot be run in
-// cycles, and of one that generated code differs from.
+// The behaviour of the model M in a run of NF_c(M), in terms of the model: for a model that cannot be run in cycles,
+// and for one from which generated code differs.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace robochart::conformance {
 
-/// What the words of a model are looked up in.
+/// The data for describing runs in terms of a model.
 struct ModelWords {
     const csp_emit::Provenance& provenance;
     const ir::System& system;
@@ -25,25 +25,26 @@ struct ModelWords {
     const diagnostics::SourceManager& sources;
 };
 
-/// The share of one explanation of what a search was given: few states, and 10 s at most.
+/// The limits of one explanation, a fraction of those of a search: few states, and at most 10 s.
 [[nodiscard]] refine::Limits limits_of_explanation(refine::Limits limits);
 
-/// A run of NF_c(M), found again in its normal form with this frame; nothing where that takes too long, or where there
-/// is none. Of a run of kind `no_trace` the trace alone counts.
+/// A run of NF_c(M), found again in its normal form with this frame; no value if that takes too long, or if there is
+/// none. For a run of kind `no_trace` only the trace counts.
 [[nodiscard]] std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const Frame& frame,
                                                         const refine::Counterexample& found, const Alphabet& alphabet,
                                                         const refine::Limits& limits);
 
-/// What M does in a run of NF_c(M) with this frame, found again in the terms of `process`; nothing where that takes too
-/// long, or where there is none. Behind a run of kind `no_trace` M goes on as far as it decides alone, so that what it
-/// offers at the end is what may come next. Throws process::Interrupted and process::SemanticsError.
+/// The behaviour of M in a run of NF_c(M) with this frame, found again in the terms of `process`; no value if that
+/// takes too long, or if there is none. After a run of kind `no_trace`, M continues as long as it needs no event of the
+/// environment, so that its offers at the end are the possible next events. Throws process::Interrupted and
+/// process::SemanticsError.
 [[nodiscard]] std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const cspm::ExprPtr& process,
                                                                  const Alphabet& alphabet, std::uint32_t cycle_length,
                                                                  const Frame& frame,
                                                                  const refine::Counterexample& found,
                                                                  const refine::Limits& limits);
 
-/// A run of M in the words of the model; `kind`: of the claim, in time, that it is a counterexample to.
+/// A run of M in terms of the model. `kind`: the kind of the timed claim to which it is a counterexample.
 [[nodiscard]] runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
                                  const ModelWords& words);
 

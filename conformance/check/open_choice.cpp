@@ -1,4 +1,4 @@
-// Breadth first over the normalised specification: a node is what is possible after a trace.
+// Breadth-first search over the normalised specification: a node represents the states after a trace.
 #include "conformance/check/open_choice.hpp"
 
 #include <deque>

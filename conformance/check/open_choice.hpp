@@ -1,4 +1,4 @@
-// Whether the model leaves open which of several values it puts out: then few values do not stand for all
+// Whether the model chooses which of several values it outputs; then few values do not represent all
 // (docs/conformance.md, "Few values for all").
 #pragma once
 
@@ -12,13 +12,14 @@
 
 namespace robochart::conformance {
 
-/// Two outputs of which the model may make either after one and the same trace.
+/// Two outputs, either of which the model may make after the same trace.
 struct OpenChoice {
     std::string one, other;
 };
 
-/// The first trace of the normal form after which two writes are possible that differ in represented arguments only.
-/// `represented`: for each output, which of its arguments are. Nothing: no trace. Throws diagnostics::LimitReached.
+/// The first trace of the normal form after which two writes are possible that differ only in represented arguments.
+/// `represented`: for each output, which of its arguments are. No value if there is no such trace. Throws
+/// diagnostics::LimitReached.
 [[nodiscard]] std::optional<OpenChoice> open_choice(lts::TransitionSystem& normal_form, const Alphabet&,
                                                     const std::vector<std::vector<bool>>& represented,
                                                     const refine::Limits&);

@@ -1,7 +1,7 @@
-// See overtaken_events.hpp. Outputs show who came first. Alone, the event makes outputs A, another event makes B. If
-// both are raised and the cycle begins with B and not with A, the other came first. If the cycle without any input
-// makes outputs N, and with the event alone N and more, then what was due came first. Cycles that make no outputs, or
-// pass probabilistic junctions, show nothing.
+// See overtaken_events.hpp. Outputs show which event came first. Suppose that the event alone causes outputs A, and
+// another event causes B. If both are raised and the outputs of the cycle begin with B and not with A, the other came
+// first. If the cycle without any input causes outputs N, and with the event alone N and more, then transitions without
+// trigger came first. Cycles that make no outputs, or pass probabilistic junctions, show nothing.
 #include "conformance/check/overtaken_events.hpp"
 
 #include <algorithm>
@@ -83,12 +83,12 @@ private:
         return found;
     }
 
-    /// The least and the greatest value stand for all.
+    /// The least and the greatest value represent all.
     [[nodiscard]] std::set<std::uint32_t> readings(std::size_t event) const {
         return {1U, alphabet_.interface().inputs[event].readings() - 1};
     }
 
-    /// What a cycle with these events alone writes; nothing where chance decides.
+    /// The outputs of a cycle with only these events; no value if probabilistic junctions decide.
     [[nodiscard]] const Writes& writes(std::uint32_t root, const std::vector<Raised>& raised) const {
         std::uint32_t node = root;
         for (std::size_t input = 0; input < inputs_; ++input) {

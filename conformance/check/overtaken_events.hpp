@@ -1,5 +1,5 @@
-// Events of outer transitions that come second where they meet others in one cycle (docs/conformance.md, "Events that
-// come second").
+// Finds events of outer transitions that come second if other events are raised in the same cycle (docs/conformance.md,
+// "Events that come second").
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace robochart::conformance {
 
-/// In the order of the registers. `code` has been explored as a whole.
+/// Results are in the order of the registers. `code` must have been explored completely.
 [[nodiscard]] std::vector<OvertakenEvent> overtaken_events(const CodeSystem& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

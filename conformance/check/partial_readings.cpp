@@ -1,5 +1,6 @@
-// See partial_readings.hpp. A position is where a cycle begins: an image of the code and a node of NF_c(M). A register
-// is left unread until the code's results or the model depend on it; then the cycle is tried with each of its readings.
+// See partial_readings.hpp. A position is the beginning of a cycle: an image of the code and a node of NF_c(M). A
+// register is left unread until the code's results or the model depend on it; then the cycle is tried with each of its
+// readings.
 #include "conformance/check/partial_readings.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ namespace {
 using Node = Follower::Node;
 
 constexpr std::uint32_t not_read = 0xffffffffU;
-using Readings = std::vector<std::uint32_t>;  ///< of one cycle, one a register, or not_read
+using Readings = std::vector<std::uint32_t>;  ///< for one cycle: a reading or not_read for each register
 
 Frame frame() {
     Frame frame;
@@ -74,16 +75,16 @@ private:
         std::uint32_t image = 0;
         Node node = 0;
         std::size_t from = 0;
-        Readings readings;  ///< of the cycle that led here
+        Readings readings;  ///< readings of the cycle that led here
         const CycleResult* result = nullptr;
     };
-    /// A cycle at the end of a path, or the one in which code and model differ.
+    /// The last cycle of a path, in which code and model may differ.
     struct Last {
         std::size_t from = 0;
         Readings readings;
         const CycleResult* result = nullptr;
-        std::size_t writes = 0;  ///< of it
-        std::size_t agreed = 0;  ///< of its reads and writes, those in front of where they differ
+        std::size_t writes = 0;  ///< number of its writes
+        std::size_t agreed = 0;  ///< number of its reads and writes before the difference
     };
 
     void add(std::uint32_t image, Node node, std::size_t from, const Readings& readings, const CycleResult* result) {
@@ -92,7 +93,8 @@ private:
         budget_.states(positions_.size());
     }
 
-    /// A register whose readings lead to one tree makes no difference to the code. As deep as there are registers.
+    /// If all readings of a register lead to the same tree, it makes no difference to the code. Recursion depth: the
+    /// number of registers.
     void through_tree(std::uint32_t node, std::size_t level, Readings& readings) {
         if (found_) return;
         if (level == inputs_) {
@@ -111,7 +113,7 @@ private:
         readings[level] = not_read;
     }
 
-    /// With every reading of a register that the model asks for. As deep as there are registers.
+    /// Tries every reading of a register on which the model depends. Recursion depth: the number of registers.
     void try_cycle(const CycleResult& result, Readings& readings) {
         if (found_) return;
         const std::optional<std::uint32_t> asked = cycle(result, readings);
@@ -124,7 +126,7 @@ private:
         readings[*asked] = not_read;
     }
 
-    /// The register that the model asks for; nothing: the cycle is done.
+    /// The register on which the model depends; no value: the cycle is done.
     std::optional<std::uint32_t> cycle(const CycleResult& result, const Readings& readings) {
         budget_.charge();
         ++cycles_;
@@ -195,7 +197,7 @@ private:
         return events;
     }
 
-    /// What both do; a register that nothing depends on is as good as empty.
+    /// The common trace; a register on which nothing depends counts as empty.
     std::vector<process::Event> trace_to(const Last& last) const {
         std::vector<std::size_t> way;
         for (std::size_t at = last.from; at != 0; at = positions_[at].from) way.push_back(at);

@@ -1,6 +1,5 @@
-// Conformance with the readings of a cycle tried only as far as something depends on them: for components with so many
-// registers that all of their valuations in all states of the model are too many (docs/conformance.md, "Partial
-// readings").
+// Conformance in which the readings of a cycle are tried only if something depends on them: for components with so many
+// registers that there are too many valuations in all states of the model (docs/conformance.md, "Partial readings").
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -11,8 +10,8 @@
 
 namespace robochart::conformance {
 
-/// `conforms`, `differs` and `not_schedulable` as by the search over all valuations; of a model that cannot be run in
-/// cycles only what the code comes to is found. Inconclusive at a limit.
+/// Returns `conforms`, `differs` and `not_schedulable` like the search over all valuations; if the model cannot be run
+/// in cycles, this is found only on paths that the code takes. Inconclusive at a limit.
 [[nodiscard]] Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                                      std::uint32_t cycle_length, const refine::Limits&, const EventPlaces& = {});
 

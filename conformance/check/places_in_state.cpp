@@ -4,7 +4,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// The value of a member in the text of a state; members of operations stand behind those of their machines.
+/// The value of a member in the text of a state; members of operations follow those of their machines.
 std::string_view value_in(std::string_view state, const std::string& member) {
     const std::string wanted = member + "=";
     for (std::size_t at = state.find(wanted); at != std::string_view::npos; at = state.find(wanted, at + 1)) {

@@ -1,4 +1,4 @@
-// The places of machines (cpp_emit/plan/options.hpp) that a printed state of the code shows.
+// The places of machines (cpp_emit/plan/options.hpp) in a printed state of the code.
 #pragma once
 
 #include <set>
@@ -11,17 +11,17 @@
 
 namespace robochart::conformance {
 
-/// Where the machines of a controller may miss events or take them late, as the generator knows it.
+/// The places in which a controller's machines may miss events or take them late, according to the generator.
 using EventPlaces = std::vector<cpp_emit::EventPlace>;
 
 class PlacesInState {
 public:
-    /// The places outlive it.
+    /// `places` must outlive the object.
     explicit PlacesInState(const EventPlaces& places);
 
-    /// In the order of the members; `state` is the text of CodeSystem::print.
+    /// The places in the order of the members; `state` is the text of CodeSystem::print.
     [[nodiscard]] std::vector<const cpp_emit::EventPlace*> in(std::string_view state) const;
-    /// How many events the platform raises.
+    /// The number of events that the platform raises.
     [[nodiscard]] std::size_t events() const { return events_; }
 
 private:

@@ -1,4 +1,4 @@
-// See random_walk.hpp. The code is stepped directly; the model is followed in NF_c(M) made deterministic on the fly.
+// See random_walk.hpp. The code is executed directly; the model is followed in NF_c(M), determinised on the fly.
 #include "conformance/check/random_walk.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace robochart::conformance {
 namespace {
 
 using Node = Follower::Node;
-using Readings = std::vector<std::uint32_t>;  ///< of one cycle, one a register: 0 absent, else 1 + its value
+using Readings = std::vector<std::uint32_t>;  ///< for one cycle, for each register: 0 absent, else 1 + its value
 using Bytes = std::vector<unsigned char>;
 
 constexpr std::uint64_t most_states = 50'000'000;
@@ -45,8 +45,8 @@ public:
         return position;
     }
 
-    /// One cycle; nothing: both agree, or the code has terminated (`over`). `agreed` gets its events in front of the
-    /// tocks, as far as both have them.
+    /// Executes one cycle. No value: both agree, or the code has terminated (`over`). Adds the events before the tocks
+    /// to `agreed` as far as both have them.
     std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
                                   std::vector<process::Event>* agreed = nullptr) {
         std::vector<rc_register> registers;
@@ -89,7 +89,7 @@ private:
     Follower follower_;
 };
 
-/// Something new was met here; walks go on from it.
+/// A position with new coverage, from which walks continue.
 struct Find {
     Position position;
     std::size_t from = 0;
@@ -125,7 +125,7 @@ public:
 private:
     std::uint32_t below(std::uint32_t bound) { return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound); }
 
-    /// The least used of three.
+    /// The least used of three random ones.
     std::size_t pick() {
         std::size_t best = below(static_cast<std::uint32_t>(finds_.size()));
         for (int n = 0; n < 2; ++n) {
@@ -181,7 +181,7 @@ private:
 
     // ------------------------------------------------------------ smaller witnesses
 
-    /// Whether code and model differ on this path; it is cut after that cycle.
+    /// Whether code and model differ on this path; if so, it is truncated after that cycle.
     std::optional<Mismatch> parts(std::vector<Readings>& way) {
         Position at = walker_.start();
         for (std::size_t c = 0; c < way.size(); ++c) {
@@ -194,7 +194,7 @@ private:
         return std::nullopt;
     }
 
-    /// Leaves out cycles, then inputs, while they still part in the same manner.
+    /// Removes cycles, then inputs, while the difference stays the same.
     void shrink(Mismatch& mismatch) {
         std::size_t tries = 2000;
         const auto attempt = [&](std::vector<Readings> smaller) {
@@ -252,7 +252,7 @@ private:
     std::vector<Find> finds_;
     std::unordered_set<std::string> images_;  ///< never iterated
     std::unordered_set<Node> nodes_;          ///< never iterated
-    std::vector<Readings> way_;               ///< to where they part
+    std::vector<Readings> way_;               ///< to the position of the difference
     std::uint64_t walks_ = 0;
     std::uint64_t cycles_ = 0;
 };
@@ -262,11 +262,11 @@ private:
 Result walk(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
             const refine::Limits& limits, const WalkOptions& options) {
     refine::Limits bounds = limits;
-    // A cycle of the model may take long; the walks' own time is looked at between cycles.
+    // A cycle of the model may take long; the time of walks is checked between cycles.
     bounds.deadline =
         std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                std::chrono::duration<double>(2 * options.seconds + 1));
-    bounds.max_states = most_states;  // of the search, where it ended; walks are bounded by their cycles
+    bounds.max_states = most_states;  // the limit that ended the search; walks are limited by their cycles
     Walker walker(model, alphabet, code, cycle_length, bounds);
     std::optional<Search> search;
     try {

@@ -1,6 +1,6 @@
-// Where the whole is too large: random walks of the compiled code along the model's normal form, guided by what they
-// have not met before (coverage-guided, after AFL's queue: walks go on from cycles that led to something new). They
-// find differences and never show that there are none.
+// For systems that are too large for a search: random walks of the compiled code along the model's normal form, guided
+// by coverage (after AFL's queue: walks continue from cycles that led to something new). They find differences and
+// never prove that there are none.
 #pragma once
 
 #include "conformance/check/result.hpp"
@@ -9,8 +9,8 @@
 
 namespace robochart::conformance {
 
-/// One `Result`: `differs` or `not_schedulable` with a witness that is made smaller, else `inconclusive` with what was
-/// walked. `limits.deadline` is not looked at, `walks.seconds` is.
+/// Returns `differs` or `not_schedulable` with a minimised witness, otherwise `inconclusive` with the coverage.
+/// `limits.deadline` is ignored; `walks.seconds` applies.
 [[nodiscard]] Result walk(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
                           const refine::Limits&, const WalkOptions&);
 

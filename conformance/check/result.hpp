@@ -1,4 +1,4 @@
-// What is asked of a component and its code, and the answer.
+// The check of a component and its code: options and results.
 #pragma once
 
 #include <cstdint>
@@ -14,153 +14,153 @@
 
 namespace robochart::conformance {
 
-/// The answer for one component.
+/// The outcome for one component.
 enum class Outcome {
     conforms,
-    differs,          ///< the code does something NF_c(M) does not allow
+    differs,          ///< the code has a behaviour that NF_c(M) does not allow
     not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
-    not_generated,    ///< the generator refused the component (diagnostics say why)
+    not_generated,    ///< the generator rejected the component (see the diagnostics)
     error,            ///< the script of the model cannot be evaluated
     inconclusive,
 };
 
 /// One control cycle of a counterexample.
 struct Cycle {
-    std::vector<std::string> inputs;   ///< registers raised, "seeRobot", "heading = 0.1"
-    std::vector<std::string> outputs;  ///< what the code wrote, in order
-    std::string state;                 ///< the code's state after it
+    std::vector<std::string> inputs;   ///< raised registers: "seeRobot", "heading = 0.1"
+    std::vector<std::string> outputs;  ///< outputs of the code, in order
+    std::string state;                 ///< state of the code after the cycle
 };
 
-/// What stands behind an outcome, in the words of the model: of one that is the model's its rule, where it shows and
-/// what would help; of code that differs how far the model goes with it.
+/// An explanation of an outcome in terms of the model. If the model causes the outcome: its rule, its place and a
+/// remedy; if the code differs: how far the model follows it.
 struct Explanation {
-    const diagnostics::Rule* rule = nullptr;  ///< docs/rules has its page; null: the outcome is not the model's
-    std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: not known
-    std::string remedy;                       ///< what would make the model schedulable; "" : not known
-    /// The run of the model that shows it, or differs: that does what the code does up to where they differ. Nothing:
-    /// not found in time.
+    const diagnostics::Rule* rule = nullptr;  ///< see its page in docs/rules; null: the model does not cause the
+                                              ///< outcome
+    std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: unknown
+    std::string remedy;                       ///< a change that would make the model schedulable; "": unknown
+    /// The run of the model that shows the problem; for `differs`, the run that follows the code up to the difference.
+    /// No value: not found in time.
     std::optional<runs::Run> run;
 };
 
-/// A property of the model beside conformance: whether it has it, and if not, a shortest run that shows it.
+/// A property of the model in addition to conformance: whether it holds, and if not, a shortest run that shows it.
 struct Aside {
     bool holds = true;
-    std::string reason;  ///< why it does not
+    std::string reason;  ///< why it fails
     std::vector<Cycle> cycles;
-    const diagnostics::Rule* rule = nullptr;  ///< what that means for a robot
-    /// The trace of NF_c(M) up to where it shows (as Result::model_run), and the run of the model that has it; nothing:
+    const diagnostics::Rule* rule = nullptr;  ///< the consequence for a robot
+    /// The trace of NF_c(M) up to the violation (as Result::model_run), and the model's run with this trace; no value:
     /// not found in time.
     std::optional<refine::Counterexample> model_run;
     std::optional<runs::Run> run;
 };
 
-/// Why an event is not taken in the cycles that its register holds it.
+/// Why an event is not taken in the cycles in which its register holds it.
 enum class MissedWhile {
-    busy,       ///< an action of the machine that knows it is in progress
-    condition,  ///< the machine rests, and no condition of the transitions that await it holds
+    busy,       ///< an action of the machine that uses it is in progress
+    condition,  ///< the machine rests, and the conditions of all transitions that await it are false
 };
 
-/// An event of the platform that can come in vain (docs/conformance.md, "Events that can be missed").
+/// An event of the platform that can arrive without effect (docs/conformance.md, "Events that can be missed").
 struct MissedEvent {
     struct Reason {
         MissedWhile why = MissedWhile::busy;
-        std::optional<std::uint64_t> cycles;  ///< the most in a row; nothing: without bound
-        std::vector<std::string> places;      ///< where the machine is meanwhile
+        std::optional<std::uint64_t> cycles;  ///< maximal number of consecutive cycles; no value: unbounded
+        std::vector<std::string> places;      ///< states of the machine meanwhile
     };
     std::string event;
-    std::optional<std::uint64_t> cycles;  ///< the most in a row, for either reason
+    std::optional<std::uint64_t> cycles;  ///< maximal number of consecutive cycles, for either reason
     std::vector<Reason> reasons;
 };
 
-/// An event that a state takes only after what the states inside it take in the same cycle (docs/conformance.md,
+/// An event that a state takes only after events that its inner states take in the same cycle (docs/conformance.md,
 /// "Events that come second").
 struct OvertakenEvent {
     std::string event;
     std::vector<std::string> by;      ///< the events that come first
-    bool due = false;                 ///< transitions without trigger come first, of timeouts and conditions
-    std::vector<std::string> places;  ///< where the machine is then
+    bool due = false;                 ///< transitions without trigger (timeouts and conditions) come first
+    std::vector<std::string> places;  ///< states of the machine at that time
 };
 
-/// What one API of the code did.
+/// The behaviour of one API of the code.
 struct Behaviour {
     std::vector<std::string> outputs;  ///< in order
     std::string ends;                  ///< "at rest", "terminates", ...
     std::string state;                 ///< afterwards
 };
 
-/// Where the event API differs from the cycle: after Result::cycles.
+/// A difference between the event API and the cycle, after Result::cycles.
 struct ApiDifference {
-    std::string event;  ///< "heading = 90"; "" : none
-    std::string what;   ///< the promise that is not kept
+    std::string event;  ///< "heading = 90"; "": none
+    std::string what;   ///< the violated property
     Behaviour cycle;
     Behaviour dispatched;
 };
 
 /// A type of which few values were explored, since the component only passes them on.
 struct FewValues {
-    std::string type;  ///< as the model writes it
+    std::string type;  ///< name in the model
     std::size_t values = 0;
 };
 
-/// The answer for one component, with what was explored and, where the code differs, a shortest run.
+/// The result for one component, with the size of the exploration and, if the code differs, a shortest run.
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
     std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
-    std::string expected;       ///< what the model allows where the code differs
+    std::string expected;       ///< events that the model allows at the difference
     Explanation explanation;    ///< differs, not_schedulable
-    /// Behind the explanation: the run of NF_c(M) that shows it, or a trace of NF_c(M), the code's up to where it
-    /// differs (kind `no_trace`); to be found again where more is known of the model.
+    /// The evidence for the explanation: the run of NF_c(M) that shows the problem, or a trace of NF_c(M), which is the
+    /// code's up to the difference (kind `no_trace`). It is found again if more is known about the model.
     std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
-    std::uint64_t code_cycles = 0;      ///< (state, input valuation) pairs stepped
-    std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions
-    refine::Statistics product;         ///< of the refinement check
-    refine::Statistics schedulability;  ///< of the check of NF_c(M) alone
-    /// No cycle makes an output twice: then the strict relation, in which it may not, holds too. Nothing: not decided.
+    std::uint64_t code_cycles = 0;      ///< number of executed (state, input valuation) pairs
+    std::uint64_t model_states = 0;     ///< states of M visited under the simulation assumptions
+    refine::Statistics product;         ///< statistics of the refinement check
+    refine::Statistics schedulability;  ///< statistics of the check of NF_c(M) alone
+    /// No cycle makes an output twice; then the strict relation, which forbids this, holds too. No value: not decided.
     std::optional<Aside> register_cycles;
-    /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
+    /// No deadline passes while the model waits for an input that does not arrive. No value: not decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;
-    std::vector<MissedEvent> missed;        ///< conforms: of all states of the code
-    std::vector<OvertakenEvent> overtaken;  ///< the same
-    std::uint64_t dispatched = 0;           ///< (state, event or none) pairs in which both APIs were compared
+    std::vector<MissedEvent> missed;        ///< conforms: for all states of the code
+    std::vector<OvertakenEvent> overtaken;  ///< likewise
+    std::uint64_t dispatched = 0;           ///< number of (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
-    std::vector<std::string> warnings;  ///< of the code: states that are not canonical
-    std::string exported;               ///< L(G) in the format asked for (Options::exported)
-    std::string export_failure;         ///< why there is none, where one was asked for
+    std::vector<std::string> warnings;  ///< about the code: states that are not canonical
+    std::string exported;               ///< L(G) in the requested format (Options::exported)
+    std::string export_failure;         ///< why there is no export although one was requested
 };
 
-/// What is decided of NF_c(M) and L(G).
+/// The relation between NF_c(M) and L(G).
 enum class Relation {
     failures_divergences,  ///< [FD=
-    tick_tock,             ///< [TT=, with what is refused before each tock, and no divergence of the code
+    tick_tock,             ///< [TT=, which observes refusals before each tock, and the code has no divergence
 };
 
 /// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
-/// Guided random walks where the whole is too large (random_walk.hpp).
+/// Guided random walks for systems that are too large for a search (random_walk.hpp).
 struct WalkOptions {
-    std::uint64_t cycles = 200'000;  ///< of all walks together; 0: none
+    std::uint64_t cycles = 200'000;  ///< total of all walks; 0: no walks
     double seconds = 20;
     std::uint64_t seed = 1;
 };
 
 /// How code is generated, compiled and compared with its model.
 struct Options {
-    std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
+    std::uint32_t cycle_length = 1;  ///< c: number of tocks in a cycle
     Relation relation = Relation::failures_divergences;
     WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests
     std::string compiler = "c++";  ///< must accept g++'s options
     std::string flags = "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
-    std::string
-        work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
-    diagnostics::Cache* cache = nullptr;  ///< of compiled code; null: none
+    std::string work_dir;  ///< folder for sources and the shared object; "": a new temporary folder, deleted afterwards
+    diagnostics::Cache* cache = nullptr;  ///< cache of compiled code; null: none
     refine::Limits limits;
 };
 

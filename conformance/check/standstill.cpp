@@ -1,4 +1,5 @@
-// See standstill.hpp. The run is one of NF_c(M): what M does in it is a run of M, which is read as a counterexample is.
+// See standstill.hpp. The run is one of NF_c(M): the behaviour of M in it is a run of M and is interpreted like a
+// counterexample.
 #include "conformance/check/standstill.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +15,10 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Of places and events in one explanation.
+/// Maximal number of places and of events in one explanation.
 constexpr std::size_t most_listed = 6;
 
-/// Outputs without end are a divergence where writes are hidden; a deadline that an input missed is no standstill.
+/// Endless outputs are a divergence if writes are hidden; a deadline missed by an input is not a standstill.
 Frame frame_for(const refine::Counterexample& found) {
     return {AfterTermination::idle, Outputs::sequence, Deadlines::idle,
             found.kind == refine::ViolationKind::divergence};
@@ -34,7 +35,7 @@ std::string with_place(const std::string& text, const std::optional<runs::Place>
     return place ? fmt::format("{} ({}:{})", text, place->file, place->line) : text;
 }
 
-/// "output x, entry action of B (model.rct:9)": what happens, whatever its values, and what makes it happen.
+/// "output x, entry action of B (model.rct:9)": the event without its values, and its cause.
 std::string words_of(const runs::Event& event) {
     const std::string what = event.text.substr(0, event.text.find(" with "));
     const bool known = !event.via.empty() && what.find(event.via) == std::string::npos;
@@ -54,7 +55,7 @@ const std::vector<runs::Machine>& last_machines(const runs::Run& run) {
     return run.steps.empty() ? run.initial : run.steps.back().machines;
 }
 
-/// The words of one explanation, from the run of M.
+/// Words of one explanation, from the run of M.
 class Words {
 public:
     Words(Explanation& explanation, const runs::Run& run, std::uint32_t cycle_length)
@@ -218,7 +219,7 @@ void take_run(Result& result, const diagnostics::Rule* rule, const std::vector<p
 
 namespace {
 
-/// What the explanations of one result are made from.
+/// The data for the explanations of one result.
 struct Explained {
     cspm::Session& session;
     const cspm::ExprPtr& process;
@@ -245,7 +246,7 @@ void explain_standstill(Result& result, const Explained& explained) {
     Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write();
 }
 
-/// A run of M with a trace of NF_c(M). Of several that M has it shows one; what is said at its end is true of all.
+/// A run of M with a trace of NF_c(M). If M has several, it shows one; the text at its end is true of all of them.
 std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std::string& why,
                                   const Explained& explained) {
     const auto run = explained.run({}, trace);

@@ -1,5 +1,5 @@
-// Why a model cannot be run in control cycles, in its own elements: which rule says so, which transitions and actions
-// are part of it, and what would help (docs/conformance.md, "Why a model is not schedulable").
+// Explains in terms of the model why it cannot be run in control cycles: the rule, the transitions and actions
+// involved, and a remedy (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 
 #include "checker/cspm/session.hpp"
@@ -13,20 +13,20 @@
 
 namespace robochart::conformance {
 
-/// The rule of a state of NF_c(M) in which nothing is possible; null where something is, or an input may come late.
+/// The rule for a state of NF_c(M) in which nothing is possible; null if something is, or an input may come late.
 [[nodiscard]] const diagnostics::Rule* rule_of(Standstill);
-/// The rule of a run of NF_c(M) that ends in a standstill or an endless loop; `graph` is M's.
+/// The rule for a run of NF_c(M) that ends in a standstill or an endless loop; `graph` is M's.
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
-/// Events that code and NF_c(M), or NF_c(M) alone, do one after the other, as a run whose trace alone counts.
+/// A sequence of events of code and NF_c(M), or of NF_c(M) alone, as a run of which only the trace counts.
 [[nodiscard]] refine::Counterexample traced(const std::vector<process::Event>& trace);
-/// The rule and the run behind a result that was found event by event (follower.hpp): of a standstill its rule, null of
-/// code that differs. `trace`: what code and NF_c(M) both do.
+/// Sets the rule and the run of a result that was found event by event (follower.hpp): the rule of a standstill, or
+/// null for code that differs. `trace`: the common trace of code and NF_c(M).
 void take_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
 
-/// Completes the explanation of a result that differs or is not schedulable, and those of its asides: their runs are
-/// found again in the terms of M. Where that takes too long, the rule or the cycles have to do.
+/// Completes the explanation of a result that differs or is not schedulable, and those of its further properties: their
+/// runs are found again in the terms of M. If that takes too long, only the rule or the cycles are reported.
 void explain(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&, const Options&);
 
 }  // namespace robochart::conformance

@@ -20,8 +20,8 @@ const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::str
     return nullptr;
 }
 
-/// The text without the part that is at the top only once: `includes` gets the headers, but those of the candidate
-/// itself.
+/// Appends the text without the parts that occur only once at the top. `includes` collects the headers except those of
+/// the candidate itself.
 void append_text(std::string& text, const std::string& source, std::set<std::string>& includes) {
     const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
     for (std::size_t begin = 0; begin < source.size();) {
@@ -41,7 +41,7 @@ std::string preamble(const std::set<std::string>& includes) {
     return text + "\n";
 }
 
-/// The headers of its own that the candidate's shim includes, in their order, and the shim.
+/// The candidate's own headers that its shim includes, in their order, and the shim.
 std::vector<const cpp_emit::OutputFile*> own_files(const cpp_emit::Emission& code) {
     const cpp_emit::OutputFile& shim = *file_ending(code, code.shim);
     std::vector<const cpp_emit::OutputFile*> files;

@@ -1,4 +1,5 @@
-// Generated code of many components as one source: a compiler's start and the headers cost more than a small machine.
+// Generated code of many components as one source, because starting a compiler and parsing the headers takes longer
+// than compiling a small machine.
 #pragma once
 
 #include <memory>
@@ -11,22 +12,22 @@
 
 namespace robochart::conformance {
 
-/// The cores and exploration interfaces of all as one source, each in a namespace of its own; the entry of the i-th is
-/// `robochart_explore_i`, and compilers place what they say of it in "candidate_i.cpp".
+/// All cores and exploration interfaces as one source, each in its own namespace. The entry of the i-th is
+/// `robochart_explore_i`, and compilers report its errors in "candidate_i.cpp".
 [[nodiscard]] std::vector<cpp_emit::OutputFile> batch_files(const std::vector<const cpp_emit::Emission*>&);
 /// The source among these files.
 inline constexpr const char* batch_source = "batch.cpp";
 
-/// Which of `count` a compiler that failed on a batch has found errors in, with the first one each; "": none there.
+/// For each of `count` candidates, the first error in the output of a compiler that failed on a batch; "": no error.
 [[nodiscard]] std::vector<std::string> errors_by_candidate(const std::string& compiler_words, std::size_t count);
 
 /// Controllers compiled together and loaded.
 class CodeBatch {
 public:
-    /// On failure returns nothing and sets `error` to the compiler's words.
+    /// On failure returns null and sets `error` to the compiler's output.
     static std::unique_ptr<CodeBatch> build(const std::vector<const cpp_emit::Emission*>&,
                                             const cpp_emit::BuildOptions&, std::string& error);
-    /// The exploration interface of one; null, with `fault` saying why, if it cannot be used.
+    /// The exploration interface of one controller; null, with the reason in `fault`, if it cannot be used.
     [[nodiscard]] const rc_interface* code(std::size_t index, std::string& fault) const;
 
 private:

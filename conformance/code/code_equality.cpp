@@ -17,7 +17,8 @@ void append(lts::Graph& whole, const lts::Graph& part) {
     }
 }
 
-/// Both behind one state, so that both are reachable: their first states are 1 and 1 + the states of the first.
+/// Joins both to one graph so that both are reachable: their first states are 1 and 1 + the number of the first's
+/// states.
 bool bisimilar(const lts::Graph& one, const lts::Graph& other) {
     const auto second = static_cast<lts::StateIndex>(1 + one.size());
     lts::Graph both;
@@ -30,7 +31,7 @@ bool bisimilar(const lts::Graph& one, const lts::Graph& other) {
     return quotient.state_of[1] == quotient.state_of[second];
 }
 
-/// How the implementation leaves the specification; nothing if it does not.
+/// A counterexample to the refinement; no value if it holds.
 std::optional<refine::Counterexample> left_by(const lts::Graph& implementation, const lts::Graph& specification,
                                               const Alphabet& alphabet, const refine::Limits& limits) {
     lts::GraphSystem from(specification, alphabet.events());
@@ -38,7 +39,7 @@ std::optional<refine::Counterexample> left_by(const lts::Graph& implementation, 
     return refine::refines(from, to, refine::Model::failures_divergences, limits).counterexample;
 }
 
-/// The inputs that are raised, the writes and the ends of cycles along the run.
+/// Describes the raised inputs, the writes and the ends of cycles along the run.
 void tell(CodeEquality& result, const refine::Counterexample& found, const Alphabet& alphabet,
           std::uint32_t cycle_length) {
     std::size_t tocks = 0;

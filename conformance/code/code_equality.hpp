@@ -1,5 +1,5 @@
-// Whether two controllers do the same: L(G) and L(G') as graphs, strongly bisimilar or not. Finer than the equality of
-// their failures and divergences, so "same" holds in every model of CSP.
+// Whether two controllers behave alike: L(G) and L(G') as graphs, strongly bisimilar or not. This is finer than equal
+// failures and divergences, so "same" holds in every model of CSP.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@ namespace robochart::conformance {
 
 struct CodeEquality {
     bool same = false;
-    std::uint64_t states = 0;  ///< of both graphs together
-    /// Not the same: a shortest trace of the one that the other does not have, or where it refuses or diverges
-    /// otherwise; "" if only their branching differs.
+    std::uint64_t states = 0;  ///< total of both graphs
+    /// Not the same: a shortest trace of one that the other does not have, or a different refusal or divergence; "" if
+    /// only their branching differs.
     std::string difference;
-    std::size_t cycles = 0;  ///< of that trace, begun ones included
+    std::size_t cycles = 0;  ///< cycles of that trace, including incomplete ones
 };
 
-/// Both over one alphabet. Throws process::Interrupted where a limit is reached.
+/// Both use the same alphabet. Throws process::Interrupted if a limit is reached.
 [[nodiscard]] CodeEquality compare_code(const rc_interface& one, const rc_interface& other, const Alphabet&,
                                         std::uint32_t cycle_length, const refine::Limits&);
 

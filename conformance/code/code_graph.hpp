@@ -1,4 +1,4 @@
-// L(G) whole, as a graph: for exports and for comparing one controller with another.
+// L(G) as a graph: for exports and for comparing one controller with another.
 #pragma once
 
 #include "checker/lts/graph.hpp"
@@ -7,7 +7,7 @@
 
 namespace robochart::conformance {
 
-/// All that the code can reach. Throws process::Interrupted at a limit.
+/// The reachable states of the code. Throws process::Interrupted at a limit.
 [[nodiscard]] lts::Graph explored(CodeSystem& system, const refine::Limits& limits);
 
 }  // namespace robochart::conformance

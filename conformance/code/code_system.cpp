@@ -1,6 +1,6 @@
 // L(G); see code_system.hpp. Registers are read in one fixed order: a tree of readings whose leaves are results of
-// `step`. Equal subtrees are shared, as in a decision diagram, so registers that do not matter now cost nothing.
-// Why one order is enough: docs/conformance.md, "One order of reading".
+// `step`. Equal subtrees are shared, as in a decision diagram, so registers that do not matter in a state cost nothing.
+// Why one order suffices: docs/conformance.md, "One order of reading".
 #include "conformance/code/code_system.hpp"
 
 #include <fmt/format.h>
@@ -19,19 +19,19 @@ namespace {
 // Layout of a packed state.
 enum Field : std::size_t { phase, number, detail, fields };
 enum Phase : lts::Word {
-    reading,  ///< number: node of the tree of readings; detail: registers read
-    acting,   ///< number: result; detail: writes done, then tocks done
-    over,     ///< nothing more
+    reading,  ///< number: node of the tree of readings; detail: number of registers read
+    acting,   ///< number: result; detail: number of writes done, then of tocks done
+    over,     ///< terminated
 };
 
-/// Bytes handed to `initial` before it writes: two patterns, so that what it leaves unwritten shows.
+/// Initial bytes of the state passed to `initial`: two patterns, so that bytes that it does not write are detected.
 constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
-/// Results of one cycle, and calls of `step` to find them.
+/// Maximal number of results of one cycle, and of calls of `step` to find them.
 constexpr std::size_t max_ways = 4096;
 constexpr std::size_t max_trials = 1U << 16U;
 
-/// The event that L(G) performs, and no NF allows, when a cycle ends in an outcome with no place in the relation.
+/// The event that L(G) performs and no NF allows, if a cycle ends with an outcome that the relation does not have.
 const char* violation(const CycleResult& result) {
     switch (result.outcome) {
         case RC_PRECONDITION:
@@ -164,7 +164,7 @@ void CodeSystem::finish(lts::StateView state, const CycleResult& result, lts::Su
     } else if (result.outcome == RC_TERMINATED) {
         sink.add(process::tick, next, process::tick);
     } else if (result.outcome == RC_DEADLINE) {
-        return;  // the code cannot stop time, only report that the model has
+        return;  // the code cannot stop time, only report that the model has stopped
     } else if (result.outcome == RC_STEP_BOUND) {
         sink.add(process::tau, state, process::tau);
     } else {
@@ -192,7 +192,7 @@ std::uint32_t CodeSystem::root(std::uint32_t image) {
     return made;
 }
 
-/// The tree below the first `read` registers, which are set. As deep as there are registers.
+/// The tree below the first `read` registers, which are set. Recursion depth: the number of registers.
 std::uint32_t CodeSystem::tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read) {
     if (read == registers.size()) return run(from, registers);
     Node node;
@@ -211,7 +211,7 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
     return place->second;
 }
 
-/// One result, or a choice between those of all branches of probabilistic junctions.
+/// One result, or a choice between the results of all branches of probabilistic junctions.
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
     CycleLog log;
     std::vector<std::uint32_t> ways;
@@ -228,7 +228,7 @@ std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>&
     return intern_result(std::move(choice));
 }
 
-/// Calls `step` twice on copies: a controller with memory outside its state would differ.
+/// Calls `step` twice on copies, which detects a controller with memory outside its state.
 std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log) {
     ++cycles_;
     if (poll_) poll_();
@@ -251,7 +251,7 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     return intern_result(result_of(outcome, log, once));
 }
 
-/// A call that does not return is a divergence like that of a step bound; what it left behind counts for nothing.
+/// A call that does not return is a divergence, like a step bound; the state that it left behind is ignored.
 std::uint32_t CodeSystem::endless(const Bytes& from) {
     endless_ = true;
     CycleResult result;
@@ -284,7 +284,7 @@ std::uint32_t CodeSystem::intern_result(CycleResult result) {
     return place->second;
 }
 
-/// How each image was reached first.
+/// How each image was first reached.
 struct CodeSystem::Found {
     struct From {
         std::uint32_t image = 0;
@@ -293,7 +293,7 @@ struct CodeSystem::Found {
     std::unordered_map<std::uint32_t, From> from;  ///< never iterated
 };
 
-/// The images that one cycle leads to; each node of the tree of readings is looked at once.
+/// The images to which one cycle leads; each node of the tree of readings is visited once.
 void CodeSystem::look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const {
     const std::size_t inputs = alphabet_->interface().inputs.size();
     struct Place {

@@ -1,5 +1,5 @@
-// L(G): the compiled controller as a transition system. A state is the byte image of the code's state and how far
-// the cycle has come (docs/conformance.md, "The code").
+// L(G): the compiled controller as a transition system. A state is the byte image of the code's state and the progress
+// of the cycle (docs/conformance.md, "The code").
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace robochart::conformance {
 
-/// The interface as the code states it; carriers are numbers until the caller knows better.
+/// The interface as the code describes it; carriers are numbers until the caller replaces them.
 [[nodiscard]] Interface interface_of(const rc_interface&);
 
-/// What is longer is cut: more than a state of 64 KiB takes in words.
+/// Longer texts are truncated; a state of 64 KiB takes less.
 inline constexpr std::size_t longest_state_text = 1U << 20U;
 
 /// A state as the code prints it.
 [[nodiscard]] std::string state_text(const rc_interface&, const void* state);
 
-/// What one call of `step` did. Equal results are one object.
+/// The result of one call of `step`. Equal results are one object.
 struct CycleResult {
     rc_result outcome = RC_QUIESCENT;
     std::vector<process::Event> writes;
     std::uint32_t next = 0;  ///< image
-    /// Not empty: the cycle passed probabilistic junctions, and these are the results of their branches.
+    /// not empty: the cycle passed probabilistic junctions, and these are the results of their branches
     std::vector<std::uint32_t> ways;
 };
 
-/// A cycle on the path to an image: one reading of each register, and what came of it.
+/// A cycle on the path to an image: one reading of each register, and the result.
 struct PassedCycle {
     std::vector<std::uint32_t> readings;
     const CycleResult* result = nullptr;
@@ -42,10 +42,10 @@ struct PassedCycle {
 
 class CodeSystem : public lts::TransitionSystem {
 public:
-    /// Of all inputs together.
+    /// Maximal number of valuations of all inputs together.
     static constexpr std::uint64_t max_valuations = 1ULL << 24U;
 
-    /// Throws std::length_error if the inputs have more than `max_valuations` together.
+    /// Throws std::length_error if the inputs together have more than `max_valuations`.
     CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length);
 
     [[nodiscard]] std::size_t width() const override;
@@ -55,42 +55,43 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
 
-    /// For reporting runs: the reset image, one step (`readings` one per register), an image as text. Of several ways
-    /// one that begins with these writes.
+    /// For reporting runs: the reset image, one step (`readings` has one entry for each register), an image as text. If
+    /// a step has several branches, the one that begins with these writes is taken.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
     [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
                                           const std::vector<process::Event>& writes);
     [[nodiscard]] std::string print(std::uint32_t image) const;
 
-    /// The tree of an image's readings: for each reading of the next register the node below, behind the last one the
-    /// result. Of equal trees there is one, so a register that makes no difference has equal nodes below.
+    /// The tree of an image's readings: for each reading of the next register the node below, after the last register
+    /// the result. Equal trees are shared, so a register that makes no difference has equal nodes below.
     [[nodiscard]] std::uint32_t root(std::uint32_t image);
-    /// The same for an image that a cycle was begun in.
+    /// The same for an image in which a cycle has begun.
     [[nodiscard]] std::uint32_t known_root(std::uint32_t image) const { return roots_.at(image); }
     [[nodiscard]] std::vector<std::uint32_t> below(std::uint32_t node) const { return nodes_[node]; }
     [[nodiscard]] const CycleResult& result(std::uint32_t number) const { return results_[number]; }
 
-    /// The images that a cycle was begun in so far, in the order in which they were first.
+    /// The images in which a cycle has begun, in the order of their first cycle.
     [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
     [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
-    /// A shortest path to one of these.
+    /// A shortest path to one of these images.
     [[nodiscard]] std::vector<PassedCycle> way_to(std::uint32_t image) const;
 
     [[nodiscard]] std::uint64_t images() const { return image_count_; }
     [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
-    /// Faults of the code that are no refinement questions: `step` or `initial` not a function of its arguments.
+    /// Errors of the code that refinement does not detect: `step` or `initial` is not a function of its arguments.
     [[nodiscard]] const std::string& unsound() const { return unsound_; }
-    /// Some call of `step` did not return and was stopped (watchdog.hpp).
+    /// Whether some call of `step` did not return and was stopped (watchdog.hpp).
     [[nodiscard]] bool endless() const { return endless_; }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
-    /// The most outputs that one cycle made.
+    /// The maximal number of outputs in a cycle.
     [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
-    /// Two images print alike and differ in bytes: the state is not canonical, the numbers are larger than need be.
+    /// Whether two images print alike and differ in bytes: the state is not canonical, and the numbers are larger than
+    /// necessary.
     [[nodiscard]] bool alias_found() const { return alias_found_; }
 
 private:
     using Bytes = std::vector<unsigned char>;
-    /// After some reads: for each reading of the next register the node, after the last one the result.
+    /// After some reads: for each reading of the next register the node, after the last register the result.
     using Node = std::vector<std::uint32_t>;
     std::uint32_t intern(const Bytes&);
     struct Found;
@@ -114,17 +115,17 @@ private:
     std::uint32_t reset_ = 0;
     std::uint64_t image_count_ = 0;
     Bytes images_;
-    std::unordered_map<std::string, std::uint32_t> image_ids_;  ///< never iterated, as those below
+    std::unordered_map<std::string, std::uint32_t> image_ids_;  ///< never iterated, like the maps below
     std::unordered_map<std::string, std::uint32_t> printed_;
     std::unordered_map<std::uint32_t, std::uint32_t> roots_;  ///< image -> its tree of readings
     std::vector<std::uint32_t> begun_;                        ///< images in roots_
     std::unordered_map<std::string, std::uint32_t> node_ids_;
     std::unordered_map<std::string, std::uint32_t> result_ids_;
     std::vector<Node> nodes_;
-    std::deque<CycleResult> results_;  ///< references stay valid
+    std::deque<CycleResult> results_;  ///< a deque, so that references stay valid
     std::uint64_t cycles_ = 0;
     std::uint32_t most_writes_ = 0;
-    std::function<void()> poll_;  ///< while the inputs of one state are tried, which may take long
+    std::function<void()> poll_;  ///< called while the inputs of one state are tried, which may take long
     std::string unsound_;
     bool endless_ = false;
     bool alias_found_ = false;

@@ -1,4 +1,4 @@
-// What a call of generated code wrote and was asked: a log that grows, and how two are compared and gone through.
+// The outputs and questions of a call of generated code: a log that grows, with comparison and enumeration.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace robochart::conformance {
 
-/// A log with records of its own.
+/// A log that owns its records.
 class CycleLog : public rc_log {
 public:
     CycleLog();
@@ -16,25 +16,25 @@ public:
     CycleLog& operator=(const CycleLog&);
     ~CycleLog() = default;
 
-    /// Whether a call wrote more than there are records for; it has to be made again, behind `grow`.
+    /// Whether a call wrote more outputs than there are records; it must be repeated after `grow`.
     [[nodiscard]] bool cut() const { return (overflow & ROBOCHART_OVERFLOW_RECORDS) != 0; }
-    /// Twice as many records, and cleared; false where there are `most_records` already.
+    /// Doubles the number of records and clears the log; false if there are `most_records` already.
     [[nodiscard]] bool grow();
     void reserve(std::uint32_t records);
-    /// Nothing written, nothing asked; the answers given stay.
+    /// Clears outputs and questions; the given answers stay.
     void clear() { count = overflow = asked = 0; }
 
-    /// More outputs in one cycle are not compared. Generated code reaches its bound of steps at about so many.
+    /// Further outputs in one cycle are not compared. Generated code reaches its bound on steps at about this number.
     static constexpr std::uint32_t most_records = 1U << 18U;
 
 private:
     std::vector<rc_record> records_;
 };
 
-/// The same outputs with the same arguments in the same order.
+/// Whether both logs contain the same outputs with the same arguments in the same order.
 [[nodiscard]] bool same_writes(const rc_log&, const rc_log&);
 
-/// The next answers to what a call asked, counted from the last; false after the last ones.
+/// Advances to the next combination of answers, starting with the last answer; false after the last combination.
 [[nodiscard]] bool next_choices(rc_log&);
 
 }  // namespace robochart::conformance

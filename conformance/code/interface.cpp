@@ -16,7 +16,7 @@ bool starts_with(std::string_view text, std::string_view prefix) {
     return text.substr(0, prefix.size()) == prefix;
 }
 
-/// What follows `prefix` if it ends at a dot or at the end of `name`: ".1.2" or "".
+/// The text after `prefix` if a dot or the end of `name` follows it: ".1.2" or "".
 std::optional<std::string_view> arguments_after(std::string_view name, std::string_view prefix) {
     if (!starts_with(name, prefix)) return std::nullopt;
     const std::string_view rest = name.substr(prefix.size());
@@ -24,7 +24,7 @@ std::optional<std::string_view> arguments_after(std::string_view name, std::stri
     return rest;
 }
 
-/// "seeRobot.in" -> "seeRobot"; what is no identifier becomes "__"; made unique among `taken`.
+/// "seeRobot.in" -> "seeRobot"; characters that an identifier cannot contain become "__"; made unique among `taken`.
 std::string constructor_name(std::string_view name, std::set<std::string>& taken) {
     for (const std::string_view direction : {".in", ".out"}) {
         if (name.size() > direction.size() && name.substr(name.size() - direction.size()) == direction)
@@ -42,7 +42,7 @@ std::string constructor_name(std::string_view name, std::set<std::string>& taken
     return unique;
 }
 
-/// How much of `text` is a value of the carrier: literals with arguments have dots of their own.
+/// The length of the value of the carrier at the beginning of `text`; literals with arguments contain dots themselves.
 std::size_t length_of_value(const Carrier& carrier, std::string_view text) {
     std::size_t length = 0;
     for (const std::string& name : carrier.names)
@@ -50,7 +50,7 @@ std::size_t length_of_value(const Carrier& carrier, std::string_view text) {
     return length > 0 ? length : std::min(text.find('.'), text.size());
 }
 
-/// ".1.<2, 3>" as "1" and "<2, 3>".
+/// Splits ".1.<2, 3>" into "1" and "<2, 3>".
 std::vector<std::string> split_arguments(std::string_view text, const std::vector<Carrier>& carriers) {
     static const Carrier numbers;
     std::vector<std::string> parts;
@@ -66,7 +66,7 @@ std::vector<std::string> split_arguments(std::string_view text, const std::vecto
 
 std::string decimal_text(std::int64_t value, std::int64_t scale) {
     if (scale <= 1) return fmt::format("{}", value);
-    // Magnitudes as unsigned, so that the least number has one.
+    // Magnitudes are unsigned, so that the least number has one.
     const std::uint64_t magnitude =
         value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
     const auto unit = static_cast<std::uint64_t>(scale);
@@ -75,7 +75,7 @@ std::string decimal_text(std::int64_t value, std::int64_t scale) {
     return fmt::format("{}{}{}{}", value < 0 ? "-" : "", magnitude / unit, fraction.empty() ? "" : ".", fraction);
 }
 
-/// The number behind CSPM text; nothing if it is none of the carrier's.
+/// The number for CSPM text; no value if the carrier does not contain it.
 std::optional<std::int64_t> number_of(const Carrier& carrier, const std::string& text) {
     if (carrier.kind == Carrier::Kind::boolean) return text == "true" ? 1 : 0;
     if (carrier.kind == Carrier::Kind::enumeration) {
@@ -89,7 +89,7 @@ std::optional<std::int64_t> number_of(const Carrier& carrier, const std::string&
     return value;
 }
 
-/// "MoveCall" -> "Move", "out.out" -> "out", "set_x" stays.
+/// "MoveCall" -> "Move", "out.out" -> "out", "set_x" is unchanged.
 std::string short_name(std::string_view name) {
     for (const std::string_view ending : {"Call", ".out", ".in"}) {
         if (name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending)

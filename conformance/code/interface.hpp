@@ -1,5 +1,5 @@
-// What a component shows its environment: input registers and outputs, and the names their events have in the
-// model, in NF_c(M) and in L(G) (docs/conformance.md, "Alphabets"). Model and code meet here and nowhere else.
+// The boundary of a component: input registers and outputs, and the names of their events in the model, in NF_c(M) and
+// in L(G) (docs/conformance.md, "Alphabets"). Model and code are related only here.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@
 
 namespace robochart::conformance {
 
-/// How the numbers of the C interface (cpp_emit/runtime/explore_abi.h) read as text.
+/// The text form of numbers in the C interface (cpp_emit/runtime/explore_abi.h).
 struct Carrier {
     enum class Kind { number, real, boolean, enumeration };
     Kind kind = Kind::number;
-    std::vector<std::string> literals;  ///< enumeration: for people
-    std::vector<std::string> names;     ///< enumeration: in CSPM
+    std::vector<std::string> literals;  ///< enumeration: names for readers
+    std::vector<std::string> names;     ///< enumeration: names in CSPM
 };
 
-/// An input register: in every cycle absent, or present with one of its values.
+/// An input register: absent in a cycle, or present with one of its values.
 struct Register {
-    std::string name;                  ///< event prefix below the component: "seeRobot.in", "set_EXT_reached"
-    std::vector<std::int64_t> values;  ///< empty: carries no value
-    std::vector<std::string> texts;    ///< the same as CSPM text
+    std::string name;                  ///< event prefix relative to the component: "seeRobot.in", "set_EXT_reached"
+    std::vector<std::int64_t> values;  ///< empty: it carries no value
+    std::vector<std::string> texts;    ///< the values as CSPM text
     Carrier carrier;
 
     /// Readings of one cycle: absent, then each value (one "present" if it carries none).
@@ -34,10 +34,10 @@ struct Register {
     }
 };
 
-/// An output: event sent, operation called, shared variable written.
+/// An output: a sent event, a called operation, or a written shared variable.
 struct Output {
     std::string name;                ///< "out.out", "MoveCall", "set_linearSpeed"
-    std::vector<Carrier> arguments;  ///< one per argument
+    std::vector<Carrier> arguments;  ///< one for each argument
 };
 
 struct Interface {
@@ -48,17 +48,17 @@ struct Interface {
     std::vector<std::string> blocked;  ///< channels of M that the environment does not use: "set_EXT_x"
 };
 
-/// `value` as CSPM writes it, and as a RoboChart user does (reals as exact decimals).
+/// `value` as CSPM writes it, and as RoboChart writes it (reals as exact decimals).
 [[nodiscard]] std::string cspm_text(const Carrier&, std::int64_t value);
 [[nodiscard]] std::string people_text(const Carrier&, std::int64_t value, std::int64_t scale);
 
-/// The model can do something the code's interface has no name for, or the interface is not usable.
+/// Thrown if the model performs an event for which the code's interface has no name, or if the interface is unusable.
 class AlphabetError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Role of an event of the model M.
+/// The role of an event of the model M.
 struct ModelRole {
     enum class Kind { tau, tick, tock, terminate, input, output, blocked, foreign };
     Kind kind = Kind::foreign;
@@ -67,7 +67,7 @@ struct ModelRole {
     process::Event write = process::tau;  ///< output: the event of NF that reports it
 };
 
-/// Role of an event of NF_c(M) or L(G), for telling a trace in cycles.
+/// The role of an event of NF_c(M) or L(G), for describing a trace in cycles.
 struct CycleRole {
     enum class Kind { read, write, tock, tick, other };
     Kind kind = Kind::other;
@@ -91,12 +91,12 @@ public:
     [[nodiscard]] process::Event write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
     [[nodiscard]] ModelRole model_role(process::Event) const;
     [[nodiscard]] CycleRole cycle_role(process::Event) const;
-    /// The arguments of a write as text. An event of that role.
+    /// The arguments of a write as text; the event must have that role.
     [[nodiscard]] std::vector<std::string> arguments(process::Event write) const;
-    /// "present__heading" and so on: the constructors of the NF script's datatypes.
+    /// "present__heading" and similar constructors of the NF script's datatypes.
     [[nodiscard]] const std::string& input_constructor(std::uint32_t input) const { return input_names_[input]; }
     [[nodiscard]] const std::string& output_constructor(std::uint32_t output) const { return output_names_[output]; }
-    /// "heading = 0.1", "MoveForward()", "end of cycle": an event of NF for people.
+    /// "heading = 0.1", "MoveForward()", "end of cycle": an event of NF for readers.
     [[nodiscard]] std::string tell(process::Event) const;
 
 private:

@@ -1,4 +1,4 @@
-// The exploration interface of a loaded controller, looked at before it is used.
+// Validates the exploration interface of a loaded controller before it is used.
 #include "conformance/code/shared_object.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Words of an interface larger than this are taken for garbage.
+/// Larger numbers in an interface are assumed to be garbage.
 constexpr std::uint32_t sane_count = 1U << 20U;
 
 std::string input_fault(const rc_input& input) {

@@ -1,4 +1,4 @@
-// Generated sources, compiled by the system's compiler and loaded into this process through the C interface of
+// Compiles generated sources with the system's compiler and loads them into this process through the C interface of
 // cpp_emit/runtime/explore_abi.h.
 #pragma once
 
@@ -15,11 +15,11 @@ namespace robochart::conformance {
 
 using BuildOptions = cpp_emit::BuildOptions;
 
-/// One loaded controller. Its code runs in this process: load only what this toolkit generated or tests wrote.
+/// A loaded controller. Its code runs in this process, so load only code that this toolkit or its tests wrote.
 class SharedObject {
 public:
-    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and
-    /// loads it. On failure returns nothing and sets `error` to the cause, with the compiler's words if it spoke.
+    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and loads
+    /// it. On failure returns null and sets `error` to the cause, including the compiler's output if there is any.
     static std::unique_ptr<SharedObject> build(const std::vector<cpp_emit::OutputFile>& files,
                                                const std::vector<std::string>& sources, const BuildOptions&,
                                                std::string& error);

@@ -1,5 +1,5 @@
-// A timer of the thread's processor time ticks while code is explored. At a tick that finds the same call running as
-// the tick before, the signal handler leaves the call with siglongjmp. The state it needs is the thread's own.
+// A timer of the thread's processor time ticks while code is explored. If a tick finds the same call running as the
+// tick before, the signal handler leaves the call with siglongjmp. Its state is thread-local.
 #include "conformance/code/watchdog.hpp"
 
 #include <setjmp.h>
@@ -26,7 +26,7 @@ struct Call {
     sigjmp_buf back;
     volatile sig_atomic_t running = 0;
     volatile std::uint64_t number = 0;
-    volatile std::uint64_t at_tick = 0;  ///< the call that the last tick found running
+    volatile std::uint64_t at_tick = 0;  ///< the call that was running at the last tick
 };
 thread_local Call call;
 
@@ -42,13 +42,13 @@ void on_tick(int) {
 void handle_ticks() {
     struct sigaction action = {};
     action.sa_handler = on_tick;
-    // Not blocked while it runs: it does not return where it leaves the call.
+    // The signal is not blocked during the handler, because the handler does not return when it leaves the call.
     action.sa_flags = SA_RESTART | SA_NODEFER;
     if (sigaction(alarm_signal, &action, nullptr) != 0)
         throw std::system_error(errno, std::generic_category(), "no watchdog");
 }
 
-/// Ticks for one thread as long as it lives.
+/// Ticks for one thread during its lifetime.
 class Ticks {
 public:
     Ticks() {
@@ -82,7 +82,7 @@ private:
     Patience patience_ = Patience::seconds;
 };
 
-/// By itself, so that nothing of the caller is held in registers over the jump.
+/// A separate function, so that no variable of the caller is in a register across the jump.
 [[gnu::noinline]] bool returns(Guarded guarded, void* arguments, rc_result& result) {
     if (sigsetjmp(call.back, 0) != 0) {
         call.running = 0;

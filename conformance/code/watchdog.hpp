@@ -1,29 +1,29 @@
-// A call of generated code that need not come back. Generated code bounds its own steps; code with a fault may not, and
-// an endless loop in it must be a finding, not the end of the search.
+// Calls generated code that may not return. Generated code bounds its own steps, but code with an error may not, and an
+// endless loop in it must be a finding that does not end the search.
 #pragma once
 
 #include "cpp_emit/runtime/explore_abi.h"
 
 namespace robochart::conformance {
 
-/// What a call of `step` came to.
+/// The result of a call of `step`.
 struct Stepped {
     rc_result result = RC_QUIESCENT;
-    bool endless = false;  ///< it was stopped: `state` and `log` are as the code had left them then
+    bool endless = false;  ///< it was stopped: `state` and `log` are as the code left them
 };
 
-/// How long a call of generated code may take.
+/// The maximal duration of a call of generated code.
 enum class Patience {
-    seconds,  ///< one to two of the thread's own time
-    short_,   ///< a hundredth of that, for code of which one call was found endless
+    seconds,  ///< one to two seconds of the thread's own time
+    short_,   ///< a hundredth of that, for code in which an endless call has been found
 };
 
-/// Calls `step`; what does not return is stopped, and its result is RC_STEP_BOUND. The code must own nothing (no heap,
-/// no locks), as generated code does.
+/// Calls `step`. A call that does not return is stopped, and its result is RC_STEP_BOUND. The code must own no
+/// resources (no heap, no locks), which holds for generated code.
 [[nodiscard]] Stepped watched_step(const rc_interface&, void* state, const rc_register* registers, rc_log* log,
                                    Patience = Patience::seconds);
 
-/// A call of generated code, and what it is called with.
+/// A call of generated code, and its arguments.
 using Guarded = rc_result (*)(void* arguments);
 
 /// The same for other functions of the interface.

@@ -1,4 +1,4 @@
-// Facts about one component from the IR and the emitted script; see component.hpp.
+// Data about one component from the IR and the emitted script; see component.hpp.
 #include "conformance/model/component.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 namespace b = cspm::build;
 
-/// CSPM identifiers keep "::" out of package and type names.
+/// CSPM identifiers cannot contain "::", so it is removed from package and type names.
 std::string flatten(const std::string& name) {
     std::string result;
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -28,7 +28,7 @@ std::string flatten(const std::string& name) {
     return result;
 }
 
-/// A carrier by the model's type; values of composed types are numbered in the order of ir::carrier.
+/// A carrier for the model's type; values of composed types are numbered in the order of ir::carrier.
 Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     if (cpp_emit::composed(type)) {
@@ -48,8 +48,8 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
     return carrier;
 }
 
-/// Which variables of the outside occur in expressions of a machine and of the operations that it calls: what an
-/// operation requires may be its caller's own (semantics 3.8).
+/// The external variables in expressions of a machine and of the operations that it calls; elements that an operation
+/// requires may be its caller's own (semantics 3.8).
 class Reads {
 public:
     /// `controller` defines the operations; null: none are defined.
@@ -64,7 +64,8 @@ public:
     }
 
 private:
-    /// `shared` names what the machine shares with the outside. Calls do not recur (lowering refuses that).
+    /// `shared` contains the names that the machine shares with its environment. Calls are not recursive (lowering
+    /// rejects recursion).
     void machine(const ir::Machine& machine, const std::set<std::string>& shared) {
         if (!seen_.emplace(&machine, shared).second) return;
         const ir::Machine* const outer_machine = std::exchange(current_, &machine);
@@ -106,7 +107,7 @@ private:
         const std::string& name = current_->variables[id.index].name;
         if (shared_->count(name) != 0) found_.insert(name);
     }
-    // As deep as the model's expressions, which the reader bounds.
+    // Recursion depth: the depth of the model's expressions, which the reader limits.
     void expression(const ir::ExprPtr& expr) {
         if (!expr) return;
         if (expr->kind == ir::ExprKind::variable) variable(expr->variable);
@@ -121,7 +122,7 @@ private:
         for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) expression(part);
         for (const ir::ExprPtr& part : stmt->args) expression(part);
         for (const ir::ExprPtr& part : stmt->path) expression(part);
-        // An assignment to a part keeps the rest.
+        // An assignment to a part keeps the other parts, so it reads the variable.
         if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) variable(stmt->variable);
         communication(stmt->communication);
         for (const ir::StmtPtr& part : stmt->body) statement(part);
@@ -167,7 +168,7 @@ cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentR
     const std::string prefix = component_prefix(ref);
     const cspm::DeclPtr process = cspm::declaration_of(script, prefix + "::D__");
     if (!process || process->kind != cspm::DeclKind::function) return nullptr;
-    // semantics 3.12: the id, then the constants, whose values are global definitions of the same name.
+    // semantics 3.12: the id, then the constants, whose values are global definitions with the same name.
     std::vector<cspm::ExprPtr> arguments{b::number(0)};
     const std::vector<cspm::PatternPtr>& parameters = process->patterns.front();
     for (std::size_t p = 1; p < parameters.size(); ++p) {

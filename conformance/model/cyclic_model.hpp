@@ -1,5 +1,5 @@
-// A component ready to be asked what it allows in control cycles, without any generated code: the script's process, the
-// alphabet, and NF_c(M) as a transition system (docs/conformance.md).
+// A component whose allowed behaviour in control cycles can be queried without generated code: the script's process,
+// the alphabet, and NF_c(M) as a transition system (docs/conformance.md).
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ namespace robochart::conformance {
 
 class CyclicModel {
 public:
-    /// Nothing where the component has no timed semantics or no cyclic form; diagnostics or `error` tell. Throws
-    /// process::Interrupted at a limit and cspm::EvaluationError where the script cannot be evaluated.
+    /// Returns null if the component has no timed semantics or no cyclic form; see diagnostics or `error`. Throws
+    /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated.
     [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef&, std::uint32_t cycle_length,
                                                            const refine::Limits&, diagnostics::SourceManager&,
@@ -26,8 +26,8 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
-    /// The interface under the names that its parts have in the model and in generated code, where the script has
-    /// others (csp_emit/passes/safe_names.hpp); in the same order.
+    /// The interface with the names in the model and in generated code, which differ from the script's if elements were
+    /// renamed (csp_emit/passes/safe_names.hpp); in the same order.
     [[nodiscard]] const Interface& outside() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }

@@ -1,5 +1,6 @@
-// Data independence by syntax: a kind of numbers is passed on where no operator has an operand of it that depends on a
-// variable (Roscoe UCS 17.2, "data independence", without tests for equality). What is not recognised counts against.
+// Syntactic data independence: a kind of numbers is only passed on if no operator has an operand of this kind that
+// depends on a variable (Roscoe UCS 17.2, "data independence", without tests for equality). Unrecognised uses count as
+// dependence.
 #include "conformance/model/data_independence.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ private:
             case ir::TypeKind::given:
             case ir::TypeKind::unit:
                 return;
-            // with parts: it may hold numbers of any kind
+            // with parts: it may contain numbers of any kind
             case ir::TypeKind::sequence:
             case ir::TypeKind::set:
             case ir::TypeKind::product:
@@ -66,7 +67,7 @@ private:
         result.looked_into.push_back(id);
     }
 
-    /// Every value of the type, and of its parts, is looked at.
+    /// Every value of the type, and of its parts, is used.
     void enumerated(ir::TypeId id) {
         tested(id);
         const ir::Type& type = system_.type(id);
@@ -75,7 +76,7 @@ private:
             for (const ir::TypeId part : arguments) enumerated(part);
     }
 
-    /// The same value in a place of another type is a conversion.
+    /// Storing a value in a place of another type is a conversion.
     void stored(const ir::ExprPtr& value, ir::TypeId place) {
         passed(value);
         if (!value || constant(*value) || !value->type.valid() || !place.valid()) return;
@@ -88,7 +89,8 @@ private:
         return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
     }
 
-    /// Depends on no variable. As deep as the model's expressions, which the reader bounds.
+    /// Whether it depends on no variable. Recursion depth: the depth of the model's expressions, which the reader
+    /// limits.
     static bool constant(const ir::Expr& expr) {
         constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
                                           ir::ExprKind::string, ir::ExprKind::constant};
@@ -96,8 +98,8 @@ private:
         return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
     }
 
-    /// A value that goes on as it is. Where it is taken out of another, or another is made of it, that one is looked
-    /// into.
+    /// A value that is passed on unchanged. If it is taken out of another value, or another value is built from it,
+    /// that one is examined.
     void passed(const ir::ExprPtr& expr) {
         if (!expr || leaf(expr->kind) || constant(*expr)) return;
         const ir::ExprKind kind = expr->kind;
@@ -119,7 +121,7 @@ private:
             stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
     }
 
-    /// A value that something depends on.
+    /// A value on which something depends.
     void used(const ir::ExprPtr& expr) {
         if (!expr || constant(*expr)) return;
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
@@ -149,7 +151,7 @@ private:
         if (stmt->kind == ir::StmtKind::assign)
             stored(stmt->value, machine_->variables[stmt->variable.index].type);
         else
-            used(stmt->value);  // of a wait or a deadline
+            used(stmt->value);  // in a wait or a deadline
         const ir::OperationSignature* const call =
             stmt->operation.valid() ? &machine_->operations[stmt->operation.index] : nullptr;
         for (std::size_t i = 0; i < stmt->args.size(); ++i)

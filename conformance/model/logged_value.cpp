@@ -1,4 +1,4 @@
-// Reads values of logs by the types of the model, and replaces numbers outside the carriers where the component is data
+// Reads values in logs by the types of the model, and replaces numbers outside the carriers if the component is data
 // independent.
 #include "conformance/model/logged_value.hpp"
 
@@ -31,7 +31,7 @@ std::uint64_t mixed(std::string_view text, std::uint64_t salt) {
     return (hash ^ hash >> 32U) * 0x9E3779B97F4A7C15ULL >> 16U;
 }
 
-/// Reads one value from left to right; as deep as its type.
+/// Parses one value from left to right. Recursion depth: the depth of its type.
 class ValueParser {
 public:
     ValueParser(const ir::System& system, const ir::Instantiation& instantiation, std::string_view text)
@@ -79,7 +79,7 @@ private:
         return tuple(type, begin);
     }
 
-    // ------------------------------------------------------------ without parts
+    // ------------------------------------------------------------ values without parts
 
     LoggedPart truth() {
         const std::string_view word = name();
@@ -99,7 +99,7 @@ private:
         const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
         if (!real && scaled != std::floor(scaled)) throw fault("a whole number", word);
         at_ += length;
-        // A decimal of the model as binary floating point is off by less than this.
+        // A decimal of the model in binary floating point has a smaller error than this.
         const double near = std::round(scaled);
         const bool whole = std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled)) && std::abs(near) < 9e15;
         if (whole && carried(kind, static_cast<std::int64_t>(near)))
@@ -113,7 +113,7 @@ private:
         return std::binary_search(all->begin(), all->end(), value);
     }
 
-    /// By its name, or the one it has in CSP.
+    /// A literal, by its name in the model or in CSP.
     LoggedPart literal(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         const std::size_t begin = at_;
@@ -150,7 +150,7 @@ private:
         return result;
     }
 
-    /// A backslash and three octal digits stand for any.
+    /// A backslash and three octal digits encode any character.
     std::int64_t character() {
         const auto digit = [&](std::size_t i) {
             const char c = at_ + i < text_.size() ? text_[at_ + i] : ' ';
@@ -164,7 +164,7 @@ private:
         return static_cast<unsigned char>(text_[at_++]);
     }
 
-    // ------------------------------------------------------------ with parts
+    // ------------------------------------------------------------ values with parts
 
     template <class Item>
     LoggedPart list(const ir::Type& type, std::size_t begin, const char* brackets, const Item& item) {
@@ -177,7 +177,7 @@ private:
         return result;
     }
 
-    /// One alone stands without brackets.
+    /// A single item has no parentheses.
     template <class Item>
     LoggedPart repeated(const ir::Type& type, std::int64_t count, std::size_t begin, const Item& item) {
         LoggedPart result{0, "", TypeKind::product, {}};
@@ -231,7 +231,7 @@ private:
     }
 
     [[nodiscard]] std::string shape(ir::TypeId id) const { return shape(system_.type(id)); }
-    /// What values of the type look like.
+    /// Describes the form of the type's values.
     [[nodiscard]] static std::string shape(const ir::Type& type) {
         switch (type.kind) {
             case TypeKind::enumeration:
@@ -268,7 +268,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// As the model has it, with numbers outside of their carriers replaced.
+/// The value in the model, with replacements for numbers outside their carriers.
 ir::Value replaced(const LoggedPart& part, const ir::Instantiation& instantiation, std::uint64_t salt) {
     ir::Value value{part.number, {}};
     if (!part.outside.empty()) {
@@ -287,8 +287,8 @@ bool all_inside(const LoggedPart& part) {
     return part.outside.empty() && std::all_of(part.parts.begin(), part.parts.end(), all_inside);
 }
 
-/// Every number outside of its carrier is of a kind that is passed on. Functions are total over their carriers, which
-/// other numbers are not.
+/// Whether every number outside its carrier has a kind that is only passed on. Functions are total over their carriers,
+/// which do not contain other numbers.
 bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
     if (part.kind == TypeKind::function) return all_inside(part);
     return (part.outside.empty() || passed_on.of(part.kind)) &&
@@ -327,7 +327,8 @@ LoggedValue ValueReader::read(std::string_view text) const {
     if (inside) result.number = place(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
-    // What is outside whatever its numbers are, as a sequence that is too long, cannot be replaced.
+    // A value that is outside for other reasons than its numbers, such as a sequence that is too long, cannot be
+    // replaced.
     result.passed_on = !inside && only_passed_on(result.whole, passed_on_) && place(result.whole, 0).has_value();
     return result;
 }
@@ -338,7 +339,7 @@ std::int64_t ValueReader::stand_in(const LoggedValue& value, std::uint64_t salt)
 
 namespace {
 
-/// Writes values; as deep as their types.
+/// Writes values. Recursion depth: the depth of their types.
 class Writing {
 public:
     Writing(const ir::System& system, const ir::Instantiation& instantiation)
@@ -405,7 +406,7 @@ private:
                                return this->value(type.literal_args[index].at(i), part);
                            }));
     }
-    /// As robochart/trace.hpp writes them.
+    /// In the form of robochart/trace.hpp.
     static std::string characters(const ir::Value& value) {
         static constexpr std::string_view special = "\"\\!?/";
         std::string text;

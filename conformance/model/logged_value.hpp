@@ -1,5 +1,5 @@
-// Values in the words of logs (docs/traces.md): the notation of the CSP alphabet with decimal numbers, the names of
-// literals and no blanks. Values outside the finite instantiation are distinguished from those inside.
+// Values as in logs (docs/traces.md): the notation of the CSP alphabet with decimal numbers, the names of literals and
+// no blanks. Values outside the finite instantiation are distinguished from those inside.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,24 @@
 
 namespace robochart::conformance {
 
-/// A value as it was logged, part by part.
+/// A logged value, part by part.
 struct LoggedPart {
     std::int64_t number = 0;  ///< as in ir::Value
-    std::string outside;      ///< of a number that its carrier does not have: in one spelling for one value
+    std::string outside;      ///< for a number outside its carrier: a canonical text
     ir::TypeKind kind = ir::TypeKind::unit;
     std::vector<LoggedPart> parts;
 };
 
 /// A value in a log.
 struct LoggedValue {
-    std::optional<std::int64_t> number;  ///< as in the carrier, values with parts by their place in it; none: outside
-    std::string text;                    ///< outside: as it is reported
+    std::optional<std::int64_t> number;  ///< as in the carrier; for values with parts the index in it; no value:
+                                         ///< outside
+    std::string text;                    ///< outside: as reported
     bool passed_on = false;              ///< outside: the component only passes such values on
     LoggedPart whole;
 };
 
-/// Thrown where a text is no value of its type: what the type has, and which part of the text is none.
+/// Thrown if a text is not a value of its type: the expected form, and the part of the text that does not match.
 struct ValueFault {
     std::string wanted;
     std::size_t begin = 0;
@@ -45,12 +46,12 @@ public:
 
     /// Throws ValueFault.
     [[nodiscard]] LoggedValue read(std::string_view text) const;
-    /// The value of the carrier that stands for one outside of it: numbers that it does not have are replaced by others
-    /// of their kind, the same for the same number, chosen by `salt`.
+    /// The value of the carrier that represents one outside it: numbers outside their carriers are replaced by others
+    /// of their kind, equal ones by equal ones, selected by `salt`.
     [[nodiscard]] std::int64_t stand_in(const LoggedValue&, std::uint64_t salt) const;
 
 private:
-    /// In the carrier; numbers outside of theirs are replaced.
+    /// The index in the carrier; numbers outside their carriers are replaced.
     [[nodiscard]] std::optional<std::int64_t> place(const LoggedPart&, std::uint64_t salt) const;
 
     const ir::System* system_;
@@ -58,10 +59,10 @@ private:
     ir::TypeId type_;
     DataIndependence passed_on_;
     bool composed_;
-    std::map<ir::Value, std::int64_t> places_;  ///< of values with parts
+    std::map<ir::Value, std::int64_t> places_;  ///< for values with parts
 };
 
-/// A value of the model as logs have it: "0.5", "Red", "(1,<2,3>)".
+/// A value of the model as in logs: "0.5", "Red", "(1,<2,3>)".
 [[nodiscard]] std::string log_text(const ir::System&, const ir::Instantiation&, ir::TypeId, const ir::Value&);
 
 }  // namespace robochart::conformance

@@ -1,4 +1,4 @@
-// Explores M on demand: states are interned, transitions mapped to their roles in the cycle, and computed once.
+// Explores M on demand: states are numbered, and transitions are mapped to their roles in the cycle and computed once.
 #include "conformance/model/model_graph.hpp"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ const ModelRole& ModelGraph::role(process::Event event) {
 void ModelGraph::expand(ModelState state) {
     if (poll_) poll_();
     Collect sink;
-    // A copy: `words_` may grow while the model answers through its own sink.
+    // A copy, because `words_` may grow while the model calls its own sink.
     const std::vector<lts::Word> packed(view(state).begin(), view(state).end());
     model_->successors(packed, sink);
     std::vector<ModelEdge> edges;
@@ -85,8 +85,8 @@ const std::vector<ModelEdge>& ModelGraph::edges(ModelState state) {
 
 namespace {
 
-/// Looks at the edges of every state that can be reached before time passes, until one is enough. False where there are
-/// more states than are looked at.
+/// Visits the edges of every state that is reachable before time passes, until `enough` returns true. Returns false if
+/// there are too many states.
 template <class Enough>
 bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough) {
     constexpr std::size_t most = 20'000;
@@ -106,7 +106,7 @@ bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough)
 
 }  // namespace
 
-/// With too many states the answer is no: the model is then said to stop time, not excused for it.
+/// If there are too many states, the answer is no: the model is then reported to stop time, not excused.
 bool ModelGraph::goes_on(ModelState start) {
     const auto found = goes_on_.find(start);
     if (found != goes_on_.end()) return found->second;
@@ -120,7 +120,7 @@ bool ModelGraph::goes_on(ModelState start) {
     return goes_on_.emplace(start, result).first->second;
 }
 
-/// With too many states the answer is yes for all: fewer readings are as good as none, and nothing else changes.
+/// If there are too many states, the answer is yes for all registers: this only loses the reduction of readings.
 const std::vector<bool>& ModelGraph::hears(ModelState start) {
     const auto found = hears_.find(start);
     if (found != hears_.end()) return found->second;

@@ -1,5 +1,5 @@
-// The model M with its states numbered and its successors remembered: NF_c(M) visits each state of M under many
-// register contents, and asks which registers a state can still hear before time passes.
+// The model M with numbered states and stored successors. NF_c(M) visits each state of M with many register contents,
+// and needs to know which registers a state can still read before time passes.
 #pragma once
 
 #include <cstdint>
@@ -26,20 +26,20 @@ struct ModelEdge {
 
 class ModelGraph {
 public:
-    /// Throws AlphabetError when a state is met that can do what the alphabet has no name for.
+    /// Throws AlphabetError when it visits a state that can perform an event without a name in the alphabet.
     ModelGraph(lts::TransitionSystem& model, const Alphabet& alphabet);
 
     [[nodiscard]] ModelState initial() const { return initial_; }
     [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
-    /// One entry per register: whether its event can happen from here before the next tock, whatever else happens.
-    /// Ignores the simulation assumptions, so it may say yes too often, never no wrongly.
+    /// For each register: whether its event can happen from here before the next tock, in any run. Ignores the
+    /// simulation assumptions, so a yes may be wrong, but a no never is.
     [[nodiscard]] const std::vector<bool>& hears(ModelState);
-    /// Whether time can pass, or the model terminate, once the right inputs have come: behind some events without time.
+    /// Whether time can pass, or the model terminate, after the right inputs: after some events that take no time.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
-    /// The state as M packs it; valid until another is met.
+    /// The state as M packs it; valid until another state is added.
     [[nodiscard]] lts::StateView view(ModelState) const;
-    /// Called for every state expanded; may throw. Empty: none.
+    /// Called for every expanded state; may throw. Empty: none.
     void watch(const std::function<void()>& poll) { poll_ = poll; }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
 
@@ -59,7 +59,7 @@ private:
     ModelState initial_ = 0;
     std::unordered_map<std::string, ModelState> ids_;  ///< bytes of the packed state; never iterated
     std::vector<lts::Word> words_;
-    std::deque<Node> edges_;  ///< a deque: references stay valid while the graph grows
+    std::deque<Node> edges_;  ///< a deque, so that references stay valid while the graph grows
     std::unordered_map<ModelState, std::vector<bool>> hears_;
     std::unordered_map<ModelState, bool> goes_on_;
     std::vector<ModelRole> roles_;

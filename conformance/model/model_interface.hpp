@@ -1,6 +1,5 @@
-// The interface of a component read off the model, before or without any generated code: for recorded runs, monitors
-// and test suites. Registers and outputs come in the order of the code's own interface
-// (cpp_emit/runtime/explore_abi.h).
+// The interface of a component computed from the model, without generated code: for recorded runs, monitors and test
+// suites. Registers and outputs are in the order of the code's own interface (cpp_emit/runtime/explore_abi.h).
 #pragma once
 
 #include <optional>
@@ -17,12 +16,12 @@ namespace robochart::conformance {
 
 struct ModelInterface {
     Interface interface;
-    std::vector<std::optional<ir::TypeId>> input_types;  ///< none: the register carries no value
+    std::vector<std::optional<ir::TypeId>> input_types;  ///< no value: the register carries no value
     std::vector<std::vector<ir::TypeId>> output_types;
     DataIndependence passed_on;
 };
 
-/// Nothing, with diagnostics, where no C++ could be generated for the component.
+/// No value, with diagnostics, if no C++ can be generated for the component.
 [[nodiscard]] std::optional<ModelInterface> model_interface(const ir::System&, const ir::Instantiation&,
                                                             const ir::ComponentRef&, const csp_emit::Provenance&,
                                                             diagnostics::Diagnostics&);

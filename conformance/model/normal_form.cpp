@@ -1,5 +1,5 @@
-// The simulation assumptions written in CSPM (docs/conformance.md, "The normal form"). Untimed operators with tock
-// as an ordinary event: what has no tock in it holds time up, which is what makes writes and reads instantaneous.
+// The simulation assumptions written in CSPM (docs/conformance.md, "The normal form"). Untimed operators with tock as
+// an ordinary event: a process without tock stops time, which makes writes and reads instantaneous.
 #include "conformance/model/normal_form.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::string value_name(std::size_t index) {
     return fmt::format("x__{}", index);
 }
 
-/// Terminate -> SKIP, with an event of the normal form's own: not every component has a `terminate`.
+/// Terminate -> SKIP, with an event that the normal form declares, because not every component has a `terminate`.
 ExprPtr end() {
     return b::prefix(b::name(end_event), b::skip());
 }
@@ -75,7 +75,7 @@ private:
         return alphabet_.input_constructor(input);
     }
     [[nodiscard]] ExprPtr model_event(const std::string& local) const {
-        // "e.in" is a channel and its direction.
+        // "e.in" is a channel and its direction
         const std::size_t dot = local.find('.');
         const ExprPtr channel = b::name(declared_channel(local));
         return dot == std::string::npos ? channel : b::dot({channel, b::name(local.substr(dot + 1))});
@@ -227,7 +227,7 @@ private:
                                model_events(true, true, {"registerRead", "tock", end_event}), b::name("TA3__"));
     }
 
-    /// The model without the external writes that the environment does not make.
+    /// The model without the external writes that the environment never makes.
     [[nodiscard]] ExprPtr unwritten(const ExprPtr& model) const {
         std::vector<ExprPtr> blocked;
         for (const std::string& channel : alphabet_.interface().blocked) blocked.push_back(model_event(channel));

@@ -1,5 +1,5 @@
-// NF_c(M) step by step. Each rule cites the assumption of docs/conformance.md that it carries out:
-// A1 registers, A2 outputs and time, A3 the cycle, H hiding of M's alphabet, P priority of τ and ✓ over tock.
+// NF_c(M) step by step. Each rule cites the assumption of docs/conformance.md that it implements: A1 registers, A2
+// outputs and time, A3 the cycle, H hiding of M's alphabet, P priority of τ and ✓ over tock.
 #include "conformance/model/normal_form_system.hpp"
 
 #include <fmt/format.h>
@@ -10,32 +10,32 @@ namespace robochart::conformance {
 
 namespace {
 
-// Layout of a packed state; then come, with Outputs::once, the mask of outputs written in this cycle, and one word per
-// register: 0 nothing to consume, else the reading.
+// Layout of a packed state. It is followed, with Outputs::once, by the mask of outputs written in this cycle, and by
+// one word for each register: 0 if there is nothing to consume, otherwise the reading.
 enum Field : std::size_t { phase, progress, model_state, pending, fields };
 enum Phase : lts::Word {
     reading,  ///< progress: the next register
     acting,   ///< between the reads and the tock
-    waiting,  ///< progress: tocks still to come (cycles longer than one)
-    ending,   ///< terminated, ✓ to come
+    waiting,  ///< progress: remaining tocks (in cycles with several tocks)
+    ending,   ///< terminated, before ✓
     over,
     repeated,  ///< Outputs::once; pending: the report of the second one
-    missed,    ///< Deadlines::mark and idle; model_state: where M waits
+    missed,    ///< Deadlines::mark and idle; model_state: the state in which M waits
 };
-/// What a register holds that was not read (Frame::unread).
+/// Content of a register that was not read (Frame::unread).
 constexpr lts::Word not_read = 0xffffffffU;
 /// Model state after M's own ✓, before `terminate`.
 constexpr lts::Word gone = 0xffffffffU;
 
 }  // namespace
 
-/// One call of `successors`: where from, where the steps go, and whether tock is still wanted.
+/// One call of `successors`: the source state, the sink, and whether tock is still possible.
 struct NormalFormSystem::Move {
     lts::StateView from;
     lts::SuccessorSink& sink;
     std::vector<lts::Word> next;
     bool urgent = false;  ///< a τ or ✓ was found (P)
-    bool stands = true;   ///< nothing was found
+    bool stands = true;   ///< no step was found
 
     std::vector<lts::Word>& restart() {
         next.assign(from.begin(), from.end());
@@ -73,8 +73,8 @@ void NormalFormSystem::initial(std::span<lts::Word> state) {
     begin_cycle(state);
 }
 
-// A2 starts again with all outputs, A3 with all reads. What A1 still holds cannot be consumed before it is read
-// again (A3), so it is forgotten here: an equivalent state, and one instead of many.
+// A2 starts again with all outputs, A3 with all reads. Contents that A1 still holds cannot be consumed before they are
+// read again (A3), so they are cleared here: the state is equivalent, and there are fewer states.
 void NormalFormSystem::begin_cycle(std::span<lts::Word> state) const {
     std::fill(state.begin() + fields, state.end(), 0U);
     state[phase] = inputs_ == 0 ? acting : reading;
@@ -113,9 +113,10 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
     if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) miss(move);
 }
 
-/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M go on, up to where time
-/// passes again. This is the only sign of a missed deadline on an input here: all that M can do by itself has been done
-/// (P). An input that some other machine would take, and behind which time stops all the same, is no excuse.
+/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M continue up to a point
+/// where time passes again. This is the only sign of a missed deadline on an input here: M has performed everything
+/// that it can do without inputs (P). An input that another machine would take, and after which time still stops, does
+/// not count.
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
@@ -164,8 +165,8 @@ Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
     return input ? Standstill::input_in_mid_cycle : Standstill::other;
 }
 
-// A1, A3: registers are read one after the other, each with any reading. A register that M cannot hear before time
-// passes is as good as absent (model_graph.hpp, hears).
+// A1, A3: registers are read one after the other, each with any reading. A register that M cannot read before time
+// passes counts as absent (model_graph.hpp, hears).
 void NormalFormSystem::read(Move& move) {
     const lts::Word at = move.from[progress];
     const auto input = static_cast<std::uint32_t>(at);
@@ -219,7 +220,7 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
     }
 }
 
-// A1: only what was read in this cycle, once. A3: not before all registers are read. H: invisible.
+// A1: only what was read in this cycle, once. A3: not before all registers are read. H: hidden.
 void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
     lts::Word& held = move.next[fields + mask_words_ + edge.role.index];
     if (move.from[phase] != acting) return;
@@ -233,7 +234,7 @@ void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
     move.silent(edge.event);
 }
 
-// A2: any number of outputs, one report at a time. A3: not before all registers are read. H: invisible.
+// A2: any number of outputs, one report at a time. A3: not before all registers are read. H: hidden.
 void NormalFormSystem::output(Move& move, const ModelEdge& edge) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     move.next[pending] = edge.role.write;
@@ -255,7 +256,7 @@ void NormalFormSystem::repeat(Move& move) {
     move.sink.add(repeats_, move.next, repeats_);
 }
 
-// A2: no tock while a report is due. A3: none while reading; after the first of a cycle's tocks nothing but tocks.
+// A2: no tock while a report is pending. A3: none while reading; after the first of a cycle's tocks only tocks.
 void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     const lts::Word at = move.from[phase];
     if (at == reading || move.from[pending] != 0) return;
@@ -265,7 +266,7 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     if (left == 0) {
         begin_cycle(next);
     } else {
-        std::fill(next.begin() + fields, next.end(), 0U);  // A1, A2: of no use before the next cycle
+        std::fill(next.begin() + fields, next.end(), 0U);  // A1, A2: not used before the next cycle
         next[phase] = waiting;
         next[progress] = left;
     }
@@ -273,7 +274,8 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     move.sink.add(edge.event, next, edge.event);
 }
 
-// All agree on `terminate` after the reads and with no report due; hidden, then ✓ of all.
+// All parts synchronise on `terminate` after the reads and with no pending report; it is hidden and followed by ✓ of
+// all.
 void NormalFormSystem::terminate(Move& move) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     std::vector<lts::Word>& next = move.restart();

@@ -1,5 +1,5 @@
-// NF_c(M) as a transition system: the model in parallel with the three simulation assumptions (docs/conformance.md).
-// The same process as normal_form.hpp writes in CSPM; tests/conformance shows that the two are equivalent.
+// NF_c(M) as a transition system: the model in parallel with the three simulation assumptions (docs/conformance.md). It
+// is the process that normal_form.hpp writes in CSPM; tests/conformance shows that the two are equivalent.
 #pragma once
 
 #include <cstdint>
@@ -12,44 +12,44 @@
 
 namespace robochart::conformance {
 
-/// What follows successful termination of the model.
+/// The behaviour after successful termination of the model.
 enum class AfterTermination {
     stop,  ///< ✓, as in the definition
-    idle,  ///< tock for ever: termination is then no deadlock (schedulability)
+    idle,  ///< tock forever: termination is then not a deadlock (schedulability)
 };
 
 /// How often an output may be made in one cycle (docs/conformance.md, A2).
 enum class Outputs {
     sequence,  ///< any number, in the order in which M makes them
-    once,      ///< each at most once: a second one is the event `model.repeats`, and the end
+    once,      ///< each at most once: a second one is the event `model.repeats`, after which nothing follows
 };
 
-/// Where time stops because M waits for an input that was not read, with a deadline that is over.
+/// The behaviour if time stops because M waits, with an expired deadline, for an input that was not read.
 enum class Deadlines {
-    stop,  ///< nothing more, as in M
-    mark,  ///< the event `model.deadline`, and the end
-    idle,  ///< tock for ever: a missed deadline is then no deadlock
+    stop,  ///< no further step, as in M
+    mark,  ///< the event `model.deadline`, after which nothing follows
+    idle,  ///< tock forever: a missed deadline is then not a deadlock
 };
 
-/// What NF_c(M) is asked for. The first of each is the definition; the others serve the search for reasons why M cannot
-/// be run in cycles.
+/// A variant of NF_c(M). The first value of each member is the definition; the others are used to find reasons why M
+/// cannot be run in cycles.
 struct Frame {
     AfterTermination after = AfterTermination::stop;
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
-    bool writes_hidden = false;  ///< then outputs without end are a divergence
-    /// A register may also be left unread, which is the event `unread`. Where its reading would decide something, the
-    /// event `asks` is possible, and what else is possible says nothing.
+    bool writes_hidden = false;  ///< endless outputs are then a divergence
+    /// A register may also be left unread, which is the event `unread`. If something depends on its reading, the event
+    /// `asks` is possible, and other possible events have no meaning.
     bool unread = false;
 };
 
-/// Why nothing follows a state of NF_c(M).
+/// Why a state of NF_c(M) has no transitions.
 enum class Standstill {
-    none,    ///< something does
-    inputs,  ///< M waits for inputs that were not read, and a deadline is over
+    none,    ///< it has some
+    inputs,  ///< M waits, with an expired deadline, for inputs that were not read
     other,
-    output_in_mid_cycle,  ///< M must make an output behind the first tock of a cycle
-    input_in_mid_cycle,   ///< M waits there for an input, and a deadline is over
+    output_in_mid_cycle,  ///< M must make an output after the first tock of a cycle
+    input_in_mid_cycle,   ///< M waits there for an input with an expired deadline
     end_in_mid_cycle,     ///< M has terminated there
     terminated,
 };
@@ -64,11 +64,11 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { model_->watch(poll); }
-    /// Whether a cycle may begin in the state: nothing is read or written yet.
+    /// Whether a cycle may begin in the state: nothing has been read or written yet.
     [[nodiscard]] bool begins_cycle(lts::StateView state) const;
-    /// Why nothing can happen in the state, if so.
+    /// Why nothing can happen in the state, if that is so.
     [[nodiscard]] Standstill standstill(lts::StateView state);
-    /// Where M is; nothing behind its termination.
+    /// The state of M; no value after its termination.
     [[nodiscard]] std::optional<ModelState> model(lts::StateView state) const;
     /// The events of Outputs::once and Deadlines::mark.
     [[nodiscard]] process::Event repeats() const { return repeats_; }
@@ -76,7 +76,7 @@ public:
     /// The events of Frame::unread.
     [[nodiscard]] process::Event unread(std::uint32_t input) const { return unread_[input]; }
     [[nodiscard]] process::Event asks(std::uint32_t input) const { return asks_[input]; }
-    /// The states of M behind it, as M tells them; "" after termination.
+    /// The description of M's state, as M prints it; "" after termination.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:

@@ -1,4 +1,4 @@
-// Text for events and states: the names of the script are looked up in the provenance.
+// Text for events and states: looks up the names of the script in the provenance.
 #include "conformance/model/provenance_text.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ std::string with_place(const std::string& text, const ir::Origin& origin, const 
     return place.empty() ? text : fmt::format("{} ({})", text, place);
 }
 
-/// Names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its bracket.
+/// Names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its parenthesis.
 std::vector<std::string> definitions_in(const std::string& description) {
     constexpr std::string_view between = "‖";
     std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// States and events in the elements of the model, with their places.
+// States and events as elements of the model, with their places.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace robochart::conformance {
 
-/// "in S1 (aggregation.rct:83)" for each machine in a state as ModelGraph::describe tells it; without repetitions.
+/// "in S1 (aggregation.rct:83)" for each machine in a state as printed by ModelGraph::describe; without duplicates.
 [[nodiscard]] std::vector<std::string> elements_of_state(const std::string& description, const csp_emit::Provenance&,
                                                          const diagnostics::SourceManager&);
 

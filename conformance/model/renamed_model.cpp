@@ -6,7 +6,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// The same component under the names that it has in the system.
+/// The same component under its new names in the system.
 ir::ComponentRef renamed(const ir::System& system, ir::ComponentRef ref) {
     const auto take = [&](const auto& components, const auto& path) {
         if (ref.definition >= components.size()) return;

@@ -1,5 +1,5 @@
-// The model under the names that its script keeps: where CSPM means something else by a name, model and code are
-// compared under the name with a number behind it (csp_emit/passes/safe_names.hpp).
+// The model with the names of its script: if a name has another meaning in CSPM, model and code are compared under the
+// name with a number appended (csp_emit/passes/safe_names.hpp).
 #pragma once
 
 #include "diagnostics/diagnostic.hpp"
@@ -8,17 +8,17 @@
 
 namespace robochart::conformance {
 
-/// The same for all components of a model. Without CSP blocks and properties, which belong to assertions: a block that
-/// replaces the instantiation would make the model range over other values than the code.
+/// The renamed system, shared by all components of a model. It has no CSP blocks and properties, which belong to
+/// assertions: a block that replaces the instantiation would give the model other values than the code.
 struct RenamedSystem {
     ir::System system;
     ir::Instantiation instantiation;
-    bool changed = false;  ///< some name is another
+    bool changed = false;  ///< some name differs
 };
 
-/// Findings about names go to the diagnostics.
+/// Reports findings about names to the diagnostics.
 [[nodiscard]] RenamedSystem renamed_system(const ir::System&, const ir::Instantiation&, diagnostics::Diagnostics&);
-/// The same component under the names that it has there.
+/// The component under its names in the renamed system.
 [[nodiscard]] ir::ComponentRef renamed_component(const RenamedSystem&, const ir::ComponentRef&);
 
 struct RenamedModel {
@@ -27,7 +27,7 @@ struct RenamedModel {
     ir::ComponentRef component;
 };
 
-/// Both, for one component.
+/// The renamed system and component.
 [[nodiscard]] RenamedModel renamed_model(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                                          diagnostics::Diagnostics&);
 

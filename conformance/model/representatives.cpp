@@ -1,4 +1,4 @@
-// The values by which a data independent type is represented (Lazić 1999; Roscoe UCS 17.2).
+// The values that represent a data independent type (Lazić 1999; Roscoe UCS 17.2).
 #include "conformance/model/representatives.hpp"
 
 #include <algorithm>
@@ -21,16 +21,16 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Attempts to find a value that is not taken.
+/// Maximal number of attempts to find an unused value.
 constexpr std::size_t attempts = 64;
 
-/// Values that differ in every part: each leaf takes the next value of its carrier, `shift` says where they begin.
+/// Values that differ in every part: each leaf takes the next value of its carrier; `shift` is the first one's offset.
 class Sample {
 public:
     Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t shift)
         : system_(system), instantiation_(instantiation), next_(shift) {}
 
-    /// As deep as types nest. Nothing for functions and relations, whose values have no fixed shape.
+    /// Recursion depth: the depth of types. No value for functions and relations, whose values have no fixed shape.
     std::optional<ir::Value> of(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         switch (type.kind) {
@@ -135,7 +135,8 @@ private:
         return types;
     }
 
-    /// What is passed on as a whole is represented as a whole; else its parts are. As deep as types nest.
+    /// A type that is passed on as a whole is represented as a whole; otherwise its parts are. Recursion depth: the
+    /// depth of types.
     void parts_first(ir::TypeId id) {
         if (!seen_.insert(id.index).second) return;
         if (independent_.of(system_, id) && represent(id)) return;
@@ -161,7 +162,7 @@ private:
         return true;
     }
 
-    /// The values of the type that variables and constants have from the start.
+    /// The initial values of variables and constants of the type.
     [[nodiscard]] std::set<ir::Value> fixed(ir::TypeId id) const {
         std::set<ir::Value> values{ir::default_value(system_, result_.instantiation, id)};
         for_each_fixed([&](ir::TypeId type, const ir::Value& value) {
@@ -181,8 +182,7 @@ private:
         for (const cpp_emit::StoredVariable& stored : component_.variables) take(stored.variable->type, stored.initial);
     }
 
-    /// A kind of numbers at the boundary: those that the component has from the start or writes, and the two that are
-    /// next to them.
+    /// A kind of numbers at the boundary: the initial and written numbers of the component, and the two next to them.
     void numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
         const bool used = std::any_of(seen_.begin(), seen_.end(),
                                       [&](std::uint32_t index) { return system_.types[index].kind == kind; });
@@ -203,19 +203,19 @@ private:
         }
     }
 
-    /// The numbers of a kind in a value. As deep as types nest.
+    /// The numbers of a kind in a value. Recursion depth: the depth of types.
     void leaves(const ir::Type& type, const ir::Value& value, ir::TypeKind kind, std::set<std::int64_t>& found) const {
         if (type.kind == kind) found.insert(value.number);
         for (std::size_t i = 0; i < value.parts.size(); ++i) {
             const bool literal = type.kind == ir::TypeKind::enumeration;
             const std::vector<ir::TypeId>& args =
                 literal ? type.literal_args.at(static_cast<std::size_t>(value.number)) : type.args;
-            const bool row = args.empty();  // of a matrix: met with the type of its elements
+            const bool row = args.empty();  // the row of a matrix, visited with the type of its elements
             leaves(row ? type : system_.type(args[args.size() > 1 ? i : 0]), value.parts[i], kind, found);
         }
     }
 
-    /// Each literal as a number of any kind.
+    /// Each literal counts as a number of every kind.
     void literals(const ir::Machine& machine, std::set<std::int64_t>& found) const {
         ir::visit_expressions(machine, [&](const ir::Expr& root, ir::ExprRole) {
             ir::visit_operands(root, [&](const ir::Expr& expr) {

@@ -1,5 +1,6 @@
-// What can be wrong with a log of a run before it is compared with the model (docs/traces.md), and why a model cannot
-// be run in control cycles, or only by some robots (docs/conformance.md, "Why a model is not schedulable").
+// Errors in a log of a run that are detected before it is compared with the model (docs/traces.md), and the reasons why
+// a model cannot be run in control cycles, or only by some robots (docs/conformance.md, "Why a model is not
+// schedulable").
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// See tick_tock.hpp. Breadth first over pairs of a state of the implementation and the set of states that the
-// specification may be in after the same observation, refusals before tocks included. Only the largest refusal of each
+// See tick_tock.hpp. Breadth-first search over pairs of a state of the implementation and the set of states that the
+// specification may be in after the same observation, including refusals before tocks. Only the largest refusal of each
 // state is followed: the model is closed under smaller ones (its healthiness condition TT1).
 #include "conformance/model/tick_tock.hpp"
 
@@ -20,21 +20,21 @@ using process::EventSet;
 using Members = std::vector<StateIndex>;
 using SetNumber = std::uint32_t;
 
-/// States that the specification may be in, closed under τ, numbered.
+/// Sets of states that the specification may be in, closed under τ, numbered.
 class Sets {
 public:
     Sets(lts::TransitionSystem& system, refine::Budget& budget, Event tock)
         : graph_(system, budget), budget_(budget), tock_(tock) {}
 
     SetNumber initial() { return number({graph_.initial()}); }
-    /// After an event other than tock; an empty set if it is none of the specification's.
+    /// The set after an event other than tock; empty if the specification does not have the event.
     SetNumber after(SetNumber set, Event event) {
         Members next;
         for (const StateIndex state : Members(members(set)))
             for (const auto& edge : graph_.edges(state, event)) next.push_back(edge.target);
         return number(next);
     }
-    /// After a tock before which everything but `offered` was refused.
+    /// The set after a tock before which everything except `offered` was refused.
     SetNumber after_tock(SetNumber set, const EventSet& offered) {
         Members next;
         for (const StateIndex state : Members(members(set))) {
@@ -44,7 +44,7 @@ public:
         }
         return number(next);
     }
-    /// Whether some state refuses everything but `offered`.
+    /// Whether some state refuses everything except `offered`.
     bool refuses(SetNumber set, const EventSet& offered) {
         for (const EventSet& accepted : acceptances(set))
             if (within(accepted, offered)) return true;
@@ -58,7 +58,7 @@ public:
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
-    /// What the specification can do, tocks that maximal progress leaves included.
+    /// The initial events of the specification, including tocks that maximal progress allows.
     EventSet initials(SetNumber set) {
         EventSet all;
         for (const StateIndex state : Members(members(set))) {
@@ -86,7 +86,7 @@ private:
         states.push_back(state);
     }
 
-    /// The states reached by τ from the seeds.
+    /// The states reachable by τ from the seeds.
     SetNumber number(const Members& seeds) {
         ++round_;
         Members states;
@@ -106,7 +106,7 @@ private:
     Event tock_;
     std::map<Members, SetNumber> ids_;
     std::vector<const Members*> sets_;
-    std::vector<std::uint32_t> mark_;  ///< per state: the round in which it was last taken
+    std::vector<std::uint32_t> mark_;  ///< by state: the round in which it was last added
     std::uint32_t round_ = 0;
 };
 

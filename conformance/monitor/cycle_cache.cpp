@@ -9,9 +9,9 @@ namespace robochart::conformance {
 namespace {
 
 constexpr std::size_t slots = 2048;
-constexpr std::size_t most_inputs = 48;  ///< bits of a key
+constexpr std::size_t most_inputs = 48;  ///< number of bits of a key
 
-/// Among eight, by the exponent: constants of a model are seldom of one size.
+/// One of eight slots, selected by the exponent: constants of a model usually differ in magnitude.
 std::size_t slot_of(std::uint64_t bits) {
     return bits >> 52U & 7U;
 }
@@ -41,7 +41,7 @@ CycleCache::Channel CycleCache::channel(const MonitorChannel& table, const cpp_e
     return result;
 }
 
-/// Arguments that range over the same share what is known.
+/// Arguments with the same range share the cache.
 std::uint32_t CycleCache::carrier(const MonitorValues& values, bool real) {
     const auto same = [&](const Carrier& other) {
         const MonitorValues& others = *other.values;
@@ -73,7 +73,7 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     return new_place(carrier, value);
 }
 
-/// Rare, and kept out of the way of what is not.
+/// Rare, and in a separate function to keep the frequent path small.
 [[gnu::noinline]] std::uint32_t CycleCache::new_place(Carrier& carrier, rc_value value) {
     if (!carrier.real) return Monitor::place_of(*carrier.values, value.whole);
     std::uint64_t bits = 0;
@@ -102,7 +102,7 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     return output.column[at];
 }
 
-/// False where a reading leaves the finite ones.
+/// False if a reading is not finite.
 inline bool CycleCache::shorten(const rc_signal* inputs, Key& key) {
     std::uint64_t present = 0;
     for (const rc_signal* input = inputs; input != inputs + input_count_; ++input)
@@ -118,14 +118,14 @@ inline bool CycleCache::shorten(const rc_signal* inputs, Key& key) {
     return true;
 }
 
-/// Multipliers of random bits; the upper bits of a product depend on all of its factor.
+/// Multiplication by odd random constants; the upper bits of a product depend on all bits of its factor.
 inline CycleCache::Slot& CycleCache::slot(const Key& key) {
     const std::uint64_t mixed = key.head * 0x9E3779B97F4A7C15ULL + key.values * 0xC2B2AE3D27D4EB4FULL;
     static_assert(slots == std::size_t{1} << 11U);
     return slots_[mixed >> 53U];
 }
 
-/// Most by a look at their bits; numbers that are only passed on by what stands for them.
+/// Compares most values by their bits, and numbers that are only passed on by the value that represents them.
 inline bool CycleCache::same(const Done& done, const rc_action& action) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &action.argument[0], sizeof bits);
@@ -170,7 +170,7 @@ void CycleCache::tell(Monitor& monitor, const rc_signal* inputs, const rc_action
     tell_again(first, key, monitor, inputs, outputs);
 }
 
-/// Two outcomes are kept in a pair of slots, the latest first.
+/// A pair of slots stores two outcomes, the latest first.
 [[gnu::noinline]] void CycleCache::tell_again(Slot& first, const Key& key, Monitor& monitor, const rc_signal* inputs,
                                               const rc_actions& outputs) {
     Slot& second = slots_[static_cast<std::size_t>(&first - slots_.data()) ^ 1U];

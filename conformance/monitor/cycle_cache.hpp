@@ -1,5 +1,5 @@
-// Monitors beside many controllers of one component: what whole cycles lead to is remembered, so that a cycle that any
-// of them has done before, from the same state, costs one look-up instead of one for each event.
+// Monitors for many controllers of one component: the results of whole cycles are cached, so that a cycle that any of
+// them has performed before, from the same state, costs one look-up instead of one for each event.
 #pragma once
 
 #include <cstdint>
@@ -11,57 +11,59 @@
 
 namespace robochart::conformance {
 
-/// Exact: an answer is given only for the same state, the same readings and the same columns of outputs in the same
-/// order. What is done seldom changes while state and readings are the same, so few outcomes of each are kept. Not for
-/// several threads.
+/// Exact: a cached result is used only for the same state, the same readings and the same columns of outputs in the
+/// same order. Outputs seldom differ for equal states and readings, so few outcomes are stored for each. Not
+/// thread-safe.
 class CycleCache {
 public:
-    /// `inputs` and `outputs` as in the tables.
+    /// `inputs` and `outputs` are as in the tables.
     CycleCache(const MonitorTables&, const std::vector<cpp_emit::Port>& inputs,
                const std::vector<cpp_emit::Port>& outputs);
 
-    /// Tells a monitor of these tables what its controller read and did in a cycle.
+    /// Passes a cycle's inputs and outputs to a monitor with these tables.
     void tell(Monitor&, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result);
 
-    [[nodiscard]] std::uint64_t remembered() const { return remembered_; }  ///< cycles answered by one look-up
+    /// Number of cycles answered by one look-up.
+    [[nodiscard]] std::uint64_t remembered() const { return remembered_; }
 
 private:
-    /// What arguments of one type range over.
+    /// The range of arguments of one type.
     struct Carrier {
         const MonitorValues* values = nullptr;
         bool real = false;
         std::uint64_t first = 0;
-        std::uint64_t consecutive = 0;  ///< so many whole numbers, each its place after the first
+        std::uint64_t consecutive = 0;  ///< number of consecutive whole numbers; the index of each is its offset from
+                                        ///< the first
         struct {
             std::uint64_t bits = 0;
             std::uint32_t place = Monitor::no_place;
-        } known[8];  ///< real numbers met, by their bits
+        } known[8];  ///< real numbers seen before, by their bits
     };
     struct Channel {
         const std::uint16_t* column = nullptr;
-        std::uint32_t count = 0;                ///< of arguments
-        std::uint16_t alone = Monitor::dead;    ///< the column without arguments
-        std::vector<std::uint32_t> carriers{};  ///< of each
-        std::uint32_t carrier = 0;              ///< of the first
+        std::uint32_t count = 0;                ///< number of arguments
+        std::uint16_t alone = Monitor::dead;    ///< the column if there are no arguments
+        std::vector<std::uint32_t> carriers{};  ///< by argument
+        std::uint32_t carrier = 0;              ///< of the first argument
     };
-    /// The state in which a cycle begins and what is read.
+    /// The state in which a cycle begins, and its readings.
     struct Key {
-        std::uint64_t head = 0;    ///< the state, which inputs are present
-        std::uint64_t values = 0;  ///< of those with values, `width_` bits each
+        std::uint64_t head = 0;    ///< the state and which inputs are present
+        std::uint64_t values = 0;  ///< values of the inputs, `width_` bits each
 
         friend bool operator==(const Key&, const Key&) = default;
     };
-    /// What was written or called.
+    /// An output of a cycle.
     struct Done {
-        std::uint64_t bits = 0;  ///< of its one argument
-        std::uint64_t mask = 0;  ///< of these; none without argument
+        std::uint64_t bits = 0;  ///< bits of its single argument
+        std::uint64_t mask = 0;  ///< mask for these bits; zero without an argument
         std::uint32_t output = 0;
         std::uint16_t column = 0;
         std::uint16_t many = 0;  ///< not 0: it has several arguments
     };
     static constexpr std::uint32_t most_done = 6;
     struct alignas(64) Slot {
-        Key key{~std::uint64_t{0}, 0};  ///< of no cycle
+        Key key{~std::uint64_t{0}, 0};  ///< matches no cycle
         std::uint32_t count = 0;
         std::uint16_t next = Monitor::dead;
         Done done[most_done];
@@ -83,10 +85,10 @@ private:
 
     std::vector<Carrier> carriers_;
     std::vector<Channel> inputs_, outputs_;
-    std::vector<std::uint32_t> valued_;  ///< inputs that carry something
+    std::vector<std::uint32_t> valued_;  ///< inputs that carry a value
     std::size_t input_count_ = 0;
-    unsigned width_ = 1;     ///< bits of a value in a key
-    bool has_keys_ = false;  ///< all inputs fit into one
+    unsigned width_ = 1;     ///< number of bits of a value in a key
+    bool has_keys_ = false;  ///< all inputs fit into one key
     std::vector<Slot> slots_;
     std::uint64_t remembered_ = 0;
 };

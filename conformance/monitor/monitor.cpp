@@ -1,4 +1,5 @@
-// See monitor.hpp. Minimal: Moore's algorithm (1956) on the deterministic automaton whose missing arcs are violations.
+// See monitor.hpp. Minimisation: Moore's algorithm (1956) on the deterministic automaton whose missing arcs are
+// violations.
 #include "conformance/monitor/monitor.hpp"
 
 #include <fmt/format.h>
@@ -29,10 +30,10 @@ struct Arc {
     std::uint32_t target;
 };
 
-/// The deterministic automaton of NF_c(M), explored.
+/// The explored deterministic automaton of NF_c(M).
 struct Automaton {
-    std::vector<std::vector<Arc>> arcs;              ///< of each node, by event
-    std::vector<std::vector<std::string>> elements;  ///< of nodes in which cycles begin
+    std::vector<std::vector<Arc>> arcs;              ///< by node, then by event
+    std::vector<std::vector<std::string>> elements;  ///< by node, for nodes in which cycles begin
 
     [[nodiscard]] std::size_t size() const { return arcs.size(); }
 };
@@ -83,7 +84,7 @@ Automaton explored(CyclicModel& model, refine::Budget& budget, const diagnostics
     return result;
 }
 
-/// The class of each node: two nodes of one class allow the same runs.
+/// The class of each node: two nodes in the same class allow the same runs.
 std::vector<std::uint32_t> minimised(const Automaton& automaton, refine::Budget& budget) {
     std::vector<std::uint32_t> classes(automaton.size(), 0);
     for (std::size_t count = 0;;) {
@@ -141,7 +142,7 @@ public:
     }
 
 private:
-    /// States in the order in which the search met them, so that the first is the beginning.
+    /// Numbers states in the order in which the search reached them, so that the first is the initial state.
     void number_states() {
         std::unordered_map<std::uint32_t, std::uint16_t> numbers;
         for (std::size_t node = 0; node < automaton_.size(); ++node) {
@@ -161,7 +162,7 @@ private:
         build_->where_.push_back(build_->texts_.back().c_str());
     }
 
-    /// One column for all events that lead from every state to the same one.
+    /// Events that lead from every state to the same state share a column.
     void fill() {
         std::map<process::Event, std::vector<std::uint16_t>> whole;
         for (std::uint16_t state = 0; state < representatives_.size(); ++state)
@@ -241,7 +242,7 @@ private:
                                   model_.boundary().passed_on.of(kind)});
     }
 
-    /// As deep as an output has arguments.
+    /// Recursion depth: the number of an output's arguments.
     void add_columns(MonitorBuild::Channel& channel, std::uint32_t output, std::vector<std::int64_t>& arguments) const {
         constexpr std::size_t most = 1U << 16U;
         if (channel.columns.size() > most) throw std::length_error(channel.name + " has too many values together");
@@ -267,8 +268,8 @@ private:
     std::unique_ptr<MonitorBuild> build_;
     Automaton automaton_;
     std::vector<std::uint32_t> classes_;
-    std::vector<std::uint32_t> representatives_;  ///< of each state: a node
-    std::vector<std::uint16_t> state_of_;         ///< of each node
+    std::vector<std::uint32_t> representatives_;  ///< by state: a node
+    std::vector<std::uint16_t> state_of_;         ///< by node
     std::map<process::Event, std::uint16_t> columns_;
 };
 

@@ -1,5 +1,5 @@
-// The normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M) made
-// deterministic and minimal, with equal columns shared. Traces only: a monitor sees what happens.
+// The normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M), determinised
+// and minimised, with equal columns shared. Traces only, because a monitor sees only events that happen.
 #pragma once
 
 #include <deque>
@@ -14,15 +14,16 @@
 
 namespace robochart::conformance {
 
-/// The tables and all they point to.
+/// The tables and all data to which they point.
 class MonitorBuild {
 public:
-    /// Throws std::length_error where the tables would be too large, process::Interrupted at a limit.
+    /// Throws std::length_error if the tables would be too large, process::Interrupted at a limit.
     [[nodiscard]] static std::unique_ptr<MonitorBuild> make(CyclicModel&, const refine::Limits&,
                                                             const diagnostics::SourceManager&);
     [[nodiscard]] const MonitorTables& tables() const { return tables_; }
     [[nodiscard]] std::size_t bytes() const { return next_.size() * sizeof next_[0]; }
-    [[nodiscard]] std::uint32_t nodes() const { return nodes_; }  ///< of the normal form before it was minimised
+    /// Number of nodes of the normal form before minimisation.
+    [[nodiscard]] std::uint32_t nodes() const { return nodes_; }
 
 private:
     friend class MonitorBuilder;

@@ -77,11 +77,11 @@ private:
         Node node;
         std::uint32_t tocks;
         process::EventSet events;
-        bool written = false;  ///< the event into it is the last of the writes
+        bool written = false;  ///< the event that led to it is the last of the writes
         std::size_t next = 0;
     };
 
-    /// Every path to the end of the cycle. A path that returns to a node without time passing has no end.
+    /// Follows every path to the end of the cycle. A path that returns to a node before time passes has no end.
     void act(Node from, std::vector<CycleStep>& branches) {
         std::vector<Place> way;
         std::vector<process::Event> writes;
@@ -126,7 +126,7 @@ private:
         branches.push_back(std::move(step));
     }
 
-    /// Moore 1956: states are distinguished by words of increasing length. Numbered in the order of the search.
+    /// Moore 1956: words of increasing length distinguish states. States are numbered in the order of the search.
     ChoiceAutomaton minimal(const ChoiceAutomaton& machine) {
         std::vector<std::uint32_t> classes(machine.states(), 0);
         for (std::size_t count = 0;;) {
@@ -170,7 +170,7 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Where two paths through a cycle differ, as text.
+/// The first difference between two paths through a cycle, as text.
 std::string parting(const CyclicModel& model, const CycleStep& a, const CycleStep& b) {
     const auto text_of = [&](const CycleStep& step, std::size_t at) -> std::string {
         if (at < step.writes.size()) return model.alphabet().tell(step.writes[at]);

@@ -1,6 +1,7 @@
-// The normal form as a finite state machine over control cycles: a state is where a cycle may begin, an input symbol is
-// one reading of every register, an output symbol is what is written in the cycle. Complete and minimal; deterministic,
-// or, where the model leaves a choice, with several steps for one input that their writes tell apart.
+// The normal form as a finite state machine over control cycles: a state is a possible beginning of a cycle, an input
+// symbol is one reading of every register, an output symbol is the sequence of writes in the cycle. Complete and
+// minimal; deterministic, or, if the model leaves a choice, with several steps for one input that differ in their
+// writes.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ struct CycleStep {
 struct CycleAutomaton {
     static constexpr std::uint32_t over = 0xffffffffU;
 
-    std::vector<std::vector<std::uint32_t>> inputs;  ///< symbol -> a reading of each register
-    std::vector<std::vector<CycleStep>> steps;       ///< [state][symbol]; state 0 is the beginning
+    std::vector<std::vector<std::uint32_t>> inputs;  ///< by symbol: a reading of each register
+    std::vector<std::vector<CycleStep>> steps;       ///< [state][symbol]; state 0 is the initial state
 
     [[nodiscard]] std::size_t states() const { return steps.size(); }
 };
@@ -31,13 +32,13 @@ struct ChoiceAutomaton {
     std::vector<std::vector<std::vector<CycleStep>>> branches;  ///< [state][symbol], at least one
 
     [[nodiscard]] std::size_t states() const { return branches.size(); }
-    /// No input has a second branch.
+    /// Whether no input has a second branch.
     [[nodiscard]] bool deterministic() const;
 };
 
-/// Throws std::length_error where it is too large, process::Interrupted at a limit.
+/// Throws std::length_error if it is too large, process::Interrupted at a limit.
 [[nodiscard]] ChoiceAutomaton choice_automaton(CyclicModel&, const refine::Limits&);
-/// Throws std::length_error where it is too large or the model leaves a choice, process::Interrupted at a limit.
+/// Throws std::length_error if it is too large or the model leaves a choice, process::Interrupted at a limit.
 [[nodiscard]] CycleAutomaton cycle_automaton(CyclicModel&, const refine::Limits&);
 
 }  // namespace robochart::conformance

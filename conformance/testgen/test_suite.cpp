@@ -54,7 +54,8 @@ private:
         return x.writes != y.writes || (x.target == over) != (y.target == over);
     }
 
-    /// Pair by pair the first symbol of a shortest word that tells them apart; harmonised, for both have the same word.
+    /// For each pair of states, the first symbol of a shortest word that distinguishes them; harmonised, because both
+    /// states use the same word.
     void identify() {
         const std::size_t n = machine_.states();
         if (n * n > (1U << 24U)) throw std::length_error("it has too many states for a test suite");
@@ -103,7 +104,8 @@ private:
         }
     }
 
-    /// All words of at most `more` symbols behind `word`, and behind each the identifiers of the state it leads to.
+    /// Adds all words of at most `more` symbols after `word`, each followed by the identifiers of the state to which it
+    /// leads.
     void extend(const TestWord& word, std::uint32_t state, std::uint32_t more) {
         if (state == over || identifiers_[state].empty()) add(word);
         if (state == over) return;
@@ -127,7 +129,7 @@ private:
         if (cycles_ > most_) throw std::length_error(fmt::format("a complete suite has more than {} cycles", most_));
     }
 
-    /// In lexicographic order the words that begin with one follow it.
+    /// In lexicographic order, words that begin with a word follow it.
     [[nodiscard]] std::vector<TestWord> without_beginnings() const {
         std::vector<TestWord> result;
         for (auto at = tests_.begin(); at != tests_.end(); ++at) {

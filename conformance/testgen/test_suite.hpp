@@ -1,4 +1,4 @@
-// A finite complete test suite for a machine of cycles: the HSI method (Petrenko, Yevtushenko, Lebedev, Das,
+// A finite complete test suite for a machine over cycles: the HSI method (Petrenko, Yevtushenko, Lebedev, Das,
 // "Nondeterministic state machines in protocol conformance testing", 1993; Luo, Petrenko, v. Bochmann 1994), a W-method
 // with harmonised state identifiers. Complete: every deterministic implementation with at most m states more than the
 // machine, over the same inputs, passes all tests if and only if it is equivalent to it.
@@ -12,22 +12,23 @@
 
 namespace robochart::conformance {
 
-/// Input symbols, cycle by cycle, from the beginning.
+/// Input symbols, cycle by cycle, from the initial state.
 using TestWord = std::vector<std::uint32_t>;
 
-/// Ordered; none is the beginning of another. Throws std::length_error beyond `most_cycles` together.
+/// Sorted; no word is a prefix of another. Throws std::length_error if all words together are longer than
+/// `most_cycles`.
 [[nodiscard]] std::vector<TestWord> complete_suite(const CycleAutomaton&, std::uint32_t extra_states,
                                                    std::size_t most_cycles = 2'000'000);
 
-/// The suite as a log of runs (docs/traces.md): what the model does is what an implementation must do.
+/// The suite as a log of runs (docs/traces.md): an implementation must produce the outputs of the model.
 [[nodiscard]] std::string suite_log(const CycleAutomaton&, const std::vector<TestWord>&, const CyclicModel&,
                                     const std::string& component, std::uint32_t extra_states);
-/// The machine of a model that leaves a choice, for tests that follow what an implementation does
-/// (cpp_emit/runtime/adaptive.hpp), and GoogleTest that does so.
+/// The machine of a model that leaves a choice, for tests that adapt to the implementation
+/// (cpp_emit/runtime/adaptive.hpp), and a GoogleTest program that runs them.
 [[nodiscard]] std::string choice_graph(const ChoiceAutomaton&, const CyclicModel&, const std::string& component,
                                        std::uint32_t extra_states);
 [[nodiscard]] std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name);
-/// GoogleTest that reads such a log and replays it against an implementation of its reader's (docs/conformance.md).
+/// A GoogleTest program that reads such a log and replays it with the user's implementation (docs/conformance.md).
 [[nodiscard]] std::vector<cpp_emit::OutputFile> suite_sources(const std::string& name);
 
 }  // namespace robochart::conformance

@@ -19,7 +19,7 @@ std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
     return cpp_emit::trace_names(names);
 }
 
-/// "a, b" outside of brackets and quotes as "a!b". Quotes inside a string are octal escapes here as in logs.
+/// Converts "a, b" outside brackets and quotes to "a!b". Quotes inside a string are octal escapes here, as in logs.
 std::string arguments(const std::string& text) {
     std::string result;
     int depth = 0;
@@ -40,7 +40,7 @@ std::string arguments(const std::string& text) {
     return result;
 }
 
-/// Readings and writes in the words of logs.
+/// Readings and writes as in logs.
 class Wording {
 public:
     explicit Wording(const CyclicModel& model)
@@ -240,7 +240,7 @@ std::string named(const std::string& text, const std::string& name) {
     return replaced(text, "@NAME@", name);
 }
 
-/// How words are compared: the function of the header that adaptive tests ship, as the test of a suite is one file.
+/// The comparison of words, taken from the header of adaptive tests, because the test of a suite is a single file.
 std::string same_word() {
     const std::string header = cpp_emit::adaptive_header();
     const std::size_t begin = header.find("/// Numbers are compared by value");

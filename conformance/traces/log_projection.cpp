@@ -1,4 +1,5 @@
-// NF_c(M) with unobserved events hidden, and with every beginning of a cycle as an initial state for late logs.
+// NF_c(M) with unobserved events hidden, and with every beginning of a cycle as an initial state for logs that start
+// late.
 #include "conformance/traces/log_projection.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// First word of the state before the start is known; no phase of NF_c(M) has this number.
+/// First word of the state before the initial state is known; no phase of NF_c(M) has this number.
 constexpr lts::Word anywhere = 0xffffffffU;
 
 bool unknown(lts::StateView state) {

@@ -1,4 +1,5 @@
-// NF_c(M) as a log shows it: what the log does not observe is hidden, and a log that starts late starts anywhere.
+// The part of NF_c(M) that a log shows: unobserved events are hidden, and a log that starts late may start in any
+// cycle.
 #pragma once
 
 #include <vector>
@@ -7,20 +8,19 @@
 
 namespace robochart::conformance {
 
-/// What a log shows. Kinds that are not observed may have happened or not, with any values.
+/// The kinds of events that a log contains. Other events may or may not have happened, with any values.
 struct Observation {
-    std::vector<bool> inputs;   ///< of each register
-    std::vector<bool> outputs;  ///< of each output
+    std::vector<bool> inputs;   ///< by register
+    std::vector<bool> outputs;  ///< by output
     friend bool operator==(const Observation&, const Observation&) = default;
 };
 
-/// Packed states of NF_c(M) in which a cycle may begin, over all that is reachable. Throws process::Interrupted at a
-/// limit.
+/// All reachable packed states of NF_c(M) in which a cycle may begin. Throws process::Interrupted at a limit.
 [[nodiscard]] std::vector<std::vector<lts::Word>> cycle_starts(NormalFormSystem&, const refine::Limits&);
 
 class ObservedSystem final : public lts::TransitionSystem {
 public:
-    /// `starts`: where it may begin; empty: where NF_c(M) does.
+    /// `starts`: the possible initial states; empty: the initial state of NF_c(M).
     ObservedSystem(NormalFormSystem&, const Alphabet&, Observation, std::vector<std::vector<lts::Word>> starts);
 
     [[nodiscard]] std::size_t width() const override { return normal_form_->width(); }
@@ -29,9 +29,9 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     [[nodiscard]] bool hidden(process::Event event);
-    /// Can it do nothing on its own?
+    /// Whether no hidden step is possible.
     [[nodiscard]] bool stable(lts::StateView state);
-    /// "" where it is not known yet; see NormalFormSystem::describe_model.
+    /// "" if it is not known yet; see NormalFormSystem::describe_model.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:
@@ -41,7 +41,7 @@ private:
     const Alphabet* alphabet_;
     Observation observation_;
     std::vector<std::vector<lts::Word>> starts_;
-    std::vector<signed char> hidden_;  ///< of each event: -1 not known yet
+    std::vector<signed char> hidden_;  ///< by event: -1 if not known yet
 };
 
 }  // namespace robochart::conformance

@@ -1,5 +1,5 @@
-// Maps names and values of a log to events of NF_c(M), by the model's names or, where two share one, the generated
-// interface's.
+// Maps names and values of a log to events of NF_c(M), by the model's names or, if two share one, those of the
+// generated interface.
 #include "conformance/traces/trace_alphabet.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ std::vector<std::string> full_names(const std::vector<Channel>& channels) {
     return names;
 }
 
-/// By both names.
+/// Indexed by both names.
 std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::string>& full,
                                                         const std::vector<std::string>& shown) {
     std::unordered_map<std::string, std::uint32_t> ids;
@@ -30,7 +30,7 @@ std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::s
     return ids;
 }
 
-/// At `!` outside of brackets and quotes.
+/// Splits at `!` outside brackets and quotes.
 std::vector<std::string_view> arguments(std::string_view text) {
     std::vector<std::string_view> parts;
     int depth = 0;

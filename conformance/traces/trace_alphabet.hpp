@@ -1,5 +1,5 @@
-// Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values that the
-// finite instantiation does not have are distinguished from those it has.
+// Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values outside the finite
+// instantiation are distinguished from those inside.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@ namespace robochart::conformance {
 struct LoggedEvent {
     enum class Kind { read, write };
     Kind kind = Kind::read;
-    std::uint32_t index = 0;              ///< of the register or output
-    std::vector<LoggedValue> values;      ///< none for events without
-    process::Event event = process::tau;  ///< where all values are in their carriers
+    std::uint32_t index = 0;              ///< index of the register or output
+    std::vector<LoggedValue> values;      ///< empty for events without values
+    process::Event event = process::tau;  ///< valid if all values are in their carriers
 
     [[nodiscard]] bool inside() const;
 };
@@ -28,11 +28,11 @@ class TraceAlphabet {
 public:
     explicit TraceAlphabet(const CyclicModel&);
 
-    /// Throws TraceFault. The reference is good until the next call.
+    /// Throws TraceFault. The reference is valid until the next call.
     [[nodiscard]] const LoggedEvent& read(const TraceToken&);
     /// A kind of event by its name with `?` or `!`. Throws TraceFault.
     [[nodiscard]] LoggedEvent kind(const TraceToken&) const;
-    /// The event with values outside of their carriers replaced by `stand_in`'s choice inside.
+    /// The event in which `stand_in` replaces values outside their carriers.
     [[nodiscard]] process::Event stand_in(const LoggedEvent&, std::uint64_t salt) const;
     [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
     [[nodiscard]] const std::vector<std::string>& outputs() const { return outputs_; }

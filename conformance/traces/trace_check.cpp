@@ -1,5 +1,5 @@
-// See trace_check.hpp. A run is followed in the normal form of NF_c(M) with what is not observed hidden: a node is the
-// set of states the model may be in after what the log shows (Roscoe UCS 10.4.2, normalisation; done lazily).
+// See trace_check.hpp. A run is followed in the normal form of NF_c(M) with unobserved events hidden: a node is the set
+// of states the model may be in after the logged events (Roscoe UCS 10.4.2, normalisation; computed on demand).
 #include "conformance/traces/trace_check.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ TraceChecker::Form& TraceChecker::form(const Observation& observation, bool late
     return *forms_.back();
 }
 
-/// One log while it is read.
+/// The state while one log is read.
 class TraceChecker::LogRun {
 public:
     LogRun(TraceChecker& checker, std::istream& in, const std::vector<std::string>& constants,
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    /// What follows one word of a run: go on, or leave the rest of the run unread.
+    /// The effect of one word of a run: continue, or skip the rest of the run.
     enum class Next { go_on, stop };
 
     void advance() { more_ = lines_.next(); }
@@ -174,7 +174,7 @@ private:
         done_ = ended_ = false;
     }
 
-    /// The run's state is not known: a log that starts late, or cycles that were lost.
+    /// The run's state is unknown: the log starts late, or cycles were lost.
     void anywhere(std::string_view word) {
         if (tokens_.size() > 1 || (word == "late" && run_->cycles > 0))
             fault_here("`late` alone before the first cycle, or `lost`");
@@ -209,7 +209,7 @@ private:
         for (const TraceToken& token : tokens_) {
             if (token.text == "run" || token.text == "late" || token.text == "lost")
                 fault_here("one event after the other");
-            // Words after a verdict are still read: a log is in order or it is not.
+            // Words after a verdict are still parsed, because syntax errors are always reported.
             const Next next = word(token);
             if (next == Next::stop) done_ = true;
         }
@@ -238,8 +238,8 @@ private:
         return next;
     }
 
-    /// The event as NF_c(M) has it. A value outside the finite instantiation that the component only passes on stands
-    /// for some value inside; any other leaves the run undecided.
+    /// The event in NF_c(M). If the component only passes a value on, a value inside the finite instantiation replaces
+    /// one outside; any other value outside leaves the run undecided.
     std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
@@ -310,7 +310,7 @@ private:
         return Next::go_on;
     }
 
-    // ------------------------------------------------------------ telling
+    // ------------------------------------------------------------ reports
 
     void place() {
         run_->at_line = lines_.number();
@@ -338,7 +338,7 @@ private:
         return Next::stop;
     }
 
-    /// Of the stable states at the cycle's beginning; of all, if none is stable.
+    /// The elements of the stable states at the cycle's beginning; of all states if none is stable.
     void tell_elements() {
         const std::vector<lts::StateView> states = form_->normal_form.states(cycle_node_);
         for (const bool still : {true, false}) {
@@ -370,15 +370,15 @@ private:
     std::optional<RunReport> run_;
     Form* form_ = nullptr;
     refine::NormalForm::Node node_ = 0;
-    refine::NormalForm::Node cycle_node_ = 0;  ///< where the cycle began
-    std::vector<process::Event> reads_;        ///< of this cycle; tau: absent
+    refine::NormalForm::Node cycle_node_ = 0;  ///< node at the cycle's beginning
+    std::vector<process::Event> reads_;        ///< readings of this cycle; tau: absent
     std::vector<std::string> so_far_;          ///< words of this cycle
-    std::vector<std::string> before_;          ///< the lines before
-    bool clean_ = true;                        ///< no word of this cycle yet
+    std::vector<std::string> before_;          ///< the preceding lines
+    bool clean_ = true;                        ///< no word of this cycle has been read
     bool acted_ = false;                       ///< the reads are done
     std::uint32_t tocks_ = 0;
     bool ended_ = false;  ///< terminated
-    bool done_ = false;   ///< a verdict is there: the rest of the run is only read
+    bool done_ = false;   ///< there is a verdict: the rest of the run is only parsed
 };
 
 LogReport TraceChecker::check(std::istream& in, const std::vector<std::string>& constants,

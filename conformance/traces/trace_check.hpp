@@ -1,6 +1,6 @@
-// Are recorded runs runs of the model? Membership in traces(NF_c(M)), run by run and cycle by cycle, for logs of any
-// size (docs/traces.md; trace validation after Cirstea et al., "Validating traces of distributed programs against TLA+
-// specifications", 2024).
+// Checks whether recorded runs are runs of the model: membership in traces(NF_c(M)), run by run and cycle by cycle, for
+// logs of any size (docs/traces.md; trace validation after Cirstea et al., "Validating traces of distributed programs
+// against TLA+ specifications", 2024).
 #pragma once
 
 #include <deque>
@@ -23,32 +23,33 @@ namespace robochart::conformance {
 enum class RunVerdict {
     accepted,
     rejected,
-    inconclusive,  ///< the run leaves the finite instantiation where that matters
+    inconclusive,  ///< the run leaves the finite instantiation and this matters
 };
 
 /// One run of a log.
 struct RunReport {
     std::string name;
-    std::uint64_t line = 0;  ///< where it begins
+    std::uint64_t line = 0;  ///< first line
     RunVerdict verdict = RunVerdict::accepted;
-    std::uint64_t cycles = 0;    ///< whole cycles looked at
-    std::uint64_t replaced = 0;  ///< values outside the finite instantiation that the component only passes on
+    std::uint64_t cycles = 0;    ///< number of complete cycles that were checked
+    std::uint64_t replaced = 0;  ///< number of values outside the finite instantiation that the component only passes
+                                 ///< on
     // rejected, inconclusive:
     std::uint64_t at_line = 0;
-    std::uint64_t cycle = 0;                ///< from 1
+    std::uint64_t cycle = 0;                ///< counted from 1
     std::string what;                       ///< "StartTurning!0.5", "the end of the cycle"
     std::string reason;                     ///< inconclusive
-    std::vector<std::string> cycle_so_far;  ///< words of the cycle before it
-    std::vector<std::string> before;        ///< the cycles before, as logged
-    std::vector<std::string> allowed;       ///< what the model would have allowed, with places
-    std::vector<std::string> elements;      ///< where the model may be when the cycle begins
+    std::vector<std::string> cycle_so_far;  ///< preceding words of the cycle
+    std::vector<std::string> before;        ///< preceding cycles, as logged
+    std::vector<std::string> allowed;       ///< events that the model would have allowed, with places
+    std::vector<std::string> elements;      ///< possible states of the model at the beginning of the cycle
 };
 
-/// A log that cannot be read: nothing behind the fault was looked at.
+/// A log that cannot be parsed; nothing after the error is checked.
 struct LogFault {
     TraceFault fault;
     std::uint64_t line = 0;
-    std::string text;  ///< of the line
+    std::string text;  ///< text of the line
 };
 
 struct LogReport {
@@ -61,14 +62,14 @@ struct LogReport {
 
 class TraceChecker {
 public:
-    /// `component`: names by which logs may call it.
+    /// `component`: names that logs may use for it.
     TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
                  const diagnostics::SourceManager&);
     ~TraceChecker();
 
-    /// Reads one log to its end, or to the first line that cannot be read. `constants`: those of its header, as the
-    /// model was chosen by them; other ones are a fault (RC-L04). `tell` gets every run that is not accepted. Throws
-    /// process::Interrupted at a limit.
+    /// Reads one log to its end, or to the first line that cannot be parsed. `constants`: those of its header with
+    /// which the model was built; other ones are an error (RC-L04). `tell` is called with every run that is not
+    /// accepted. Throws process::Interrupted at a limit.
     LogReport check(std::istream&, const std::vector<std::string>& constants,
                     const std::function<void(const RunReport&)>& tell);
 

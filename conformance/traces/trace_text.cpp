@@ -19,7 +19,7 @@ bool blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// The end of the word at `begin`, which is no blank.
+/// The end of the word at `begin`, which is not a blank.
 std::size_t end_of_word(std::string_view line, std::size_t begin) {
     int depth = 0;
     bool quoted = false;
@@ -93,7 +93,7 @@ bool read_header_line(const std::vector<TraceToken>& tokens, TraceHeader& header
             header.unobserved_line.push_back(static_cast<std::uint32_t>(line));
         }
     } else {
-        return key == "unit" || key == "seed" || key == "scenario";  // for people
+        return key == "unit" || key == "seed" || key == "scenario";  // information for readers
     }
     return true;
 }

@@ -1,4 +1,4 @@
-// The text of logs (docs/traces.md): lines, tokens, the header, faults with their places. Reads line by line, so a log
+// The text of logs (docs/traces.md): lines, tokens, the header, errors with their places. Reads line by line, so a log
 // may be larger than memory.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace robochart::conformance {
 
-/// A word of a line and its position in bytes, from 0.
+/// A word of a line and its position in bytes, counted from 0.
 struct TraceToken {
     std::string_view text;
     std::uint32_t column = 0;
 };
 
-/// Thrown where a log cannot be read; the reader adds line and text.
+/// Thrown if a log cannot be parsed; the reader adds line and text.
 struct TraceFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
@@ -26,29 +26,29 @@ struct TraceFault {
     std::uint32_t length = 1;
 };
 
-/// `line` without its comment, in words; blanks inside brackets and quotes do not part words.
+/// Splits `line` without its comment into words; blanks inside brackets and quotes do not separate words.
 void split_line(std::string_view line, std::vector<TraceToken>& tokens);
 
 struct TraceHeader {
     std::string model;
     std::string component;
     std::string robot;
-    std::vector<std::string> constants;          ///< "pace=3": the model's, where it was run
-    std::uint32_t cycle = 1;                     ///< time units of one control cycle
+    std::vector<std::string> constants;          ///< "pace=3": constants of the model in the recorded runs
+    std::uint32_t cycle = 1;                     ///< number of time units in a control cycle
     std::vector<std::string> unobserved;         ///< "seeRobot?", "Move!"
-    std::vector<std::uint32_t> unobserved_line;  ///< of each, for faults
+    std::vector<std::uint32_t> unobserved_line;  ///< line of each, for errors
 };
 
-/// Takes one line of the header; false if it is none of the header's. Throws TraceFault.
+/// Reads one line of the header; false if the line does not belong to the header. Throws TraceFault.
 [[nodiscard]] bool read_header_line(const std::vector<TraceToken>&, TraceHeader&, std::uint64_t line);
 
-/// Lines of a stream without its byte order mark, of at most `longest` bytes each.
+/// Lines of a stream without its byte order mark, with at most `longest` bytes each.
 class LineReader {
 public:
     static constexpr std::size_t longest = 1U << 20U;
 
     explicit LineReader(std::istream& in) : in_(in) {}
-    /// False at the end. Throws TraceFault for lines that are too long or have zero bytes.
+    /// False at the end. Throws TraceFault for lines that are too long or contain zero bytes.
     [[nodiscard]] bool next();
     [[nodiscard]] std::string_view text() const { return line_; }
     [[nodiscard]] std::uint64_t number() const { return number_; }
