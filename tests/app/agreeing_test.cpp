@@ -1,7 +1,7 @@
-// Small adversarial models, a construct or two each, with verdicts that were derived by hand from the rules of the
-// semantics: those of tests/app/agreeing, and the collection beside the repository where it is at hand. The verdicts
-// are as they stand in the tables, and the generated code of each conforms; where a model cannot be run in cycles it
-// may, in another relation, conform or have its reason, and its code never differs.
+// Small adversarial models with one or two constructs each: those of tests/app/agreeing and, if it is present, the
+// collection next to the repository. Their verdicts were derived by hand from the rules of the semantics. The test
+// compares the verdicts with the tables and checks that the generated code conforms. For a model that cannot run in
+// cycles, `conform` may report the reason or conformance in another relation, but never a difference.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -47,7 +47,7 @@ std::vector<Row> own_rows(const fs::path& folder) {
     return rows;
 }
 
-/// That of the collection: model, exit of `check`, verdicts, exit of `conform` when the table was made.
+/// The table of the collection: model, exit code of `check`, verdicts, exit code of `conform` when the table was made.
 std::vector<Row> collected_rows(const fs::path& folder) {
     std::vector<Row> rows;
     std::ifstream table(folder / "EXPECTED.tsv");
@@ -80,7 +80,7 @@ std::string verdicts(const fs::path& model) {
     return text;
 }
 
-/// What `conform` says of the components, each once.
+/// The distinct outcomes that `conform` reports for the components.
 std::string conformance(const fs::path& model) {
     const nlohmann::json found = report({"conform", model.string(), "--format", "json", "--timeout", "60"});
     if (!found.contains("conformance")) return found["words"];
@@ -99,8 +99,9 @@ void expect_agreement(const fs::path& folder, const std::vector<Row>& rows) {
             EXPECT_EQ(verdicts(model), row.verdicts) << row.model;
         }
         const std::string outcome = conformance(model);
-        // Two controllers hand a token round through buffers and make an output each time, without time passing. Where
-        // each output is made once a cycle the second one waits; as a sequence the outputs have no end.
+        // Two controllers pass a token back and forth through buffers and make an output each time, without time
+        // passing. If an output can be made only once a cycle, the second output waits for the next cycle. If outputs
+        // are a sequence, the sequence is infinite.
         const bool endless = row.model == "m05_async_cycle";
         if (row.conforms) {
             EXPECT_EQ(outcome, endless ? "not schedulable" : "conforms") << row.model;
@@ -120,28 +121,28 @@ TEST(Agreeing, VerdictsByHand) {
     expect_agreement(folder, rows);
 }
 
-/// Models of questions that people asked of other tools, with the verdicts that the rules of the semantics give.
+/// Models of questions that users of other tools asked. The verdicts follow from the rules of the semantics.
 const std::vector<Row> models_of_questions{
-    // An inner transition without a trigger and an outer one with one: either may come first. The environment may
-    // refuse
-    // a call, and time waits for it.
+    // An inner transition without a trigger and an outer transition with a trigger: either may come first. The
+    // environment may refuse a call, and time waits for it.
     {"anon", "A:H B:H C:F D:F", false},
-    // A value that is put into a buffer may be read before the next one is.
+    // A value in a buffer may be read before the next value is written.
     {"bufs", "Old:F", false},
-    // The module ends when both machines have, which may be never; nothing else ends it.
+    // The module terminates only when both machines have terminated, which may never happen.
     {"fin", "T:H N:F", false},
-    // A machine that waits for an event of its own is not stuck, nor is a module in which another one goes on.
+    // A machine that waits for a local event is not stuck. A module in which another machine can proceed is not stuck
+    // either.
     {"local", "WholeFree:H PartFree:H", false},
-    // The counter reaches 0, then the other guard is open.
+    // The counter reaches 0, and then the other guard is true.
     {"loop", "K:F D:H T:F", false},
-    // Exits from the inside out, then the action, then entries from the outside in.
+    // Exit actions run from the inside out, then the action of the transition, then entry actions from the outside in.
     {"order", "A:H B:H C:H", false},
-    // Of transitions of an inner and an outer state by one event either is taken.
+    // If an inner and an outer state have transitions with the same event, either transition may be taken.
     {"prio", "R1:F R2:F D:F", false},
-    // Events of two machines may reach the third in either order.
+    // Events of two machines may reach the third machine in either order.
     {"raise", "R:F D:H V:H", false},
-    // A clock that is reset at entry and the time since entry are the same. What has ended is no deadlock of a timed
-    // claim, and time may pass before it terminates, which the block does not allow.
+    // A clock that is reset at entry equals the time since entry. In a timed claim termination is no deadlock. Time may
+    // pass before the machine terminates, which the block does not allow.
     {"timer2", "X:H Y:H Z:F", false},
 };
 

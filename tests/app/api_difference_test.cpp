@@ -1,4 +1,4 @@
-// How the report tells that the event API of generated code differs from its cycle.
+// How the report describes a difference between the event API and the cycle API of generated code.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// A verdict is never silently about a smaller model: where arithmetic left its type, a function without a body was
-// asked or sequences are too short in a state that is reached, the verdict says so, and it says nothing where none is.
+// A verdict about a smaller model always says so: it names arithmetic that left its type, calls of functions without a
+// body, and sequences that are too short, if they occur in a reachable state. Otherwise it adds no such note.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,8 +62,8 @@ TEST_F(Bounds, AreReportedWithElementAndPlace) {
 }
 
 TEST_F(Bounds, AreNotReportedWhereNoneIsReached) {
-    // With a carrier that includes 3 * 2 only the function remains; with a body for it in the instantiations, nothing
-    // does.
+    // With a carrier that includes 3 * 2, only the note on the function remains. With a body for the function in the
+    // instantiations, no note remains.
     const auto wide = check("untimed assertion A : S is divergence-free\n", {"--range", "nat=0..9"});
     ASSERT_EQ(wide.size(), 1U) << wide;
     EXPECT_EQ(wide[0]["element"], "S::B");
@@ -73,7 +73,7 @@ TEST_F(Bounds, AreNotReportedWhereNoneIsReached) {
         "csp Instantiations csp-begin\nf(x__) = x__\ncsp-end\n",
         {"--range", "nat=0..9"});
     EXPECT_EQ(none.size(), 0U) << none;
-    // Without assertions core properties are checked, which are about the same states.
+    // Without assertions, `check` checks the core properties, which are about the same states.
     EXPECT_EQ(check("").size(), 1U);
 }
 
@@ -87,7 +87,7 @@ TEST_F(Bounds, AreInTheTextAlthoughQuiet) {
                                Not(HasSubstr("x + 9"))));
 }
 
-/// The sender never sends 2, so doubling leaves the type in the receiver alone.
+/// The sender never sends 2, so doubling leaves the type only if the receiver is checked alone.
 TEST_F(Bounds, AreThoseThatTheClaimsProcessReaches) {
     const TemporaryFile model("reached.rct", R"(
 stm Sender { event go event out : nat initial i state A { }
@@ -110,7 +110,7 @@ controller C { event go event twice : nat sref s = Sender sref r = Receiver
     EXPECT_EQ(report["bounds"].size(), 1U);
 }
 
-/// No sequence of at most two elements has a third: the junction has no open transition.
+/// A sequence of at most two elements has no third element: the junction has no enabled transition.
 TEST_F(Bounds, OfSequencesAreNamedWithTheOptionThatWidensThem) {
     const std::string parts = R"(
   event in_ : Seq(boolean)
@@ -141,7 +141,7 @@ TEST_F(Bounds, OfSequencesAreNamedWithTheOptionThatWidensThem) {
     EXPECT_EQ(basis("size(s) > 1", "size(s) <= 1"), "[]");
 }
 
-/// An error of evaluation says which constant has no value.
+/// An evaluation error names the constant that has no value.
 TEST_F(Bounds, ErrorsNameTheirCauseInTheModel) {
     const auto reason = [&](const std::string& text) {
         const TemporaryFile model("cause.rct", text);
@@ -157,7 +157,8 @@ TEST_F(Bounds, ErrorsNameTheirCauseInTheModel) {
                 AllOf(HasSubstr("cause.rct:3"), HasSubstr("division by zero"), HasSubstr("--const speed=1")));
 }
 
-/// With its package, and of several parts with components of one name with the part in front.
+/// Components are named with their package. If several parts have a component of the same name, the name of the part
+/// comes first.
 TEST_F(Bounds, NameTheComponent) {
     const Folder folder(
         {{"a.rct", "package a\n" + std::string(machine)}, {"b.rct", "package b\n" + std::string(machine)}});

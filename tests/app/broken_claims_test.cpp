@@ -1,4 +1,5 @@
-// An assertion file with errors does not stop the claims of others; what may depend on it is not decided.
+// An assertion file with errors does not stop the claims of other files. Claims that may depend on the erroneous file
+// are undecided.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ const std::string unknown_name = "untimed assertion Broken : N is deadlock-free.
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// Title to answer, of the JSON report; empty where there is none.
+/// Maps titles to answers of the JSON report; the answer is empty if the report has none.
 std::map<std::string, std::string> answers(const Files& files, int exit, const std::vector<std::string>& options = {}) {
     const Folder folder(files);
     std::vector<std::string> arguments{"check", folder.path(), "--format", "json"};
@@ -92,7 +93,8 @@ TEST(BrokenClaims, OfAnotherFileMayNameTheBlock) {
         << "nothing is left";
 }
 
-// A mistake of syntax behind a claim may have been meant as a part of it, one in front on its line as its time.
+// A syntax error after a claim may have been meant as a part of the claim. A syntax error before it on the same line
+// may have been meant as its time.
 TEST(BrokenClaims, AreThoseBesideAMistakeOfSyntaxToo) {
     const std::string before = "untimed assertion Before : M is deadlock-free\n";
     const std::string after = "untimed assertion After : M is deadlock-free\n";
@@ -113,8 +115,8 @@ TEST(BrokenClaims, OfASyntaxErrorAndOfABlockAreBothLeftOut) {
               (std::map<std::string, std::string>{{"Good", "holds"}, {"Beside", "holds"}}));
 }
 
-// The only block that replaces the instantiation does so for all files; a text that was not understood may hold any
-// block; an error in front of all claims is one of all.
+// The only block that replaces the instantiation replaces it for all files. A text that cannot be parsed may contain
+// any block. An error before all claims may affect all of them.
 TEST(BrokenClaims, ThatOthersMayDependOnStopThem) {
     const std::string values = "csp Instantiations csp-begin\nnametype core_nat = undeclared\ncsp-end\n";
     const std::map<std::string, std::string> none{{"Good", "error"}};
@@ -139,7 +141,7 @@ TEST(BrokenClaims, OfAModelStopEverything) {
 
 const std::string instantiations = "csp Instantiations csp-begin\nnametype core_nat = {0..4}\ncsp-end\n";
 
-// Imports may stand between blocks and claims.
+// Imports may occur between blocks and claims.
 TEST(BrokenClaims, LeaveTheBlockInstantiationsOfTheirFileAlone) {
     const std::string package = "package P ";
     EXPECT_EQ(
@@ -149,7 +151,7 @@ TEST(BrokenClaims, LeaveTheBlockInstantiationsOfTheirFileAlone) {
         (std::map<std::string, std::string>{{"Good", "holds"}, {"Own", "error"}}));
 }
 
-// Where nothing can be decided, the report has the form that it always has, and the page is written.
+// If no claim can be decided, the report keeps its usual form, and the page is written.
 TEST(BrokenClaims, AloneAreReportedInEveryFormat) {
     const Folder folder({{"m.rct", model}, {"b.assertions", wrong_block + refining("Own", "Wrong")}});
     const Ran json = run({"check", folder.path(), "--format", "json", "--html", folder / "page.html"});

@@ -1,5 +1,6 @@
-// A limit may turn the answer of `check` into "inconclusive", never into another answer: every model with claims in the
-// repository and the generated ones of each, with few states, little memory, one thread and several.
+// A limit may turn an answer of `check` into "inconclusive", but never into another answer. The test checks every model
+// with claims in the repository, and the assertions generated for them, with few states, little memory, and one or
+// several threads.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 using Inputs = std::vector<std::string>;
 
-/// Each folder below this one is a model.
+/// Adds each folder below this one as a model.
 void add_folders(const std::string& folder, std::vector<Inputs>& all) {
     std::vector<Inputs> found;
     for (const auto& entry : fs::directory_iterator(repository(folder)))
@@ -48,7 +49,7 @@ Options options_of(const Inputs& inputs) {
     return options;
 }
 
-/// A model whose claims are decided again and again.
+/// A model whose claims are decided repeatedly.
 class Model {
 public:
     explicit Model(const Inputs& inputs) : options_(options_of(inputs)), run_(options_) {
@@ -60,7 +61,7 @@ public:
     [[nodiscard]] const Options& options() const { return options_; }
     [[nodiscard]] std::string name() const { return fs::path(options_.inputs.front()).filename().string(); }
 
-    /// What `check` reports.
+    /// Returns the report of `check`.
     [[nodiscard]] Report check(std::uint64_t states, unsigned threads) {
         Options options = options_;
         options.max_states = states;
@@ -76,7 +77,7 @@ private:
     std::vector<Part> parts_;
 };
 
-/// Claims that are made of several CSPM assertions, and of each whichever of them settles it.
+/// Claims that consist of several CSPM assertions. In each claim a different assertion settles the answer.
 const char* const machines_of_several = R"(
 stm Early { event a event b clock C initial i state A { } state B { }
   transition t0 { from i to A }
@@ -104,7 +105,7 @@ assertion E3 : Never equals Never
 assertion E4 : Never is not equal to Never
 )";
 
-/// How many answers a comparison has seen, so that it is known to have compared something.
+/// Counts the answers that were compared, so that a test can require at least one of each sort.
 struct Seen {
     std::size_t decided = 0;
     std::size_t inconclusive = 0;
@@ -120,7 +121,7 @@ void expect_equal_or_inconclusive(const Report& whole, const Report& found, cons
             ++seen.inconclusive;
             EXPECT_NE(answer.reason, "") << limits << ": " << answer.title;
             EXPECT_FALSE(answer.run) << limits << ": " << answer.title << " has a counterexample";
-            // What needs no exploration is said whatever the limits.
+            // An answer that needs no exploration is the same under all limits.
             EXPECT_NE(expected.answer, Answer::no_check) << limits << ": " << answer.title;
             continue;
         }
@@ -150,7 +151,8 @@ TEST(CheckedLimits, NeverTurnAnAnswerIntoAnother) {
     EXPECT_GT(seen.inconclusive, 500U);
 }
 
-/// One of them may be cut short where the next is decided: its counterexample is not one of the claim.
+/// A limit may stop one assertion while the next one is decided. The counterexample of the latter is not a
+/// counterexample of the claim.
 TEST(CheckedLimits, OfClaimsOfSeveralAssertions) {
     const TemporaryFile model("several.rct", machines_of_several);
     const std::string folder = fs::path(model.path()).parent_path().string();
@@ -166,7 +168,7 @@ class Verdicts {
 public:
     explicit Verdicts(const csp_emit::Emission& emission) : emission_(emission), session_(emission.script) {}
 
-    /// One word each. The same session decides all, as that of `check` does, and may be asked again.
+    /// One word for each verdict. One session decides all assertions, as in `check`, and can be queried again.
     [[nodiscard]] std::vector<std::string> decided(const refine::Limits& limits) {
         std::vector<std::string> words;
         for (const csp_emit::Obligation& obligation : emission_.obligations)
@@ -193,11 +195,11 @@ refine::Limits limits_of(std::uint64_t states, unsigned threads) {
     refine::Limits limits;
     limits.max_states = states;
     limits.threads = threads;
-    limits.wide_level = 1;  // the spaces are small: every level is divided between the threads
+    limits.wide_level = 1;  // the state spaces are small, so every level is divided between the threads
     return limits;
 }
 
-/// From nothing at all to what the work comes to in the end.
+/// Limits from zero up to the full amount of work.
 std::vector<std::pair<std::string, refine::Limits>> all_limits() {
     std::vector<std::pair<std::string, refine::Limits>> all;
     for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
@@ -214,8 +216,8 @@ std::vector<std::pair<std::string, refine::Limits>> all_limits() {
     return all;
 }
 
-/// Below `check`: with each level divided between threads, little memory, and interruptions. What a limit cut short
-/// leaves nothing behind in the session either: asked again without one, it gives the whole answers.
+/// Checks the layer below `check`: levels divided between threads, little memory, and interruptions. A session that was
+/// stopped by a limit keeps no partial results: without a limit it then gives the complete answers.
 TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
     Seen seen;
     for (const Inputs& inputs : models()) {

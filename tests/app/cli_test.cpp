@@ -1,4 +1,4 @@
-// The command as users and CI servers meet it: exit codes, hostile input, the case studies.
+// The command as users and CI servers run it: exit codes, hostile input, the case studies.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
     }
 }
 
-/// Files are called after the folder, however it is named.
+/// Output files are named after the input folder, however the command line spells its path.
 TEST(Cli, TheCurrentFolderHasItsOwnName) {
     const Ran ran = run_shell(
         "mkdir -p rover/empty && cd rover\n"
@@ -140,7 +140,7 @@ TEST(Cli, ABlockThatIsIllTypedIsBadInput) {
     EXPECT_EQ(run({"check", model.path(), right.path()}).exit, 0);
 }
 
-// A block may say again what the library declares transparent, and define the library's names its own way.
+// A block may repeat the `transparent` declarations of the library, and may redefine names of the library.
 TEST(Cli, ABlockMayDefineWhatTheLibraryDefines) {
     const TemporaryFile model("model.rct", counter);
     const TemporaryFile block("model.assertions",
@@ -239,7 +239,7 @@ TEST(Cli, ScriptsAreTypeCheckedFirst) {
     const Ran brief = run({"cspm", "-b", good.path()});
     EXPECT_EQ(brief.exit, 1);
     EXPECT_THAT(brief.out, Not(HasSubstr("trace")));
-    // Nothing is evaluated: the first assertion alone would fail.
+    // The script is not evaluated: evaluation of the first assertion alone would fail.
     const TemporaryFile bad("bad.csp", "channel a : Int\nassert STOP [T= a.1 -> STOP\nP = a.true -> STOP\n");
     const Ran refused = run({"cspm", bad.path()});
     EXPECT_EQ(refused.exit, 2) << refused.out;
@@ -249,7 +249,7 @@ TEST(Cli, ScriptsAreTypeCheckedFirst) {
                 HasSubstr("robochart-verify/diagnostics/1"));
 }
 
-/// Only comparing code, and simulating, needs a compiler.
+/// Only the comparison of code and simulation need a compiler.
 TEST(Cli, WithoutACompilerTheVerdictsAreKnown) {
     const std::string model = repository("corpus/aggregation");
     const Ran ran = run_shell("PATH=/nonexistent \"$verify\" '" + model + "'");
@@ -276,7 +276,7 @@ TEST_P(CaseStudy, HoldsAndConforms) {
     EXPECT_THAT(ran.out, Not(HasSubstr("FAILS")));
     EXPECT_THAT(ran.out, HasSubstr("out/csp-gen/timed/"));
     EXPECT_THAT(ran.out, HasSubstr("out/cpp/"));
-    // What FDR is handed, the normal form among it, has types in order.
+    // All scripts exported for FDR, including the normal form, are well-typed.
     std::vector<std::string> words{"cspm", "--typecheck", "-q"};
     for (const auto& file : std::filesystem::recursive_directory_iterator(out)) {
         if (file.path().extension() == ".csp") words.push_back(file.path());

@@ -1,5 +1,5 @@
-// `conform --export`: all states of the code for other tools, and a script with the model that our own checker of
-// scripts decides as `conform` does.
+// `conform --export`: the complete state space of the code for other tools, and a script that contains the model. Our
+// own checker of scripts must decide the script as `conform` does.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ std::string temporary(const std::string& name) {
     return (fs::temp_directory_path() / ("export_" + std::to_string(::getpid()) + "_" + name)).string();
 }
 
-/// Both relations, and all choices: a model that leaves one has more states of the code then.
+/// The model leaves a choice, so its code has more states with all choices. Both relations are tested.
 TEST(Conform, RelationsAndChoices) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -49,7 +49,7 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
         EXPECT_THAT(contents(path), HasSubstr("assert NF__ [FD= Code__"));
         const auto decided = run({"cspm", path});
         EXPECT_EQ(decided.exit, 0) << decided.out << decided.err;
-        // The same code with one write left out is no refinement: the script tells the difference.
+        // The same code without one write does not refine the model, and the script detects this.
         std::string broken = contents(path);
         const std::size_t code = broken.find("Code__0 =");
         const std::size_t write = broken.find("registerWrite.", code);
@@ -62,7 +62,7 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
     }
 }
 
-/// Aldebaran: `des (0, transitions, states)`, then as many lines as transitions.
+/// Aldebaran's format: `des (0, transitions, states)`, then one line for each transition.
 TEST(CodeExport, AldebaranHasEveryTransition) {
     const std::string path = temporary("code.aut");
     ASSERT_EQ(run({"conform", repository("corpus/aggregation"), "--export", path}).exit, 0);

@@ -24,7 +24,7 @@ std::string fresh_folder() {
     return mkdtemp(pattern.data()) == nullptr ? std::string() : pattern;
 }
 
-/// AddressSanitizer's word of warning on the evaluator's own stack is not the program's.
+/// Removes AddressSanitizer's warning about the evaluator's own stack, which the program did not print.
 std::string without_sanitizer_note(std::string text) {
     const std::size_t note = text.find("WARNING: ASan doesn't fully support makecontext");
     if (note == std::string::npos) return text;
@@ -59,7 +59,7 @@ Ran run_child(const Become& become, const std::string& input, const std::functio
     std::ofstream(folder + "/stdin.txt", std::ios::binary) << input;
     const pid_t child = fork();
     if (child == 0) {
-        setenv("XDG_CACHE_HOME", folder.c_str(), 1);  // what others have kept is no part of a test
+        setenv("XDG_CACHE_HOME", folder.c_str(), 1);  // keeps existing caches of users out of the test
         before();
         become(folder);
         _exit(127);
@@ -71,7 +71,7 @@ Ran run_child(const Become& become, const std::string& input, const std::functio
     ran.exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     ran.out = contents(folder + "/stdout.txt");
     ran.err = without_sanitizer_note(contents(folder + "/stderr.txt"));
-    std::error_code ignored;  // processes that a command leaves behind may still write there
+    std::error_code ignored;  // processes that a command left running may still write there
     fs::remove_all(folder, ignored);
     return ran;
 }

@@ -14,18 +14,18 @@ struct Ran {
     std::string err;
 };
 
-/// Runs robochart-verify with these arguments in an empty temporary folder, with this standard input.
+/// Runs robochart-verify with these arguments and this standard input in an empty temporary folder.
 [[nodiscard]] Ran run(const std::vector<std::string>& arguments, const std::string& input = "");
 
-/// The same; the signal is sent after a second and a half.
+/// Like `run`, but sends the signal after 1.5 seconds.
 [[nodiscard]] Ran run_and_signal(const std::vector<std::string>& arguments, int signal);
-/// The same with this much address space (RLIMIT_AS).
+/// Like `run`, with this limit of the address space (RLIMIT_AS).
 [[nodiscard]] Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes);
 
-/// A shell's commands in an empty temporary folder, where "$verify" is the command.
+/// Runs shell commands in an empty temporary folder; "$verify" is the command.
 [[nodiscard]] Ran run_shell(const std::string& commands);
 
-/// A file in a fresh temporary folder that lives as long as the object.
+/// A file in a fresh temporary folder, removed by the destructor.
 class TemporaryFile {
 public:
     TemporaryFile(const std::string& name, const std::string& text);
@@ -39,14 +39,14 @@ private:
     std::string path_;
 };
 
-/// A fresh temporary folder that lives as long as the object, with these files in it.
+/// A fresh temporary folder with these files, removed by the destructor.
 class Folder {
 public:
     explicit Folder(const std::vector<std::pair<std::string, std::string>>& files = {});
     ~Folder();
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
-    /// Of a file in it, which need not exist; "" for the folder itself.
+    /// The path of a file in the folder (it need not exist), or of the folder itself if `name` is empty.
     [[nodiscard]] std::string path(const std::string& name = "") const {
         return name.empty() ? path_ : path_ + "/" + name;
     }
@@ -56,7 +56,7 @@ private:
     std::string path_;
 };
 
-/// A path inside the repository.
+/// The absolute path of a path inside the repository.
 [[nodiscard]] std::string repository(const std::string& path);
 
 }  // namespace robochart::app::testing

@@ -1,4 +1,4 @@
-// Counterexamples in the words of the model, for each form of claim: the path, the deadline that was missed, the loop.
+// Counterexamples in terms of the model, for each form of claim: the path, the missed deadline, the loop.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ stm Ends { event a initial i state A { } final f transition t0 { from i to A }
 stm Runs { event a initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger a } }
 )";
 
-/// What the report says of this claim.
+/// The report of this claim.
 std::string reported(const std::string& claim) {
     const TemporaryFile model("reported.rct", machines);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
@@ -74,8 +74,8 @@ TEST(CounterexampleText, ADeadlockInTimeIsNoDivergence) {
                       Not(HasSubstr("internally"))));
 }
 
-/// Two machines of a controller, the second of which waits for the first for ever once 22 time units have passed: the
-/// clock has counted 20, the wait 2.
+/// Two machines of a controller. After 22 time units the second machine waits for the first one indefinitely: the clock
+/// has counted 20, the wait 2.
 const char* const late = R"(
 interface V { var y : nat }
 interface K { event c }
@@ -92,7 +92,7 @@ stm Never { uses K initial i state S { } transition t0 { from i to S } }
 module M { robotic platform P { provides V } cref both = Both }
 )";
 
-/// The first counterexample of the report of a claim about it.
+/// The first counterexample in the report of a claim about `late`.
 nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
     const TemporaryFile model("late.rct", late);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
@@ -104,7 +104,7 @@ nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
     return report.is_discarded() ? nlohmann::json() : report["assertions"][0]["counterexample"];
 }
 
-// The check renames tock, so that deadlocks show: time passes all the same.
+// The check renames tock so that deadlocks become visible. The counterexample must still show time passing.
 TEST(CounterexampleText, TimePassesWhateverTheCheckCallsIt) {
     std::string text;
     const auto run = of_late("timed assertion A : M is deadlock-free", &text);
@@ -155,7 +155,7 @@ TEST(CounterexampleText, EveryStepNamesItsMachineItsElementAndItsPlace) {
         nlohmann::json::array({{{"component", "M::both::other"}, {"name", "y"}, {"before", "0"}, {"after", "1"}}}));
 }
 
-// While nothing has happened, each of the machines could begin.
+// Before the first event, each of the machines could start.
 TEST(CounterexampleText, WhatElseWasPossibleIsThere) {
     const auto run = of_late("timed assertion A : M is deadlock-free");
     std::set<std::string> begin{run["steps"][0]["component"]};
@@ -191,7 +191,7 @@ TEST(CounterexampleText, ReachabilityShowsThePath) {
                 HasSubstr("it refines the other"));
 }
 
-/// So many values of clocks and variables that `n` and `m` are held by processes of their own.
+/// `n` and `m` have so many values of clocks and variables that separate processes store them.
 const char* const held = R"(
 interface O { go(x : nat) }
 stm Held { requires O event a : nat var n : nat = 0 var m : nat = 7 clock C clock D
@@ -203,7 +203,7 @@ stm Held { requires O event a : nat var n : nat = 0 var m : nat = 7 clock C cloc
   transition t3 { from F to E condition since(D) >= 300 /\ n > 1 } }
 )";
 
-// A value that nothing reads any more is not stored, so what the memory has is older: 7 here, where m got 0.
+// The memory does not store a value that is never read again. It contains an older value: 7 here, although m got 0.
 TEST(CounterexampleText, VariablesOutsideTheProcessAreShownLikeThoseInside) {
     const TemporaryFile model("held.rct", held);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
@@ -224,8 +224,8 @@ TEST(CounterexampleText, VariablesOutsideTheProcessAreShownLikeThoseInside) {
     }
 }
 
-// The store of a received value, the guard that reads it, and an action that begins with a call: one input, one
-// transition behind it.
+// The store of a received value, the guard that reads it, and an action that starts with a call are one input and one
+// transition after it.
 TEST(CounterexampleText, AnInputNamesTheTransitionWhoseActionBeginsWithACall) {
     const TemporaryFile model("guarded.rct", R"(
 interface O { go(x : nat) }
@@ -258,7 +258,8 @@ TEST(CounterexampleText, TickTockNamesWhatWasRefused) {
                 AllOf(HasSubstr("refusal of input a"), HasSubstr("why refusal of input a is not allowed here")));
 }
 
-/// A module, its controller and its machine get stuck in one way: the text shows it once, the data each time.
+/// A module, its controller and its machine have the same deadlock. The text shows the counterexample once; the data
+/// contain it three times.
 TEST(CoreProperties, ARunThatComponentsShareIsPrintedOnce) {
     const TemporaryFile model("stuck.rct", R"(
 interface I { event go }

@@ -1,4 +1,4 @@
-// What `conform` says of a model that cannot be run in control cycles, and of what it is besides, as text and as JSON.
+// How `conform` explains that a model cannot run in control cycles, and its further notes, as text and as JSON.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(Explained, NotSchedulableWithCodePlaceAndRemedy) {
     EXPECT_THAT(one.at("registerCycles").at("meaning").get<std::string>(), HasSubstr("are lost"));
 }
 
-// Three cycles lie within a wait of four units; neither outcome nor exit code depends on that.
+// Three cycles pass during a wait of four units. This changes neither the outcome nor the exit code.
 TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
     const TemporaryFile model("m.rct", blinks +
                                            " state C { entry wait(4) }\n transition t2 { from B to C }\n transition t3 "
@@ -58,7 +58,8 @@ TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
     EXPECT_EQ(missed[0].at("reasons").at(0).at("places"), (nlohmann::json{"enters M::C (m.rct:6)"}));
 }
 
-// An outer state awaits `stop`, the state inside it `go`: the code halts before it ends.
+// An outer state has a transition with `stop`, its inner state one with `go`: the code takes `stop` before it
+// terminates.
 TEST(Explained, EventsThatComeSecondChangeNoExitCode) {
     const TemporaryFile model("m.rct",
                               "interface I { halt() brake() }\nstm M {\n requires I\n event go event stop\n initial i\n"

@@ -1,5 +1,5 @@
-// What models, their CSP blocks, scripts and names of files hold never reaches a terminal as control characters, nor
-// forges lines of a report; what programs read stays as it is where no terminal is.
+// Text from models, their CSP blocks, scripts and file names never reaches a terminal as control characters and cannot
+// forge lines of a report. Output for programs stays unchanged if it does not go to a terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A name with an escape sequence and a line end, after which a verdict seems to stand; so do the literals and the
-// block. ESC is \033, CSI as one character of Latin-1 in UTF-8 is \302\233.
+// The name contains an escape sequence and a line end, followed by a forged verdict. The literals and the block contain
+// the same. ESC is \033; CSI as one character of Latin-1 in UTF-8 is \302\233.
 const char* const files = R"(
 name=$(printf 'm\033]0;title\007\n  holds        Forged')
 model="$name.rct"; claims="$name.assertions"
@@ -28,7 +28,7 @@ Ran run_on(const std::string& command) {
     return run_shell(std::string(files) + command);
 }
 
-/// Of ASCII and of Latin-1; line ends and tabulators are those of the lines.
+/// Control characters of ASCII and Latin-1; line ends and tabs are allowed.
 bool has_controls(const std::string& text) {
     const bool ascii = std::any_of(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == 0x7F;
@@ -71,7 +71,7 @@ TEST(ForeignText, IsShownInReports) {
         expect_clean(run_on("\"$verify\" " + command), command);
 }
 
-/// Each claim is still there, at its place.
+/// Each claim is still reported, at its place.
 TEST(ForeignText, IsReadableInReports) {
     const Ran ran = run_on("\"$verify\" check \"$model\" \"$claims\"");
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
@@ -88,7 +88,7 @@ TEST(ForeignText, OfWhatProgramsReadIsExact) {
     EXPECT_THAT(formatted.out, HasSubstr("\"a\033[31m\302\233\n  holds        Forged\"")) << formatted.err;
 }
 
-/// util-linux's script gives a command a terminal.
+/// The program `script` of util-linux runs a command on a terminal.
 TEST(ForeignText, OfWhatProgramsReadIsShownInATerminal) {
     if (run_shell("command -v script").exit != 0) GTEST_SKIP() << "there is no `script` here";
     for (const std::string command : {"check \"$model\" --print script", "check \"$model\" --print ast",

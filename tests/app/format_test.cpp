@@ -1,4 +1,5 @@
-// The verb `format` as people and CI servers meet it: what is written, what is left alone, exit codes; and differences.
+// The verb `format` as people and CI servers run it: files that are written, files that stay unchanged, exit codes, and
+// diffs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -128,7 +129,7 @@ TEST(FormatVerb, SaysWhatCannotBeReadOrWritten) {
     EXPECT_EQ(empty.exit, 2);
     EXPECT_THAT(empty.err, HasSubstr("RC-F03"));
     EXPECT_EQ(run({"format"}).exit, 4);
-    if (geteuid() == 0) return;  // may write anything
+    if (geteuid() == 0) return;  // root may write any file
     const TemporaryFile kept("kept.rct", untidy);
     ASSERT_EQ(chmod(kept.path().c_str(), 0440), 0);
     const Ran refused = run({"format", kept.path()});
@@ -142,7 +143,7 @@ TEST(FormatVerb, TheModelsOfTheRepositoryAreInTheStyle) {
     EXPECT_EQ(ran.exit, 0) << "run robochart-verify format on:\n" << ran.out;
 }
 
-// ---------------------------------------------------------------- differences
+// ---------------------------------------------------------------- diffs
 
 TEST(UnifiedDiff, EqualTextsHaveNone) {
     EXPECT_EQ(unified_diff("f", "a\nb\n", "a\nb\n"), "");
@@ -164,7 +165,7 @@ TEST(UnifiedDiff, JoinsNearChangesAndSeparatesFarOnes) {
               "@@\n 5\n 6\n 7\n-c\n+C\n");
 }
 
-/// What `patch` does: the new text out of the old one and a difference.
+/// Computes the new text from the old text and a diff, as `patch` does.
 std::string patched(const std::string& before, const std::string& diff) {
     std::vector<std::string> old_lines;
     std::istringstream text(before);

@@ -1,6 +1,5 @@
-// A run that reaches a limit, or is interrupted, answers in the format that was asked for all the same: one whole
-// document, which says that the answer is not known and why, and exit code 3. For every verb and every format that
-// programs read.
+// A run that reaches a limit or is interrupted still answers in the requested format: one complete document that says
+// that the answer is unknown and why, with exit code 3. The test covers every verb and every machine-readable format.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,11 +20,11 @@ constexpr const char* machine =
 
 struct Form {
     const char* name;
-    const char* command;  ///< with the files of `inputs`
-    const char* schema;   ///< of the document; "sarif" for that standard
+    const char* command;  ///< run in a folder with the files of `inputs`
+    const char* schema;   ///< schema of the document; "sarif" for SARIF
 };
 
-/// What the document says about the limit; "" if the document does not say so.
+/// The document's statement about the limit; "" if it contains none.
 std::string limit_of(const json& document, const std::string& schema) {
     if (schema == "sarif") {
         const json& invocation = document.at("runs").at(0).at("invocations").at(0);
@@ -47,7 +46,7 @@ void expect_whole(const Ran& ran, const Form& form, const std::string& why) {
     EXPECT_EQ(document.value("exit", 3), 3);
 }
 
-/// The command in a folder with its inputs.
+/// A shell command that runs `form` in a folder with its inputs.
 std::string with_inputs(const Form& form, const std::string& more) {
     return "corpus='" + repository("corpus") + "'\ncat > m.rct <<'END'\n" + std::string(machine) +
            "END\ncat > m.assertions <<'END'\nassertion A : S is deadlock-free\nEND\n"
@@ -80,7 +79,7 @@ const Form forms[] = {
 
 class Formats : public ::testing::TestWithParam<Form> {};
 
-/// Where a run begins with reading the model, what is known by then may be in either of a verb's two documents.
+/// A verb that starts by reading the model may report in either of its two documents.
 Form with_its_schema(Form form, const Ran& ran) {
     const json document = json::parse(ran.out, nullptr, false);
     static const std::string other = "robochart-verify/traces/1";
@@ -116,7 +115,7 @@ TEST(FormatsAtALimitOfStates, AreWhole) {
     }
 }
 
-/// Frames are one document a line.
+/// Each frame is one document on one line.
 TEST(FormatsInFrames, AreWholeEach) {
     const Ran ran = run_shell(with_inputs({"", "cspm --format framed_json s.csp", ""}, "--timeout 0.000001"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
@@ -127,7 +126,7 @@ TEST(FormatsInFrames, AreWholeEach) {
     EXPECT_GT(frames, 0U);
 }
 
-/// So many machines that reading them takes a while.
+/// A model of so many machines that parsing takes a while.
 std::string interrupted(const std::string& command) {
     return "awk 'BEGIN { for (i = 0; i < 60000; ++i) printf \"stm S%d { initial i state A { } state B { } transition t "
            "{ from i to A } "

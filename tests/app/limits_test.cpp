@@ -1,5 +1,6 @@
-// Limits and signals in every phase: what would take hours or all memory ends soon, with exit code 3 and a report of
-// what is known, and leaves nothing behind. The bounds on seconds here are generous: hanging is the fault.
+// Limits and signals in every phase: a run that would take hours or all memory ends soon, with exit code 3 and a report
+// of the partial results, and removes its temporary files. The time bounds are generous, because these tests detect
+// runs that hang.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -16,7 +17,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Each record has two fields of the next one: a value has 2^levels parts.
+/// Each record has two fields of the next type: a value has 2^levels parts.
 std::string doubling_records(int levels) {
     std::string text;
     for (int i = 0; i < levels; ++i)
@@ -28,7 +29,7 @@ std::string doubling_records(int levels) {
            " transition t1 { from A to A trigger e ? v }\n}\n";
 }
 
-/// A condition over 3^17 values.
+/// A condition that quantifies over 3^17 values.
 std::string large_quantifier() {
     std::string names;
     for (char c = 'a'; c <= 'q'; ++c) names += std::string(c == 'a' ? "" : ", ") + c + c + " : nat";
@@ -36,7 +37,7 @@ std::string large_quantifier() {
            " @ aa + bb >= 0 }\n}\n";
 }
 
-/// Machines of two modes, side by side in a controller: 2^count states.
+/// Parallel machines with two states each in one controller: 2^count states.
 std::string many_machines(int count) {
     std::string text;
     std::string refs;
@@ -59,7 +60,7 @@ struct Hard {
 class HardWork : public ::testing::TestWithParam<Hard> {};
 
 std::string in_time(const Hard& hard, const std::string& more) {
-    // The shell's own limit makes the test end where the command does not.
+    // The shell's own limit ends the test if the command does not end.
     return "cat > m.rct <<'END'\n" + hard.model +
            "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n timeout -s KILL 60 \"$verify\" " + hard.arguments + " " + more +
            "; code=$?; ls tmp; exit $code";
@@ -69,7 +70,7 @@ TEST_P(HardWork, OfTimeEndIt) {
     const Ran ran = run_shell(in_time(GetParam(), "--timeout 2 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the time limit was reached"));
-    EXPECT_THAT(ran.out, Not(HasSubstr("robochart-")));  // nothing is left in the folder for temporary files
+    EXPECT_THAT(ran.out, Not(HasSubstr("robochart-")));  // no temporary files are left
 }
 
 TEST_P(HardWork, OfMemoryOrTimeEndIt) {
@@ -108,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(LimitedPhases, HardWork,
                          [](const auto& each) { return std::string(each.param.name); });
 
 TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
-    // Ten assertions, each of which alone would take its two seconds.
+    // Ten assertions, each of which alone would need all of its two seconds.
     std::string claims;
     for (int i = 0; i < 10; ++i) claims += "assertion A" + std::to_string(i) + " : C is deterministic\n";
     const Hard hard{"", many_machines(30), "check"};
@@ -129,7 +130,8 @@ TEST(RunLimits, WhatWasKnownBeforeIsReported) {
     EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        First"), HasSubstr("inconclusive Second")));
 }
 
-// The system's limit of processor time sends SIGXCPU, again each second: the run ends in order, and once.
+// The system's limit of processor time sends SIGXCPU, and repeats it each second. The run ends in an orderly way, and
+// only once.
 TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
     const Ran ran = run_shell("cat > m.rct <<'END'\n" + many_machines(40) +
                               "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n ulimit -S -t 1; timeout -s KILL 60 "
@@ -138,7 +140,7 @@ TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the run was interrupted"));
 }
 
-// Giving the states back takes longer than the watching thread waits: it must not print another object.
+// Freeing the states takes longer than the watchdog thread waits. The watchdog must not print a second object.
 TEST(RunLimits, AScriptHasOneObject) {
     for (const char* format : {"json", "framed_json"}) {
         const Ran ran = run_shell(

@@ -1,5 +1,5 @@
-// Monitors beside controllers whose generator was at fault: the trial stops at the first event that is none of the
-// model's, with its element.
+// Monitors of controllers that a generator with a seeded fault produced: the trial stops at the first event that the
+// model does not allow, and the report names its element.
 #include "app/verbs/monitor.hpp"
 
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ public:
         EXPECT_NE(monitors_, nullptr);
     }
 
-    /// One trial with the controller of a generator with this fault; the stop, if there was one.
+    /// Runs one trial with the controller of a generator with this fault; returns the stop, if any.
     std::optional<simulation::Stop> run(cpp_emit::Fault fault, std::uint32_t site) {
         Project& project = *simulation_->project;
         cpp_emit::Options generator;

@@ -1,4 +1,4 @@
-// Several models in one folder, assertions of other tools, and errors of evaluation, as a user runs `check`.
+// Several models in one folder, assertions of other tools, and evaluation errors, as a user runs `check`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using ::testing::Not;
 using testing::run;
 using testing::TemporaryFile;
 
-/// The lines of a report that say what holds.
+/// The lines of a report that contain verdicts.
 std::string verdicts(const std::string& out) {
     std::istringstream lines(out);
     std::string line, result;
@@ -29,7 +29,8 @@ std::string verdicts(const std::string& out) {
     return result;
 }
 
-// One counts in hundredths, the other in whole numbers: with one scale for both, the 2 of the second would be no real.
+// One model counts in hundredths, the other in whole numbers. With one scale for both, the 2 of the second model would
+// not be a value of its type of reals.
 TEST(Project, OfSeveralModelsDecidesEachAsAlone) {
     const Folder folder({{"fine.rct",
                           "stm Fine { event o : real var x : real = 0.25 initial i state A { entry o ! x } transition "
@@ -122,7 +123,7 @@ TEST(Project, IsRefusedWhereAScriptWouldBeWrong) {
               0);
 }
 
-// The division stands in a function of the library; the place is that of the model's expression.
+// The division is in a function of the library; the error has the place of the expression in the model.
 TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
     const Folder folder({{"m.rct",
                           "stm S { event e : nat event o : nat var x : nat\n"
@@ -135,7 +136,7 @@ TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
     EXPECT_THAT(ran.out, HasSubstr("m.rct:4: division by zero, in S::t"));
 }
 
-/// Two packages with a controller of one name each; the second has an event.
+/// Two packages with a controller of the same name; the second controller has an event.
 Folder same_names() {
     return Folder(
         {{"a.rct",
@@ -158,12 +159,12 @@ TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
     for (auto [verb, files] : verbs) {
         verb.insert(verb.end(), {"--out", folder.path("out"), folder.path()});
         const auto ran = run(verb);
-        // Nothing leaves A in the first package: one of the core properties is that this is no deadlock.
+        // State A of the first package has no outgoing transition, so the core property of deadlock freedom fails.
         EXPECT_EQ(ran.exit, verb.front() == "verify" ? 1 : 0) << ran.out << ran.err;
         for (const std::string& file : files) EXPECT_TRUE(fs::exists(folder.path("out/" + file))) << file;
         fs::remove_all(folder.path("out"));
     }
-    // The name does not depend on what else is asked for.
+    // The name does not depend on other selected components.
     EXPECT_EQ(run({"emit", "cpp", "--component", "b::C", "--out", folder.path("out"), folder.path()}).exit, 0);
     EXPECT_TRUE(fs::exists(folder.path("out/cpp/b/C/S.hpp")));
 }
@@ -178,7 +179,7 @@ TEST(Project, NothingIsWrittenTwiceInARun) {
     EXPECT_THAT(ran.err, HasSubstr("this run has already written a file of this name"));
 }
 
-/// A module `Mo` whose machine `S` counts what it is asked.
+/// A module `Mo` whose machine `S` counts how often it gets an event.
 std::string counter(const std::string& next) {
     return "interface I { event ask event reported : nat }\n"
            "module Mo { robotic platform P { uses I } cref c = C connection P on ask to c on ask (_async)\n"
@@ -193,7 +194,7 @@ const std::string endless = counter("0");
 const std::string once = counter("n + 1");
 const std::string claims = "untimed assertion Going : Mo::c::s is deadlock-free\n";
 
-/// Two folders whose models have all names in common.
+/// Two folders whose models declare the same names.
 const std::vector<std::pair<std::string, std::string>> of_one_name{{"endless/m.rct", endless},
                                                                    {"endless/m.assertions", claims},
                                                                    {"short/m.rct", once},
@@ -230,7 +231,7 @@ TEST(ProjectsOfOneName, HaveFilesOfTheirOwn) {
           "cpp/short_m/Mo/Mo_core.hpp", "monitor/endless_m/Mo/Mo_monitor.hpp", "monitor/short_m/Mo/Mo_monitor.hpp",
           "tests/endless_m/Mo/Mo.trace", "tests/short_m/Mo/Mo.trace"})
         EXPECT_TRUE(fs::exists(folder / ("out/" + std::string(file)))) << file;
-    // The logs of one are not runs of the other; which is meant has to be said.
+    // The logs of one model are not runs of the other, so the user has to select the model.
     const std::string log = folder / "out/tests/short_m/Mo/Mo.trace";
     EXPECT_EQ(run({"conform", folder / "short", "--traces", log}).exit, 0);
     EXPECT_EQ(run({"conform", folder / "endless", "--traces", log}).exit, 1);
@@ -275,7 +276,7 @@ TEST(Project, WithErrorsDoesNotStopTheOthers) {
     EXPECT_EQ(nlohmann::json::parse(valid.out)["errors"], 1);
 }
 
-// Throws of a fair coin: heads after four steps of RoboTool's chain with probability 0.5.
+// Tosses of a fair coin: heads after four steps of RoboTool's chain with probability 0.5.
 TEST(Project, ProbabilisticClaimsAreAnsweredByRandomPaths) {
     const Folder folder(
         {{"m.rct",
@@ -329,7 +330,7 @@ TEST(Project, ProbabilisticClaimsAreAnsweredByRandomPaths) {
     EXPECT_EQ(row["estimate"]["clopperPearson"].at(0), row["low"]);
 }
 
-// What has no answer may neither pass for something that holds, nor be passed over.
+// An undecided claim must neither count as one that holds, nor be omitted.
 TEST(Project, ProbabilisticClaimsAreDecidedOrSaidNotChecked) {
     const Folder folder({{"m.rct",
                           "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "

@@ -1,5 +1,5 @@
-// What each phase prints of one model that uses every construct (phases/gate.rct): a golden for each. After a wanted
-// change read the new texts, then store them: ROBOCHART_STORE_GOLDEN=tests/app/phases.
+// The output of each phase for one model that uses every construct (phases/gate.rct), compared with a golden. After an
+// intended change, read the new texts, then store them: ROBOCHART_STORE_GOLDEN=tests/app/phases.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -30,7 +30,7 @@ struct Phase {
 
 class Phases : public ::testing::TestWithParam<Phase> {};
 
-/// Beside the models, since reports name files as the command line does.
+/// Runs in the folder of the models, because reports name files as the command line does.
 testing::Ran run_beside_the_models(const std::string& arguments) {
     return testing::run_shell("cp '" + testing::repository("tests/app/phases") + "'/gate.* . && \"$verify\" " +
                               arguments);

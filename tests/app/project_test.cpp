@@ -1,5 +1,5 @@
-// The verb `emit cpp --target` as a user runs it: where the projects go, what is kept, what is refused. What they are
-// is tested in tests/cpp_emit/project_test.cpp.
+// The verb `emit cpp --target` as a user runs it: the folders of the projects, files that are kept, inputs that are
+// rejected. tests/cpp_emit/project_test.cpp tests the contents of the projects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(EmitCppTarget, RefusesByName) {
     EXPECT_THAT(unknown.err, HasSubstr("arduino"));
 }
 
-/// A machine `M` with an operation, and a mapping of it.
+/// A machine `M` with an operation, and a mapping for it.
 class EmitCppMapping : public ::testing::Test {
 protected:
     [[nodiscard]] testing::Ran emit(const std::string& mapping, const std::vector<std::string>& more = {}) const {

@@ -1,4 +1,4 @@
-// The verb `cspm` as users of FDR's `refines` meet it: its JSON, its plain text, limits, progress, exports.
+// The verb `cspm` as users of FDR's `refines` see it: its JSON, its plain text, limits, progress, exports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ Json refines(const std::string& path, std::vector<std::string> more = {}) {
     return objects.empty() ? Json::object() : objects.front();
 }
 
-/// The events of a list of numbers, by the object's own map.
+/// Translates a list of event numbers to names, with the map of the same object.
 std::vector<std::string> named(const Json& object, const Json& numbers) {
     std::vector<std::string> names;
     for (const Json& each : numbers) names.push_back(object["event_map"][std::to_string(each.get<int>())]);
@@ -78,8 +78,8 @@ TEST(Refines, ResultsAreNumbersAsWorded) {
     EXPECT_EQ(object["event_map"]["2"], "✓");
 }
 
-// Parts that take no step, beside one that does, in every format: a compressed part has a run of its own, so the run's
-// last event is none of its.
+// Components that take no step, next to one that does, in every format. A compressed component has its own trace, so
+// the last event of the whole is not one of its events.
 TEST(Refines, PartsThatTakeNoStepAreReported) {
     const TemporaryFile script("idle.csp", R"(transparent normal, sbisim
 channel a, b
@@ -113,7 +113,7 @@ assert sbisim(b -> STOP) ||| (normal(D) \ {a}) :[divergence free]
     }
 }
 
-// Where hanging was the fault: each of these ends by its limit, with what is known by then.
+// Inputs on which earlier versions hung: each run ends by its limit, with its partial results.
 TEST(Refines, LimitsEndEveryPhase) {
     const TemporaryFile prints("prints.csp", R"(print 1 + 1
 print card({(x, y, z) | x <- {0..200}, y <- {0..200}, z <- {0..100}})
@@ -150,7 +150,8 @@ TEST(Refines, ATraceCounterexampleIsSplit) {
     EXPECT_THAT(named(object, implementation["trace"]), ElementsAre("a", "τ", "b"));
     EXPECT_THAT(named(object, implementation["revealed_trace"]), ElementsAre("a", "h", "b"));
     EXPECT_EQ(named(object, Json::array({implementation["error_event"]})).front(), "c");
-    // SYSTEM = (P [|{h}|] Q) \ {h}: below the hiding the parallel, below that P and Q.
+    // SYSTEM = (P [|{h}|] Q) \ {h}: the parallel composition is below the hiding, and P and Q are below the parallel
+    // composition.
     const Json& parallel = implementation["child_behaviours"][0];
     EXPECT_THAT(named(object, parallel["trace"]), ElementsAre("a", "h", "b"));
     const Json& p = parallel["child_behaviours"][0];
@@ -181,7 +182,7 @@ TEST(Refines, FailuresLoopsAndDeadlocksHaveTheirFields) {
     EXPECT_EQ(object["results"][5]["counterexamples"][0]["type"], "determinism");
 }
 
-// Once the hidden h has happened, l is refused; as long as it has not, it is accepted.
+// Before the hidden h, l is accepted; after h it is refused.
 TEST(Refines, DeterminismIsShownByTwoRuns) {
     const TemporaryFile script("leak.csp", R"(channel h, l
 Leak = (h -> STOP [] l -> STOP) \ {h}
@@ -199,7 +200,7 @@ assert Leak :[deterministic [F]]
     EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Accepted: <l>\n"));
 }
 
-// What can terminate may do so by itself: it offers ✓ alone, whatever else is there.
+// A process that can terminate may do so by itself: its minimal acceptance is {✓}, whatever else it offers.
 TEST(Refines, TheLeastAcceptanceOfWhatCanTerminate) {
     const TemporaryFile script("tick.csp", "channel a\nassert SKIP [] a -> STOP :[deterministic [F]]\n");
     const Json object = refines(script.path());
@@ -208,7 +209,7 @@ TEST(Refines, TheLeastAcceptanceOfWhatCanTerminate) {
     EXPECT_THAT(run({"cspm", script.path()}).out, HasSubstr("then refuses a: the state offers {✓}"));
 }
 
-// A specification whose taus never end has no stable failures: in F it is refined by nothing that comes to rest.
+// A specification whose taus never end has no stable failures: in F no implementation with a stable state refines it.
 TEST(Refines, ASpecificationWithoutStableStates) {
     const TemporaryFile script("restless.csp", R"(channel a, h
 Restless = (h -> Restless0) \ {h}
@@ -226,7 +227,7 @@ assert STOP [T= a -> STOP
     EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Allowed: no stable state\n"));
 }
 
-// A print without a value is an error of the script; what is claimed is decided all the same.
+// A `print` that fails is an error of the script; assertions are decided all the same.
 TEST(Refines, APrintThatFailsIsSaid) {
     const TemporaryFile script("prints.csp", "print 1 / 0\nassert STOP [T= STOP\n");
     const Ran ran = run({"cspm", script.path()});
@@ -245,7 +246,7 @@ TEST(Refines, FaultsArePlacedWhereTheyAre) {
     EXPECT_THAT(run({"cspm", open.path()}).err, HasSubstr("open.csp:2:"));
 }
 
-// All calls that differ in an argument that nothing reads are one process; a run that is shown has the values.
+// Calls that differ only in an argument that is never read are one process. A counterexample still shows the values.
 TEST(Refines, ArgumentsThatNothingReadsAreShown) {
     const TemporaryFile script("unread.csp", R"(channel a, b : {0..1}
 P(i, c, x) = a.x -> Done(i, c)
@@ -262,7 +263,8 @@ assert (P(7, 'x', 0) \ {|a, b|}) :[divergence free]
     EXPECT_THAT(looping, AllOf(HasSubstr("Done(_,_)"), Not(HasSubstr("'_'"))));
 }
 
-// A specification that diverges at once is refined in FD by everything, but by something.
+// Every process refines a specification that diverges immediately in FD, but it has to be a process: an implementation
+// that cannot be evaluated is an error.
 TEST(Refines, WhatCannotBeEvaluatedRefinesNothing) {
     const TemporaryFile script("diverging.csp", R"(channel a : {1, 2}
 L = a.1 -> L
@@ -275,8 +277,8 @@ assert Spec [FD= a.2 -> a.3 -> STOP
     EXPECT_THAT(ran.out, AllOf(HasSubstr("a.3"), HasSubstr("1 of 2 checks hold, 1 cannot be evaluated")));
 }
 
-// Fifty events in any order: 1, 50 and 1,225 states are so many steps away, and those of the third level are not all
-// looked at within 3,000.
+// Fifty events in any order: 1, 50 and 1,225 states are 0, 1 and 2 steps away. A limit of 3,000 states stops the search
+// within the next level.
 TEST(Refines, ALimitSaysWhatIsKnown) {
     const TemporaryFile script("many.csp", R"(channel a : {0..49}
 S = ||| i : {0..49} @ a.i -> STOP
@@ -314,7 +316,7 @@ TEST(Refines, AScriptThatOnlyPrintsHasAFrame) {
     EXPECT_EQ(frames[0]["print_statement_results"][0]["result"], "3");
 }
 
-/// All names of fields in a JSON value, each with those above it.
+/// Collects the names of all fields in a JSON value, with the path to each.
 void collect_fields(const Json& value, const std::string& above, std::set<std::string>& out) {
     if (value.is_array())
         for (const Json& each : value) collect_fields(each, above, out);
@@ -326,7 +328,7 @@ void collect_fields(const Json& value, const std::string& above, std::set<std::s
     }
 }
 
-/// The recorded file is put together from FDR's objects; each stands behind "results":.
+/// The recorded file is a concatenation of FDR's objects; each one follows a "results":.
 std::vector<Json> recorded_objects(const std::string& text) {
     std::vector<Json> result;
     const std::string mark = "\"results\": { \"copyright_notice\"";
@@ -451,10 +453,10 @@ TEST(Limits, AreInconclusiveWithFigures) {
     EXPECT_EQ(run({"cspm", script.path(), "--no-reduction", "--max-states", "5000"}).exit, 3);
 }
 
-// A sequential process with 10^8 states: it is all compiling.
+// A sequential process with 10^8 states: all the time goes into compilation.
 constexpr const char* endless =
     "channel a, b\nP(n) = a -> P(n+1) [] b -> P(n+2)\nassert P(0) ||| P(1) :[deadlock free [F]]\n";
-// Evaluation alone.
+// Only evaluation takes time.
 constexpr const char* thinking =
     "f(n) = if n == 0 then 0 else f(n-1)\ng(n) = if n == 0 then 0 else g(n-1) + f(150)\n"
     "h(n) = if n == 0 then 0 else h(n-1) + g(150)\nk(n) = if n == 0 then 0 else k(n-1) + h(150)\n"
@@ -562,7 +564,7 @@ TEST(Progress, TheLineFitsTheTerminal) {
               "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ ");
 }
 
-/// Logs have a line for each half minute of a phase, the other phase begins anew.
+/// Logs get one line for every 30 seconds of a phase; the next phase starts its own count.
 TEST(Progress, LogsHaveALineNowAndThen) {
     ProgressLog log("A [timed] S\nx");
     refine::Progress progress;

@@ -1,5 +1,5 @@
-// Descriptions of states are read here once more, apart from the code under test: all that the two share is what the
-// emission says of its names.
+// This code parses descriptions of states independently of the code under test. Both share only the names that the
+// emission records.
 #include "tests/app/replay.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ std::vector<std::string> apart(const std::string& text, const std::string& separ
     return parts;
 }
 
-/// A raw event: "τ(a.1)" is a hidden one.
+/// A raw event: "τ(a.1)" is a hidden event.
 struct Raw {
     bool hidden = false;
     std::string name;
@@ -54,7 +54,7 @@ Raw raw_event(const std::string& text) {
     return {true, text.substr(tau.size() + 1, text.size() - tau.size() - 2)};
 }
 
-/// Plain numbers and truth values are printed in the script as in the model.
+/// The script prints plain numbers and truth values as the model does.
 bool plain(const json& value) {
     const std::string type = value.value("type", "");
     return type == "nat" || type == "int" || type == "boolean";
@@ -66,7 +66,7 @@ public:
            const csp_emit::Obligation& obligation, const json& run, Replayed& sum)
         : system_(system), emission_(emission), session_(session), obligation_(obligation), run_(run), sum_(sum) {}
 
-    /// The faults of a replay against the process of this assertion.
+    /// Replays the run on the process of this assertion; returns the mismatches.
     std::vector<std::string> against(const cspm::ExprPtr& process);
 
 private:
@@ -99,13 +99,13 @@ private:
     const json& run_;
     Replayed& sum_;
     std::vector<std::string> raw_;
-    std::set<std::string> compressed_;  ///< components, with `::` behind
+    std::set<std::string> compressed_;  ///< components, with `::` appended
     std::int64_t time_ = 0;
-    std::size_t next_ = 0;  ///< the raw event that the next step begins with
+    std::size_t next_ = 0;  ///< the raw event with which the next step starts
     std::vector<std::string> faults_;
 };
 
-/// Copies of a machine that watch it are called like it in runs.
+/// In runs, copies of a machine that observe it have the machine's name.
 std::string Replay::claimed(const std::string& component) const {
     if (!component.starts_with("OFW_") && !component.starts_with("CLW_")) return component;
     const std::string& title = obligation_.component;
@@ -124,12 +124,12 @@ Replay::States Replay::perform(const States& from, const Raw& event) {
     return result;
 }
 
-/// The calls in a description, first definitions looked through.
+/// The calls in a description; first definitions are expanded.
 std::vector<std::string> Replay::calls_of(TermId term) {
     return apart(process::describe(session_.terms(), session_.terms().unfolded(term, 20)), "‖");
 }
 
-/// It has not moved: a process around it, or in front of its first definition, stands for it.
+/// The machine has not moved: the description shows an enclosing process, or a call in front of its first definition.
 bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>& calls) const {
     const std::string component = machine["component"].get<std::string>() + "::";
     const bool initial =
@@ -142,7 +142,7 @@ bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>&
     });
 }
 
-/// What is inside a compression (O__) has steps that the whole does not show.
+/// A component inside a compression (O__) has steps that the whole does not show.
 void Replay::note_compressed(TermId state) {
     for (const std::string& call : calls_of(state)) {
         const std::string name = call.substr(0, call.find('('));
@@ -165,7 +165,7 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
                    : nullptr;
     };
     bool found = false;
-    std::set<std::pair<std::string, std::string>> values;  // several temporary ones may have one name
+    std::set<std::pair<std::string, std::string>> values;  // several temporary variables may have the same name
     for (const std::string& call : calls) {
         const csp_emit::DefinitionMeaning* const definition = owner(call);
         if (definition == nullptr) continue;
@@ -193,12 +193,12 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
     });
 }
 
-/// Every machine that the script's state has is in the list.
+/// Whether the list contains every machine of the script's state.
 bool Replay::complete(const json& machines, const std::vector<std::string>& calls) const {
     return std::all_of(calls.begin(), calls.end(), [&](const std::string& call) {
         const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
         if (found == emission_.provenance.definitions.end()) return true;
-        // A machine is where its process is: memories may outlive it.
+        // Only control processes show that a machine is active: memories may outlive their machine.
         if (found->second.memory) return true;
         return std::any_of(machines.begin(), machines.end(), [&](const json& machine) {
             return machine["component"] == claimed(found->second.component);
@@ -206,14 +206,14 @@ bool Replay::complete(const json& machines, const std::vector<std::string>& call
     });
 }
 
-/// Keeps the states that have the machines where the JSON has them.
+/// Keeps the states in which the machines are where the JSON says.
 void Replay::machines_of(const json& machines, States& states) {
     std::string seen;
     const auto wrong = [&](TermId state) {
         const auto calls = calls_of(state);
         seen = process::describe(session_.terms(), state);
-        // What runs inside a compression has no state in the description of the whole.
-        // In front of an internal choice a machine is nowhere yet.
+        // The description of the whole shows no state for machines inside a compression. Before an internal choice is
+        // resolved, a machine is in no state.
         const bool compressed = seen.find(" state ") != std::string::npos || seen.find("bisim(") != std::string::npos ||
                                 seen.find("…") != std::string::npos || seen.find("⊓") != std::string::npos;
         if (compressed) return false;
@@ -244,7 +244,7 @@ void Replay::values_of(const json& step, const std::string& name) {
     if (!there) fault(name + " has not the values " + step["values"].dump());
 }
 
-/// A transition is offered by its own hidden event; of others the values tell.
+/// Whether the states offer it: a transition by its own hidden event, other offers by their values.
 bool Replay::offered(const json& offer, const States& states) {
     std::set<std::string> keys;
     for (const auto& [key, meaning] : emission_.provenance.events)
@@ -296,7 +296,7 @@ void Replay::step(const json& step, States& states) {
     const bool passes = step["kind"] == "tock";
     if (passes != (units > 0)) fault("time passes or not in step " + step["n"].dump() + ": " + step["text"].dump());
     if (passes && step["units"] != units) fault("units of step " + step["n"].dump());
-    // A step inside a compression is none of the whole.
+    // A step inside a compression is not a step of the whole.
     if (count > 0) machines_of(step["machines"], states);
 }
 
@@ -344,7 +344,7 @@ std::vector<std::string> Replay::against(const cspm::ExprPtr& process) {
     return faults_;
 }
 
-/// One of the obligation's assertions has failed: the run is one of its process.
+/// One of the obligation's assertions has failed; the run is a run of its process.
 std::vector<std::string> replay_one(const ir::System& system, const csp_emit::Emission& emission,
                                     cspm::Session& session, const csp_emit::Obligation& obligation, const json& run,
                                     Replayed& sum) {
@@ -391,11 +391,11 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
     options.verb = Verb::check;
     options.inputs = inputs;
     options.core = core;
-    // What takes long shows no other kind of step.
+    // Long runs show no further kinds of steps.
     options.timeout_seconds = 2;
     options.max_states = 20'000;
     Run whole(options);
-    whole.finish();  // what goes on behind the limit is not cut short: it would end the tests
+    whole.finish();  // a run that passes its limit must not end the test process
     options.run = &whole;
     const auto project = load(options);
     if (!project->diagnostics.ok()) return;
@@ -406,7 +406,7 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed})
         replay_time(*project, options, time, parsed, sum);
 } catch (const diagnostics::LimitReached&) {
-    // Counterexamples that were compared by then count.
+    // The counterexamples that were compared before the limit count.
 }
 
 }  // namespace robochart::app::testing

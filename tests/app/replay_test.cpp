@@ -1,4 +1,4 @@
-// Every counterexample that tests can make is replayed from its JSON.
+// Replays counterexamples of all models of the tests from their JSON.
 #include "tests/app/replay.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Nothing selected, nothing to check, names of nothing, numbers out of their range: each says so and ends with an exit
-// code of its own, so that a script never takes "nothing was looked at" for "everything is in order".
+// Empty selections, empty inputs, unknown names and numbers out of range: each has a message and its own exit code. A
+// script can thus distinguish "nothing was checked" from "all checks hold".
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ struct Row {
     const char* name;
     const char* arguments;
     int exit;
-    const char* said;  ///< on standard output or error
+    const char* said;  ///< expected on standard output or error
 };
 
-// A folder with: a model with two assertions, one without, one without machines, a script with an assertion and one
-// without, an empty folder, pipes without a writer.
+// A folder with a model with two assertions, a model without assertions, a model without machines, a script with an
+// assertion and one without, an empty folder, and pipes without a writer.
 constexpr const char* files = R"(
 mkdir claimed plain types empty logs
 echo 'stm Walker { event e const speed : nat initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger e } }' > claimed/m.rct
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "none of aut, dot, csp"},
         Row{"AssertionOutOfRange", "cspm --assertion 7 s.csp", 4, "s.csp has 1 assertion"},
         Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "s.csp has 1 assertion"},
-        // Nothing to do.
+        // Inputs without checks.
         Row{"NoAssertions", "check plain", 1, "2 of 3 checks hold"},
         Row{"BlocksWithoutAssertions", "check blocks", 1, "2 of 3 checks hold"},
         Row{"NoAssertionsJson", "check --format json plain", 1, "\"core\""},
@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"AssertionZero", "cspm --assertion 0 s.csp", 4, "--assertion"}),
     [](const auto& each) { return std::string(each.param.name); });
 
-/// Every verb that takes a name says that there is none of it, and which is nearest.
+/// Every verb that takes a name reports an unknown name and suggests the nearest one.
 TEST(NamesInEveryVerb, AreSuggested) {
     const std::vector<std::string> models{"verify",       "check",      "emit csp", "emit cpp",
                                           "emit monitor", "emit tests", "conform"};

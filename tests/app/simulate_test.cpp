@@ -20,8 +20,7 @@ using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 
-/// The aggregation scenario with something replaced, in a folder that is gone with the object. The model stays where it
-/// is.
+/// The aggregation scenario with one replacement, in a folder that the destructor removes. The model stays in place.
 class Changed {
 public:
     Changed(const std::string& what, const std::string& with) : file_("changed.scenario", text(what, with)) {}
@@ -106,7 +105,7 @@ TEST(Simulate, WhatCannotBeWrittenIsAnErrorReportedOnce) {
     EXPECT_TRUE(nlohmann::json::accept(json.out)) << json.out;
 }
 
-/// Whatever it is at: building the controller (after which its folder goes away) or the trials.
+/// The interrupt comes while the controller is built (its folder is then removed) or during the trials.
 TEST(Simulate, AnInterruptIsInconclusive) {
     const Changed changed("trials 10", "trials 100000");
     const auto ran = testing::run_and_signal({"simulate", changed.path(), "--no-pictures"}, SIGTERM);
@@ -131,7 +130,7 @@ TEST(Simulate, MissingFilesAndSeveralAreRefused) {
     EXPECT_EQ(run({"simulate", scenario, scenario}).exit, 4);
 }
 
-/// Errors in assertions keep back nothing that follows from the model alone; what they are is `check`'s answer.
+/// Errors in assertions do not hide results that depend on the model alone. `check` reports these errors.
 TEST(Simulate, AssertionsWithErrorsAreLeftOut) {
     const auto after = [](const std::string& command) {
         return testing::run_shell(

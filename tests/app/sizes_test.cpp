@@ -1,4 +1,4 @@
-// `check --sizes` tells how large the components' processes are, counted here by hand.
+// `check --sizes` prints the sizes of the components' processes. The expected numbers are counted by hand here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// D__ untimed: initial node, then A and B, each entered by a hidden event: five states in a line and a ring of four,
-// five transitions. O__ is the ring of a and b, and before it the compressed process itself: a compression is made when
-// its process is first asked what it does, so the first state is not one of the ring.
+// D__ untimed has five states and five transitions: the initial node, then A and B, each entered by a hidden event,
+// form a line that ends in a ring of four states. O__ is the ring of a and b, preceded by the uncompressed call: a
+// process is compressed when its transitions are first computed, so the first state is not in the ring.
 constexpr const char* machine = R"(stm S {
   event a event b
   initial i

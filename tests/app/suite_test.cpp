@@ -1,6 +1,6 @@
-// RoboTool's regression suite through the command: every folder of models that RoboTool accepts has as many obligations
-// as EXPECTED.tsv lists, and each is as worded. The obligations that differ stand in a table with the reason: one more,
-// or one less, fails the test. Skipped where the material is absent.
+// RoboTool's regression suite through the command. Each folder of models that RoboTool accepts must have as many
+// obligations as EXPECTED.tsv lists, and each obligation must have the answer that the suite states. A table lists the
+// exceptions with the reason; one more or one less fails the test. The test is skipped if the suite is absent.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is not as the suite words it, line by line as `shortfall` has it, by folder. RoboTool has no check for `clock C
-/// is initialised`. The comment above the claim in clocks6, that the clock is not used there, is that
-/// of clocks5; in clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
+/// The exceptions by folder, one line for each, in the format of `shortfall`. RoboTool has no check for `clock C is
+/// initialised`. The comment above the claim in clocks6, that the clock is not used there, was copied from clocks5. In
+/// clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
 /// (RoboToolSuite.TheClockOfClocks6IsResetBeforeItIsRead).
 const std::map<std::string, std::string>& departures() {
     static const std::map<std::string, std::string> table{
@@ -45,7 +45,7 @@ std::vector<std::string> cells(const std::string& line) {
     return result;
 }
 
-/// The rows of EXPECTED.tsv whose models are accepted: columns tier, dir, expectation, assertions_file, n_assertions,
+/// The rows of EXPECTED.tsv whose models are accepted. Columns: tier, dir, expectation, assertions_file, n_assertions,
 /// untimed_obligations, timed_obligations.
 std::vector<Row> accepted(const fs::path& suite) {
     std::vector<Row> result;
@@ -58,7 +58,7 @@ std::vector<Row> accepted(const fs::path& suite) {
     return result;
 }
 
-/// What is not as expected in the folder; empty: all obligations are there and hold as worded.
+/// The differences from the expectation in the folder; empty if all obligations exist and have the stated answers.
 std::string shortfall(const fs::path& suite, const Row& row) {
     const Ran ran = run({"check", (suite / "accept" / row.folder).string(), "--format", "json", "--timeout", "60"});
     const auto report = nlohmann::json::parse(ran.out, nullptr, false);
@@ -66,7 +66,7 @@ std::string shortfall(const fs::path& suite, const Row& row) {
     std::string result;
     std::size_t decided = 0;
     for (const auto& assertion : report["assertions"]) {
-        if (assertion.contains("core")) continue;  // of models without assertions
+        if (assertion.contains("core")) continue;  // from models without assertions
         if (assertion["answer"] == "holds")
             ++decided;
         else
@@ -98,8 +98,8 @@ TEST(RoboToolSuite, EveryObligationIsAsExpected) {
     }
 }
 
-// stm0 of clocks6 as the suite has it, and without the reset on t1: what the claim of the suite says is so there only.
-// `since(Cl)` is read by t2 and, inside the call, by T1 of opA.
+// stm0 of clocks6 as in the suite, and without the reset on t1. The claim of the suite is true only without the reset.
+// t2 reads `since(Cl)`, and so does T1 of opA inside the call.
 std::string clocks6(const std::string& reset) {
     return R"(
         interface E { event time : nat event output }

@@ -1,5 +1,5 @@
-// Models that do not belong together are judged as each alone, however many are given at once: all folders of models
-// beside the repository, where they are at hand. ROBOCHART_TOGETHER=all looks at every model, otherwise at a sample.
+// Independent models have the same verdicts together as alone, however many are given at once. The test runs all
+// folders of models next to the repository, if they are present: a sample, or every model with ROBOCHART_TOGETHER=all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Each verdict with its place; what a run of several adds in front of a title does not count, nor how often something
-/// is judged: models given alone bring the files beside them that they need.
+/// Each verdict with its place. The prefix that a run of several models adds to a title is ignored, and so are repeated
+/// verdicts: a model that is given alone loads the files next to it that it needs.
 using Verdicts = std::set<std::string>;
 
 nlohmann::json report(std::vector<std::string> arguments) {
@@ -26,7 +26,7 @@ nlohmann::json report(std::vector<std::string> arguments) {
     return nlohmann::json::parse(run(arguments).out, nullptr, false);
 }
 
-/// By the model's own path and line; core assertions have no place, and their titles name the component alone.
+/// Verdicts by the path and line of the model. Core assertions have no place; their titles name only the component.
 Verdicts verdicts(const nlohmann::json& report) {
     Verdicts result;
     if (!report.is_object() || !report.contains("assertions")) return result;
@@ -39,7 +39,7 @@ Verdicts verdicts(const nlohmann::json& report) {
     return result;
 }
 
-/// Every third model, or all of them if that is wanted.
+/// Every third model, or all if requested.
 std::vector<std::string> sample(std::vector<std::string> models) {
     std::sort(models.begin(), models.end());
     const char* wanted = std::getenv("ROBOCHART_TOGETHER");
@@ -101,7 +101,7 @@ TEST(Together, AdversarialModelsAreJudgedAsEachAlone) {
     expect_the_same(sample(models), {});
 }
 
-/// Each has a module `Mo` with a controller `C`.
+/// Each model has a module `Mo` with a controller `C`.
 TEST(Together, CodeOfModulesOfOneNameIsComparedForEach) {
     const fs::path shared = tests::shared_folder();
     if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";

@@ -1,5 +1,5 @@
-// Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model has the
-// runs that were made, and not those that were changed afterwards.
+// Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model accepts the
+// recorded runs and rejects altered ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using testing::repository;
 using testing::run;
 using testing::TemporaryFile;
 
-/// A console program of a model, built in a folder of its own.
+/// A console program of a model, built in its own folder.
 class Console {
 public:
     Console(const std::string& model, const std::string& component, std::vector<std::string> more = {})
@@ -33,19 +33,19 @@ public:
         const auto ran = run(words);
         EXPECT_EQ(ran.exit, 0) << ran.err;
         for (const auto& entry : fs::directory_iterator(folder_ / "out/main")) project_ = entry.path().string();
-        // What cmake does (tests/cpp_emit builds projects with it): the sources, with the hook.
+        // Compiles the sources with the hook, as cmake does (tests/cpp_emit builds projects with cmake).
         shell(
             "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
             "main.cpp controller/*.cpp -o console");
     }
 
-    /// The program with these lines of input and a log; what it prints.
+    /// Runs the program with these input lines and a log; returns its output.
     std::string drive(const std::string& lines, const std::string& options = "") {
         std::ofstream(project_ + "/lines") << lines;
         shell("./console --log run.trace " + options + " < lines > printed");
         return contents(project_ + "/printed");
     }
-    /// Another program with the controller, which writes run.trace.
+    /// Runs another program with the same controller, which writes run.trace.
     void run_program(const std::string& source) {
         std::ofstream(project_ + "/own.cpp") << source;
         shell(
@@ -74,7 +74,7 @@ private:
     std::string model_, project_;
 };
 
-/// The worked example of docs/traces.md.
+/// The example of docs/traces.md.
 TEST(TraceHook, ALogOfTheConsoleIsARunOfTheModel) {
     Console console(repository("corpus/aggregation"), "Aggregation");
     const std::string printed = console.drive("\nseeRobot\nseeRobot\nseeWall\n\n", "--coverage");
@@ -106,12 +106,12 @@ stm M { requires I uses E var l : Light var n : nat var r : real initial i
     transition t3 { from A to F trigger count?n action done!(level > 1) } }
 )";
 
-/// Every kind of word; a variable that is written from outside; termination. A typed event, an operation of several
-/// arguments, a boolean.
+/// All kinds of words in a log: a variable that the environment writes, termination, a typed event, an operation with
+/// several arguments, a boolean.
 TEST(TraceHook, EveryKindOfWord) {
     const TemporaryFile model("m.rct", typed);
     Console console(model.path(), "M");
-    // Two cycles with Green make level 2; then it ends.
+    // Two cycles with Green set level to 2; then the machine terminates.
     const std::string printed = console.drive("\nsee=1\nsee=1\n\ncount=1\n", "--coverage");
     EXPECT_THAT(console.log(), HasSubstr("component p::M\ncycle 1\nrun 1\n"
                                          "go!0.5!3 tock\n"
@@ -182,8 +182,8 @@ int main() {
 }
 )";
 
-/// Values with parts in the notation of CSP, as the code has them: fields in the model's order, sets in that of their
-/// members, numbers as decimals. One changed part is no run of the model.
+/// Composite values in CSP's notation, as the code prints them: fields in the model's order, sets in the order of their
+/// members, numbers as decimals. A log with one altered component is rejected.
 TEST(TraceHook, ValuesWithParts) {
     const TemporaryFile model("m.rct", with_parts);
     Console console(model.path(), "M");
@@ -205,7 +205,8 @@ TEST(TraceHook, ValuesWithParts) {
              {"mix!{Red,Green}", "mix!{Green}", "run.trace:8: run 1, cycle 3"},
              {"push!(2,1)", "push!(1,2)", "run.trace:9: run 1, cycle 4"},
              {"note!Fetch(0.5,Red)", "note!Fetch(0.5,Green)", "run.trace:10: run 1, cycle 5"},
-             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // longer than the model's sequences
+             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // longer than the maximal sequence of
+                                                                                // the model
         console.corrupt(log, from, to);
         const auto bad = console.check();
         EXPECT_EQ(bad.exit, std::string(to) == "path?<2,0,1>" ? 3 : 1) << to << bad.out << bad.err;
@@ -217,7 +218,7 @@ TEST(TraceHook, ValuesWithParts) {
     EXPECT_THAT(wrong.err, HasSubstr("turn carries a number, found `one`"));
 }
 
-/// The console reads them as it shows them; literals also by number, as it always did.
+/// The console reads values in the format in which it prints them; it also accepts the numbers of literals, as before.
 TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
     const TemporaryFile model("m.rct", with_parts);
     Console console(model.path(), "M");
@@ -230,14 +231,14 @@ TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
         console.log(),
         HasSubstr("pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"));
     EXPECT_EQ(console.check().exit, 0);
-    // None of these is a value of its type: nothing is raised.
+    // None of these is a value of its type, so no event is raised.
     console.drive(
         "\npath=<2,\npath=<2,0>x pose=(1) pose=(1,yes) seen={Blue} seen=<Red> force=(1,2,3) job=Fetch(1) job=Fetch "
         "tag=\n");
     EXPECT_THAT(console.log(), HasSubstr("run 1\nsay!\"left\\040\\057\\040right\\041\" tock\ntock\ntock\n"));
 }
 
-/// A log is asked for where the hook is left out: said, not silently nothing.
+/// A program without the hook rejects `--log` with a message.
 TEST(TraceHook, WithoutTheHookALogIsRefused) {
     const TemporaryFile model("m.rct", typed);
     const auto ran =

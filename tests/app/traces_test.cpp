@@ -1,5 +1,5 @@
 // `simulate --log` and `conform --traces` as a user runs them: runs of generated controllers are runs of their model,
-// and those of changed ones are not.
+// and runs of altered controllers are not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 
-/// A case study with one thing replaced, next to its scenario.
+/// Copies a case study with one replacement next to its scenario.
 void change(const Folder& folder, const std::string& study, const std::string& what, const std::string& with) {
     std::string model = contents(repository("corpus/" + study + "/" + study + ".rct"));
     const std::size_t at = model.find(what);
@@ -46,7 +46,7 @@ TEST(Traces, EveryRobotOfBothCaseStudiesRunsAsItsModel) {
     }
 }
 
-/// Controllers of changed models: their logs are no runs of the model.
+/// Controllers of altered models: the original model rejects their logs.
 TEST(Traces, ChangedControllersAreFoundOut) {
     struct Change {
         const char* study;
@@ -105,8 +105,8 @@ TEST(TestSuites, WriteStringsAsLogsHaveThem) {
     EXPECT_EQ(checked.exit, 0) << checked.out << checked.err << contents(folder / "out/tests/S/S.trace");
 }
 
-/// A model that leaves a choice: the GoogleTest that is written, linked with an implementation that makes the second
-/// choice, and with one that does what the model never does.
+/// A model that leaves a choice. The generated GoogleTest is linked with an implementation that takes the second
+/// choice, and with one that violates the model.
 TEST(TestSuites, FollowAnImplementationWhereTheModelLeavesAChoice) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -149,7 +149,7 @@ std::unique_ptr<Implementation> make_implementation() { return std::make_unique<
     EXPECT_THAT(contents(tests + "/reported"), HasSubstr("\n    left!\n"));
 }
 
-/// Two machines that send each other a token for ever, each time with an output, and no time passes.
+/// Two machines that send each other a token indefinitely, with an output each time, without time passing.
 TEST(TestSuites, AreRefusedWhereACycleHasNoEnd) {
     const testing::TemporaryFile model(
         "m.rct",

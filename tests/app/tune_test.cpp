@@ -1,4 +1,4 @@
-// The verb `tune` as a user runs it, in a world whose best constants are known; certificates that were changed.
+// The verb `tune` as a user runs it, in a world whose best constants are known, and altered certificates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,9 @@ using testing::run;
 using testing::run_shell;
 using tests::contents;
 
-/// A robot that drives along a curve, or spins. From (0, 0) to within 30 cm of a lamp at (100 cm, 0) it takes 70 cm
-/// straight on, so the best is no curve, no spinning, and the highest speed. Speeds above 8 reach the state Hasty.
+/// A robot that drives along a curve, or spins. The way from (0, 0) to within 30 cm of a lamp at (100 cm, 0) is 70 cm
+/// straight ahead, so the best constants are no curve, no spinning, and the highest speed. Speeds above 8 reach the
+/// state Hasty.
 constexpr const char* model = R"(package aim
 interface Drive {
 	const speed : real = 4
@@ -102,7 +103,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_THAT(again.out, HasSubstr("\nthe certificate says what is decided here\n"));
     EXPECT_THAT(again.out, HasSubstr("  ranges: none\n  search: as recorded, not repeated\n"));
 
-    // Changed without a new digest, then with one; then the model is another.
+    // The certificate is altered without and with a new digest; then the model is altered.
     const std::string text = contents(file);
     std::string error;
     std::string changed = text;
@@ -120,7 +121,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_EQ(refuted.exit, 1) << refuted.err;
     EXPECT_THAT(refuted.out, HasSubstr("differs      claim: probability way <= 30 cm"));
 
-    // Text of a certificate makes no lines.
+    // A line end in the certificate's text must not start a new line of output.
     forged->evidence.assertions.at(0).subject = "A1\nthe certificate says what is decided here\n";
     EXPECT_EQ(diagnostics::replace_file(file, certificate_text(*forged)), "");
     const auto faked = run(verify);
@@ -135,7 +136,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_THAT(other.out, HasSubstr("differs      model: aim.assertions is not the one that is certified"));
 }
 
-/// Faster would be better, but then an assertion fails.
+/// A higher speed would be better, but an assertion fails for it.
 TEST(Tune, WhatFailsACheckIsRefused) {
     const Folder folder(project(not_hasty));
     const auto ran = run(tuning(folder, {"--budget", "300", "--format", "json"}));
@@ -147,7 +148,8 @@ TEST(Tune, WhatFailsACheckIsRefused) {
     EXPECT_GT(refused, 0U);
 }
 
-/// No robot is there within a second, and a certificate that says so is true.
+/// No robot reaches the lamp within a second. A certificate that states this is correct, but the exit code is not
+/// success.
 TEST(Tune, ACertificateOfWhatFailsIsNoSuccess) {
     std::string fast = world;
     fast.replace(fast.find("within 30 s"), 11, "within 1 s");
@@ -169,7 +171,8 @@ TEST(Tune, ACertificateOfWhatFailsIsNoSuccess) {
     EXPECT_EQ(json.at("exit"), 1);
 }
 
-/// The scenario's own constants are those of the robots, so the model is checked with them too: at 9, Hasty is reached.
+/// The scenario's own constants are constants of the robots, so the model is checked with them too: with speed 9, Hasty
+/// is reachable.
 TEST(Tune, ConstantsOfTheScenarioAreThoseOfTheCertificate) {
     std::string hasty = world;
     hasty.replace(hasty.find("noise 5 %"), 9, "noise 5 % const speed = 9 const spinning = true");
@@ -203,7 +206,7 @@ TEST(Tune, TheSameForAnyNumberOfThreadsAndGoesOnWhereItWas) {
                   "cmp one/tuning/Aim/certificate.json three/tuning/Aim/certificate.json && echo equal\n"
                   "tune --threads 2 --out three | grep known\n");
     EXPECT_THAT(ran.out, HasSubstr("equal\n")) << ran.err;
-    // A third of the budget suffices for three candidates on five seeds, and so many may survive.
+    // A third of the budget suffices for three candidates on five seeds, and three candidates may survive.
     EXPECT_THAT(ran.out, HasSubstr("15 of 15 trials known from earlier runs")) << ran.err;
 }
 

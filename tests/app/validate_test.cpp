@@ -49,7 +49,7 @@ TEST(Validate, ReportsInEveryFormat) {
 TEST(Validate, FixAppliesWhatIsCertainAndReportsTheRest) {
     const TemporaryFile file("m.rct", bad);
     auto ran = run({"validate", "--fix", file.path()});
-    // What the syntax hid shows after the first round.
+    // The second round reports errors that the syntax errors hid.
     ran = run({"validate", "--fix", file.path()});
     EXPECT_EQ(ran.exit, 0) << ran.err;
     EXPECT_EQ(contents(file.path()),
@@ -60,7 +60,7 @@ TEST(Validate, FixAppliesWhatIsCertainAndReportsTheRest) {
     EXPECT_EQ(contents(file.path()), before);
 }
 
-/// What somebody writes who knows UML and C: each run fixes what it understands, which lets the next one see more.
+/// Notations of UML and C. Each run fixes the errors that it understands, so the next run finds more.
 TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
     const TemporaryFile file(
         "m.rct",
@@ -96,7 +96,7 @@ TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
     EXPECT_EQ(run({"validate", file.path()}).exit, 0);
 }
 
-/// The claim's fix would not be read: nothing is written, and it is said.
+/// The fix of the claim would not parse, so the file stays unchanged and a message says so.
 TEST(Validate, FixWritesOnlyWhatReadsBetter) {
     const testing::Folder folder({{"m.rct", good}, {"c.assertions", "prob property P1 : P=? [ F S is in S::s ]\n"}});
     const auto ran = run({"validate", "--fix", folder.path()});
@@ -115,7 +115,7 @@ TEST(Validate, LooksIntoCspBlocks) {
     EXPECT_NE(ran.err.find("c.assertions:2:5"), std::string::npos) << ran.err;
 }
 
-/// What the model's own text causes is bad input, with its place; what an option asks for is wrong usage.
+/// An error caused by the model's text is bad input, with its place. An error caused by an option is wrong usage.
 TEST(Refused, ByTheModelOrByAnOption) {
     const TemporaryFile file("m.rct",
                              "stm S {\n  var n : nat\n  initial i\n  state s { entry n = 100000000000 }\n"
