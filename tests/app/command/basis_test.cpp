@@ -1,4 +1,4 @@
-// What a verdict rests on stands with it in every format, also where the claim holds and little is printed.
+// Every format shows the assumptions of a verdict next to it, also if the claim holds and output is brief.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,9 +98,9 @@ TEST(Basis, TextOfOthersIsEscaped) {
 
 // ---------------------------------------------------------------- what the command finds
 
-using Kinds = std::vector<std::pair<std::string, std::string>>;  // kind and element of each ground
+using Kinds = std::vector<std::pair<std::string, std::string>>;  // kind and element of each assumption
 
-/// Of each claim, by its name and time: "Free [untimed]".
+/// The assumptions of each claim, by its name and time: "Free [untimed]".
 std::map<std::string, Kinds> checked(const std::vector<std::pair<std::string, std::string>>& files) {
     const testing::Folder folder(files);
     const auto ran = testing::run({"check", folder.path(), "--format", "json", "--allow", "RC-U01"});
@@ -153,7 +153,8 @@ untimed assertion FullOnce : pump::Pump refines Once in the traces model
 timed assertion InTime : pump::Pump is deadlock-free
 )";
 
-// `FullOnce` holds since `fills < most` stays without time; of traces fewer are possible in time, not more.
+// `FullOnce` holds without an assumption: the untimed semantics keeps the guard `fills < most`, and time only removes
+// traces.
 TEST(GuardBasis, NamesTheGuardsOfTheRun) {
     const auto found = checked({{"pump.rct", pump}, {"pump.assertions", about_pump}});
     const Kinds late{{"guard", "pump::Pump::t2"}};
@@ -189,14 +190,14 @@ TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
     const auto without = checked({{"r.rct", echo}, {"r.assertions", claims("echo::Echo::a.in -> Spec")}});
     EXPECT_EQ(without,
               (std::map<std::string, Kinds>{{"A [untimed]: holds", {}}, {"A [timed]: fails", {{"noTime", ""}}}}));
-    // What the verdict says to write.
+    // The specification that the verdict suggests.
     const std::string open = "Once ||| RUN({tock})\nOnce = echo::Echo::a.in -> Once";
     const auto with =
         checked({{"r.rct", echo},
                  {"r.assertions", "package claims\nimport echo::*\ntimed csp Spec csp-begin\nSpec = " + open +
                                       "\ncsp-end\ntimed assertion A : echo::Echo refines Spec in the traces model\n"}});
     EXPECT_EQ(with, (std::map<std::string, Kinds>{{"A [timed]: holds", {}}}));
-    // Here time is forbidden after the first event alone: the specification does let time pass.
+    // Only the specification after the first event forbids time; the initial state lets time pass.
     const auto once = checked({{"r.rct", echo},
                                {"r.assertions",
                                 "package claims\nimport echo::*\ntimed csp Spec csp-begin\n"
@@ -205,7 +206,7 @@ TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
     EXPECT_EQ(once, (std::map<std::string, Kinds>{{"A [timed]: fails", {}}}));
 }
 
-// The deadline of B cannot be met: that `b` comes in time is true since no time passes.
+// The deadline of B cannot be met: "`b` comes in time" is true because time cannot pass.
 TEST(TimeBasis, TimeThatStopsAndAnEndAreNamed) {
     const char* const model = R"(
 package late

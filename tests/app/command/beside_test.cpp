@@ -1,4 +1,4 @@
-// Formats beside what is printed: --json, --junit, --sarif and --html in one run, whatever its end.
+// Additional output files: --json, --junit, --sarif and --html in one run, for every outcome.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Holds, and fails: nothing ever happens in B.
+// One claim holds, the other fails: state B has no outgoing transition.
 constexpr const char* model = R"(
 mkdir gate
 echo 'stm Gate { event open initial i state A { } state B { } transition t0 { from i to A } transition t1 { from A to B trigger open } }' > gate/gate.rct
@@ -25,7 +25,7 @@ Ran gate(const std::string& arguments) {
     return run_shell(std::string(model) + "timeout 60 \"$verify\" " + arguments);
 }
 
-/// What a shell prints of the files that the run leaves.
+/// Prints the files that the run wrote.
 constexpr const char* show_all =
     "; echo \"exit $?\"; for f in r.json r.xml r.sarif r.html; do echo \"== $f\"; cat $f; done";
 
@@ -101,7 +101,7 @@ TEST(Beside, OtherVerbsHaveThemToo) {
     EXPECT_TRUE(json::parse(part(ran.out, "r.json")).contains("schema"));
 }
 
-// What GitHub's service and Microsoft's validator ask of a log.
+// The requirements of GitHub's service and Microsoft's validator on a SARIF log.
 TEST(Beside, ResultsOfCorePropertiesHavePlaces) {
     const Ran ran = run_shell(
         "echo 'stm Sitter { initial i state A { } transition t0 { from i to A } }' > m.rct\n"

@@ -1,4 +1,4 @@
-// What csp blocks claim, and that they replace what the heading of the report shows.
+// Assertions in csp blocks, and blocks that replace the instantiation that the heading of the report shows.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -19,14 +19,14 @@ const std::string model =
     "package p stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger "
     "e } }";
 
-/// A model whose assertion file has a block with these assert lines and a claim that holds.
+/// A model whose assertion file has a block with these assert lines, and a claim that holds.
 Folder claiming(const std::string& lines) {
     return Folder({{"m.rct", model},
                    {"m.assertions", "package q import p::* untimed csp X csp-begin\nX = STOP\n" + lines +
                                         "csp-end\nuntimed assertion A : p::S is deadlock-free"}});
 }
 
-// S takes e again and again: STOP does not allow that, RUN({e}) does.
+// S takes e repeatedly: it does not refine STOP, but it refines RUN({e}).
 TEST(BlockClaims, AssertLinesOfBlocksAreDecided) {
     const Folder folder = claiming(
         "assert STOP [T= p::S::O__(0)\nassert RUN({p::S::e.in}) [T= p::S::O__(0)\n"
@@ -51,7 +51,7 @@ TEST(BlockClaims, ADenialThatDoesNotHoldFailsWithoutARun) {
     EXPECT_THAT(ran.out, HasSubstr("what it denies holds"));
 }
 
-// The script that is written has each of them once.
+// The generated script contains each of them once.
 TEST(BlockClaims, AreWrittenOnce) {
     const Folder folder = claiming("assert STOP [T= p::S::O__(0)\n");
     EXPECT_EQ(run({"emit", "csp", folder.path(), "--untimed", "--out", folder / "out"}).exit, 0);
@@ -73,8 +73,8 @@ TEST(BlockClaims, ABlockOfInstantiationsIsSaidToReplaceThem) {
     EXPECT_THAT(ran.out, HasSubstr("the csp block Instantiations replaces that in the scripts"));
 }
 
-/// A verdict on code is about other constants than the claims where a block gives them; who sets them too is not
-/// warned.
+/// If a block sets constants, the verdict on the code is about other constants than the claims. The warning is omitted
+/// if the command line sets the same constants.
 TEST(BlockClaims, ConformSaysWhatItHasOtherValuesOf) {
     const std::string machine =
         "package p function f(x : nat) : nat { } stm S { event o : nat const k : nat const j : nat = 2 initial i "

@@ -1,8 +1,8 @@
-// Plays somebody at a page in Chromium: `node browser.mjs FILE [dark|noscript]`, a command a line on standard input.
-// `key NAME` presses a key, `click SELECTOR` clicks, `open HASH` changes the address, `back` goes back, `scheme dark` and
-// `scheme light` change the reader's colours, `calm` makes a reader who prefers less motion, `paper` shows the page as it
-// is printed by a reader who has dark colours, `print EXPRESSION` writes a value. What should not be is written at the end,
-// "problem: ..." each.
+// Simulates a user of a page in Chromium: `node browser.mjs FILE [dark|noscript]`, with one command per line on
+// standard input. `key NAME` presses a key, `click SELECTOR` clicks, `open HASH` changes the address, `back` goes back,
+// `scheme dark` and `scheme light` change the preferred colours, `calm` sets the preference for reduced motion, `paper`
+// shows the page as printed for a user who prefers dark colours, `print EXPRESSION` writes a value. At the end it
+// writes one line "problem: ..." for each problem.
 import { readFileSync } from "node:fs";
 import { inChromium } from "../../browser/chromium.mjs";
 

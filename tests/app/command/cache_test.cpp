@@ -1,4 +1,4 @@
-// What earlier runs have worked out makes a run shorter and changes none of its answers.
+// Cached results of earlier runs make a run faster and change none of its answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Forty of a hundred places: 1,600 pairs of states and more.
+/// Forty of a hundred places: at least 1,600 pairs of states.
 const char* const script = R"(cat > s.csp <<'END'
 channel up, down, left, right
 N(a, b, n) = n < 40 & a -> N(a, b, n + 1) [] n > 0 & b -> N(a, b, n - 1)
@@ -62,7 +62,7 @@ TEST(Cache, CompiledCodeIsKept) {
     const std::string model = repository("corpus/aggregation");
     const Ran ran = run_shell("export XDG_CACHE_HOME=\"$PWD/cache\"; $verify conform -q " + model +
                               " && find cache -type f | wc -l && PATH= $verify conform -q " + model);
-    // The second run has no compiler to ask which one it is, so it must not take the object.
+    // The second run has no compiler whose version it could compare, so it must not use the cached object.
     EXPECT_THAT(ran.out, HasSubstr("1 of 1 controllers conform"));
     EXPECT_NE(ran.exit, 0);
     const Ran again = run_shell("export XDG_CACHE_HOME=\"$PWD/cache\"; for i in 1 2; do $verify conform -q " + model +

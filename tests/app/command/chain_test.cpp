@@ -1,4 +1,4 @@
-// `simulate` with a scenario that has a chain, as a user runs it: answers, refutation, files, what is not taken.
+// `simulate` with a scenario that has a chain, as a user runs it: answers, refutation, files, rejected inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
-/// The scenario beside a copy of the model.
+/// A folder with the scenario and a copy of the model.
 Folder folder_with(const std::string& text) {
     return Folder(
         {{"m/foraging.rct", tests::contents(repository("corpus/foraging/foraging.rct"))}, {"m/chain.scenario", text}});
@@ -53,9 +53,9 @@ TEST(Chain, AnswersAndLeavesFiles) {
     EXPECT_THAT(tests::contents(out + "chain-checks.csv"), HasSubstr("contradicts\n1,0,"));
 }
 
-/// A robot comes home after at least a time that depends on how far it went, and searches for at most twenty seconds:
-/// in steps of five the state does not say for how long it has. After five seconds nobody is on a new search who was on
-/// the way home: it rests for as long.
+/// The time to return home depends on the distance, and a search takes at most twenty seconds. With steps of five
+/// seconds, the state does not determine how long a robot has been in it. A robot that was on its way home cannot
+/// search again after five seconds, because it rests for as long.
 TEST(Chain, IsRefutedWhereTheStateSaysTooLittle) {
     const Folder folder = folder_with(
         replaced(replaced(scenario(), "every 60 s", "every 5 s"), "estimate probability homing >= 50 % within",
@@ -69,7 +69,7 @@ TEST(Chain, IsRefutedWhereTheStateSaysTooLittle) {
     EXPECT_THAT(ran.out, HasSubstr("refuted: the chain is no abstraction here"));
 }
 
-/// What the code does in several time units at once is not excluded by what one of them admits.
+/// The behaviour of the code over several time units is not excluded by what the model admits in one time unit.
 TEST(Chain, SeveralTimeUnitsInAStepExcludeNothing) {
     const Folder folder = folder_with(replaced(scenario(), "unit 1 s", "unit 0.5 s"));
     const Ran ran = run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "30"});
@@ -77,7 +77,7 @@ TEST(Chain, SeveralTimeUnitsInAStepExcludeNothing) {
     EXPECT_THAT(ran.out, HasSubstr(" 0 excluded: several time units pass in a control step"));
 }
 
-/// With few trials the claim of the corpus' decision is open, and nothing refutes it.
+/// With few trials the claim about the corpus' decision stays undecided, and no test refutes the chain.
 TEST(Chain, OfTheDecisionIsNotRefuted) {
     const Ran ran =
         run({"simulate", repository("corpus/best_of_n/chain.scenario"), "--no-pictures", "--trials", "200"});
@@ -86,7 +86,8 @@ TEST(Chain, OfTheDecisionIsNotRefuted) {
     EXPECT_THAT(ran.out, HasSubstr("fresh trials do not contradict the chain at 13 times"));
 }
 
-/// Without the robots that say B, the start is taken for a state in which all of them do: what follows differs.
+/// The chain does not observe the robots that say B, so it treats the start like a state in which all robots say B. The
+/// next states differ.
 TEST(Chain, OfTheDecisionIsRefutedByItsOrderWhereItTellsLessApart) {
     std::string text = tests::contents(repository("corpus/best_of_n/chain.scenario"));
     text.erase(text.find("abstract by"));
@@ -115,7 +116,7 @@ TEST(Chain, OptionsOfTrialsThatAreWatchedAreRefused) {
     }
 }
 
-/// What a limit ends is open.
+/// A trial that a limit ends leaves the answer open.
 TEST(Chain, LimitsAreObeyed) {
     const Folder folder = folder_with(replaced(scenario(), "duration 600 s", "duration 100000 s"));
     const Ran ran =

@@ -1,4 +1,4 @@
-// Words of --assertion: what they mean of a list of claims.
+// Arguments of --assertion and the claims that they select.
 #include "app/base/claim_selection.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// `draw` with the diagrams that RoboTool keeps beside a model.
+// `draw` with the diagrams that RoboTool stores next to a model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ constexpr const char* machine =
     "stm S {\n event e\n initial i\n state A { }\n transition t { from i to A }\n transition u { from A to A trigger e "
     "}\n}\n";
 
-/// Its two nodes, 300 pixels apart; the transitions are left to us.
+/// The file stores two nodes, 300 pixels apart; the program routes the transitions.
 constexpr const char* diagrams =
     "<XMI xmlns:xmi=\"m\"><d:DSemanticDiagram xmlns:d=\"d\"><ownedAnnotationEntries><data "
     "xmi:type=\"notation:Diagram\">"
@@ -39,7 +39,7 @@ constexpr const char* diagrams =
     "href=\"x[name='StateID']\"/></ownedDiagramElements>"
     "</d:DSemanticDiagram></XMI>";
 
-/// In a folder with the model and a file of diagrams.
+/// A folder with the model and a file of diagrams.
 std::string with(const std::string& aird, const std::string& commands) {
     return std::string("cat > m.rct <<'EOF'\n") + machine + "EOF\ncat > representations.aird <<'EOF'\n" + aird +
            "\nEOF\n" + commands;
@@ -50,7 +50,7 @@ TEST(DrawStored, UsesWhatAPersonDrew) {
     const auto drawn = run_shell(with(diagrams, "\"$verify\" draw m.rct S --allow STM8"));
     EXPECT_EQ(drawn.exit, 0) << drawn.err;
     EXPECT_NE(drawn.out, own.out);
-    // Of the state: 5 pixels inside of the frame, which is 14 from the left of the picture.
+    // The state is 5 pixels inside the frame, which is 14 pixels from the left of the picture.
     EXPECT_THAT(drawn.out, HasSubstr("x=\"329\""));
     EXPECT_THAT(drawn.err,
                 HasSubstr("note[RC-D03]: state machine S is drawn as in representations.aird, which does not "
@@ -58,7 +58,7 @@ TEST(DrawStored, UsesWhatAPersonDrew) {
     EXPECT_THAT(own.err, Not(HasSubstr("RC-D0")));
 }
 
-/// They have no places.
+/// These formats contain no positions.
 TEST(DrawStored, FormatsForOtherProgramsAreAsWithoutIt) {
     for (const std::string format : {"dot", "mermaid"}) {
         const std::string command = "\"$verify\" draw m.rct S --allow STM8 --format " + format;
@@ -89,7 +89,7 @@ TEST(DrawStored, FilesThatAreNoneAreANote) {
     EXPECT_THAT(ran.err, HasSubstr("note[RC-D01]"));
 }
 
-/// The file is never written.
+/// The command never writes this file.
 TEST(DrawStored, LeavesTheFileAsItIs) {
     const auto ran = run_shell(with(diagrams,
                                     "chmod 400 representations.aird; cp -p representations.aird before; "
@@ -98,7 +98,7 @@ TEST(DrawStored, LeavesTheFileAsItIs) {
     EXPECT_EQ(ran.out, "1\n");
 }
 
-/// References to files lead nowhere: what they name is neither opened nor missed.
+/// References to other files are ignored: the command neither opens these files nor reports them as missing.
 TEST(DrawStored, OpensNoOtherFile) {
     std::string aird = diagrams;
     for (std::size_t at = 0; (at = aird.find("m.rct#", at)) != std::string::npos; at += 20)

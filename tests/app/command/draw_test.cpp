@@ -1,5 +1,5 @@
-// The verb `draw` as a user runs it: all diagrams into a folder, one to standard output or a file, formats, what is
-// refused.
+// The verb `draw` as a user runs it: all diagrams into a folder, one to standard output or a file, formats, rejected
+// inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,7 +111,7 @@ TEST(Draw, ImagesAreMadeByRsvgConvert) {
     EXPECT_THAT(run({"draw", model, "AggregationFSM", "--format", "pdf"}).out, StartsWith("%PDF"));
 }
 
-/// Of every diagram of both case studies: chunks with their checksums, and the tree of objects.
+/// Checks every diagram of both case studies: chunks with their checksums, and the tree of objects.
 TEST(Draw, ImagesAreAcceptedByProgramsThatReadThem) {
     for (const char* const program : {"rsvg-convert", "pngcheck", "pdfinfo"})
         ROBOCHART_NEEDS(std::system(("command -v " + std::string(program) + " > /dev/null 2>&1").c_str()) == 0,
@@ -139,7 +139,7 @@ TEST(Draw, WithoutRsvgConvertItSaysWhatToInstall) {
     EXPECT_THAT(ran.err, HasSubstr("apt install librsvg2-bin"));
 }
 
-/// Names of models decide nothing about where files go; a link in the folder is not followed.
+/// Names in a model cannot redirect files out of the folder, and a symbolic link in the folder is not followed.
 TEST(Draw, FollowsNoLinkInTheFolder) {
     const std::vector<std::pair<std::string, std::string>> files{{"kept", "kept"}};
     const Folder folder(files);
@@ -150,7 +150,7 @@ TEST(Draw, FollowsNoLinkInTheFolder) {
     EXPECT_THAT(contents(folder / "d/AggregationFSM.svg"), StartsWith("<svg "));
 }
 
-/// The pictures of docs/diagrams.md are those that the program draws.
+/// The pictures in docs/diagrams.md are identical to the program's output.
 TEST(Draw, PicturesOfTheDocumentationAreUpToDate) {
     for (const auto& [component, picture] : {std::pair{"SwarmTaxisFSM", "machine"}, {"SwarmTaxis", "module"}})
         EXPECT_EQ(run({"draw", repository("corpus/swarm_taxis"), component}).out,

@@ -44,7 +44,7 @@ TEST_F(EmitPrism, PreferencesGiveTheRanges) {
     EXPECT_THAT(written(), HasSubstr("M_c_s_n : [0..7];"));
 }
 
-/// Of a model of PRISM that nobody made of a RoboChart model there is no such advice.
+/// A PRISM model that was not generated from RoboChart gets no such advice.
 TEST_F(EmitPrism, AValueOutOfItsRangeSaysWhatSetsTheRange) {
     EXPECT_EQ(emit({"--range", "int=0..2", "--range", "nat=0..2"}).exit, 0);
     const Ran ran = run({"prism", folder_ / "out/prism/M.prism"});

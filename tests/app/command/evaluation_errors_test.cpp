@@ -1,4 +1,4 @@
-// What cannot be evaluated is an error with the model's place in every verb that evaluates a script: exit 2.
+// An evaluation error is reported with its place in the model, with exit code 2, by every verb that evaluates a script.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ const std::string log = "robochart-trace 1\ncomponent Sorter\nrun one\nweight?0 
 
 struct Question {
     const char* name;
-    std::vector<std::string> arguments;  ///< behind the verb's own; "MODEL", "RULES" and "LOG" are files
+    std::vector<std::string> arguments;  ///< after the verb's own; "MODEL", "RULES" and "LOG" are files
     std::string input;
 };
 
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Verbs, EvaluationErrors,
                                            Question{"step", {"step", "MODEL", "Sorter"}, "1\n1\n1\n"}),
                          [](const auto& each) { return std::string(each.param.name); });
 
-// Line 2 declares the call: its two reals have too many values together.
+// Line 2 declares the call: its two reals have too many combinations of values.
 TEST(EvaluationErrorsOfTypes, HaveThePlaceOfTheDeclaration) {
     const Folder folder(
         {{"arm.rct",

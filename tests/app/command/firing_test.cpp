@@ -1,5 +1,4 @@
-// The core property "every transition fires": what is said of models in which it is plain why a transition is taken or
-// never is.
+// The core property "every transition fires", for models in which it is obvious whether a transition can be taken.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -49,7 +48,8 @@ transition t3 { from B to B trigger e condition x == 1 } })");
     EXPECT_THAT(out, Not(HasSubstr("t3")));
 }
 
-// Both guards may be true for all that a step tells: that one is taken says nothing of the other.
+// Both guards may be true, and the step does not show which transition was taken. One transition being taken says
+// nothing about the other.
 TEST(Firing, IsNotKnownWhereAStepDoesNotTellTransitionsApart) {
     const std::string out = checked(R"(stm S { event e initial i var x : nat
 state A { } state B { }
@@ -69,12 +69,12 @@ transition t3 { from B to A trigger e } })",
     FAIL() << out;
 }
 
-/// Sends `o` never.
+/// Never sends `o`.
 const std::string silent = R"(stm Silent { event o initial i state A { } state B { entry send o }
 transition t0 { from i to A } transition t1 { from A to B condition false } transition t2 { from B to A } }
 )";
 
-// The machine alone takes `never` from anybody; in the controller nobody sends it.
+// The machine alone accepts `never` from its environment. In the controller no component sends it.
 TEST(Firing, IsAskedInTheContextOfEachComponent) {
     const std::string out = checked(silent + R"(stm S { event e event never initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to A trigger e } transition t2 { from A to B trigger never }
@@ -88,7 +88,7 @@ controller C { event e sref s = S sref u = Silent connection C on e to s on e co
     EXPECT_THAT(out.substr(out.find("state machine S\n")), HasSubstr("every transition fires"));
 }
 
-// Of one definition that runs twice.
+// One definition with two instances.
 TEST(Firing, IsAskedOfEachInstance) {
     const std::string out = checked(silent + R"(stm S { event e initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e } transition t2 { from B to A } }
@@ -100,7 +100,7 @@ connection C on e to one on e connection u on o to two on e })");
     EXPECT_THAT(inside, Not(HasSubstr("one: t1")));
 }
 
-/// A machine that goes through 30 states, over and over.
+/// A machine that cycles through 30 states.
 std::string ring(const std::string& name) {
     std::string text = "stm " + name + " { event e initial i var x : nat\ntransition t0 { from i to A0 }\n";
     for (int at = 0; at < 30; ++at)
@@ -108,7 +108,7 @@ std::string ring(const std::string& name) {
     return text + "transition never { from A0 to A1 condition x > 0 } }\n";
 }
 
-// Three of them side by side have 27,000 states.
+// Three such machines in parallel have 27,000 states.
 TEST(Firing, IsNotKnownWhereThereAreTooManyStates) {
     const std::string out =
         checked(ring("R") + "controller C { event a event b event c sref r = R sref s = R sref t = R\n" +

@@ -19,7 +19,7 @@ using ::testing::StartsWith;
 
 using Names = std::set<std::string>;
 
-/// All that matches the first group of the pattern.
+/// All matches of the first group of the pattern.
 Names found(const std::string& text, const std::string& pattern) {
     Names names;
     const std::regex expression(pattern);
@@ -40,7 +40,7 @@ Names all_names() {
     return names_of(options_of(~Verbs{0}));
 }
 
-/// The options that begin a line of a help text.
+/// The options at the beginning of lines of a help text.
 Names listed(const std::string& help) {
     Names names = found(help, "\n  (?:-[a-z], |    )(--[a-z][a-z0-9-]*)");
     names.merge(found(help, "\n  (-[a-z]), --"));
@@ -98,7 +98,8 @@ TEST(Help, AsAVerbSaysTheSame) {
     EXPECT_EQ(run({"version"}).out, std::string("robochart-verify ") + program_version + "\n");
 }
 
-/// Where both a verb and a folder have the name, the verb is meant; a folder of nearly the name stays a model.
+/// If a verb and a folder have the same name, the word means the verb. A folder whose name is similar to a verb is a
+/// model.
 TEST(Help, AModelMayBeCalledLikeAVerb) {
     const Ran ran = run_shell(
         "mkdir chek help\necho 'stm S { initial i state A { } transition t { from i to A } }' > chek/m.rct\n"
@@ -148,7 +149,7 @@ TEST(Completions, NameTheOptionsAndNoOthers) {
     EXPECT_EQ(in_zsh, all_names());
 }
 
-/// `explain` and `--allow` complete codes, in small letters too.
+/// `explain` and `--allow` complete codes, also in lower case.
 TEST(Completions, OfCodesInBash) {
     const auto completed = [](const std::string& words, int current) {
         return run_shell(
@@ -164,7 +165,7 @@ TEST(Completions, OfCodesInBash) {
     EXPECT_EQ(completed("check --allow RC-P01", 3), "\n") << "an error";
 }
 
-/// What is installed and read without the program is what the program writes.
+/// The installed man page and completions are identical to the program's output.
 TEST(Completions, AreKeptAsTheyAreWritten) {
     const auto kept = [](const char* path) { return tests::contents(repository(path)); };
     constexpr const char* how = "robochart-verify help --generate writes it anew";

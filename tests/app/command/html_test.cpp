@@ -1,4 +1,4 @@
-// `--html`: the page says what the JSON says, marks elements that are there, and lets nothing of the model act.
+// `--html`: the page agrees with the JSON, marks existing elements, and runs no code from the model.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ transition t0 { from i to A } transition t1 { from A to B trigger e } })"},
                                  all(claim, "class=\"edge[^\"]*\" id=\"[^\"]*\" data-element=\"(e[0-9]+)\"").at(1)));
 }
 
-// Without script: the diagrams are as they are behind the last step, in which t1 has led to B.
+// Without script the page shows the diagrams after the last step, in which t1 has led to B.
 TEST(Html, ShowsTheEndWithoutScript) {
     const Folder folder(
         {{"m.rct", R"(package p stm S { event e initial i var x : nat state A { } state B { }
@@ -95,11 +95,12 @@ transition t2 { from B to B trigger e condition x == 2 } })"},
                 ::testing::ElementsAre("state B"));
     EXPECT_THAT(between(claim, "<p class=\"values\">", "</p>"), ::testing::ElementsAre("x = 2"));
     EXPECT_THAT(claim, Not(HasSubstr(">time</th>"))) << "untimed";
-    // The row in which x is written has it as changed, the others no variable.
+    // Only the row in which x is written marks it as changed.
     EXPECT_EQ(all(claim, "data-values=\"([^\"]*&quot;x&quot;,&quot;2&quot;,true[^\"]*)\"").size(), 1U);
 }
 
-// What is possible at the end and what the specification allows: it forbids f, which the machine sends.
+// The page lists the possible events at the end and the events that the specification allows. The specification forbids
+// f, which the machine sends.
 TEST(Html, SaysWhatIsAllowedWhereItEnds) {
     const Folder folder({{"m.rct", R"(package p stm S { event e event f initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e action send f } })"},
@@ -112,7 +113,7 @@ transition t0 { from i to A } transition t1 { from A to B trigger e action send 
     EXPECT_THAT(end, HasSubstr("<dt>the specification allows</dt><dd>input e</dd>"));
 }
 
-// For those who cannot see the picture.
+// For readers who cannot see the picture.
 TEST(Html, DiagramsAreThereAsText) {
     const TemporaryFile file("m.rct", R"(package p stm S { event e initial i var x : nat state A { } junction j
 transition t0 { from i to A } transition t1 { from A to j trigger e condition x < 1 } transition t2 { from j to A } }
@@ -126,7 +127,7 @@ controller C { event f sref a = S connection C on f to a on e })");
     EXPECT_THAT(diagrams, HasSubstr("<li>C, f -&gt; ref a = S, e</li>"));
 }
 
-// B is never reached and t1 never taken; t2 is taken in the machine alone.
+// B is never reached and t1 never taken; t2 is taken only in the machine without its context.
 TEST(Html, WhatNoRunExercisesIsDashed) {
     const TemporaryFile file("m.rct", R"(package p stm S { event e initial i var x : nat state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e condition x > 1 }
@@ -139,7 +140,7 @@ transition t2 { from A to A trigger e } })");
                 ::testing::ElementsAre("state B"));
 }
 
-// Both triggerless: it goes on for ever without time passing.
+// Both transitions have no trigger: the machine takes them indefinitely without time passing.
 TEST(Html, AModelThatIsNotSchedulableIsSteppedThrough) {
     const TemporaryFile file("m.rct", R"(package p stm S { initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B } transition t2 { from B to A } })");
@@ -154,7 +155,7 @@ transition t0 { from i to A } transition t1 { from A to B } transition t2 { from
     EXPECT_THAT(between(page, "<pre tabindex=\"0\">", "</pre>").at(0), HasSubstr("\n")) << "line by line";
 }
 
-/// A shell's beginning: from here on a compiler comes first that changes the generated code by this script of sed.
+/// Shell commands that put a wrapper before the compiler. The wrapper changes the generated code with this sed script.
 std::string with_changed_code(const std::string& change) {
     return R"sh(mkdir bin; cat > bin/c++ <<'END'
 #!/bin/sh
@@ -167,7 +168,7 @@ chmod +x bin/c++; export PATH="$PWD/bin:$PATH"; export CHANGE=)sh" +
            ("'" + change + "'\n");
 }
 
-// The code turns the other way: the model's run ends where it would turn, in the state whose action that is.
+// The code turns the other way. The model's run ends before that turn, in the state whose action turns.
 TEST(Html, CodeThatDiffersIsSteppedThrough) {
     const Ran ran = run_shell(with_changed_code("s/Real(90.0)/Real(-90.0)/") +
                               "\"$verify\" init w > /dev/null\n"
@@ -211,7 +212,7 @@ TEST(Html, NothingOfTheModelActs) {
     EXPECT_THAT(both.page, HasSubstr("&lt;img"));
 }
 
-// A log that the model has, and one that calls turn before forward: it is followed up to there.
+// One log that the model accepts, and one that calls turn before forward: the page follows it up to that call.
 TEST(Html, LogsAreSteppedThrough) {
     const Folder folder;
     const auto log = [&](const std::string& name, const std::string& cycle) {
@@ -243,14 +244,15 @@ TEST(Html, ThatCannotBeWrittenIsAnError) {
 
 class HtmlInABrowser : public InABrowser {};
 
-/// What a page shows of a step: the sentence, and the filled states by machine, in the diagrams of its operations too.
+/// For each step, the page shows a sentence and the active states of each machine, also in the diagrams of its
+/// operations.
 const std::string shown =
     "print [document.querySelector('#ID .status').textContent, Array.from(new Set(Array.from(document.querySelectorAll("
     "'#ID figure'), (figure) => figure.dataset.machine)), (machine) => Array.from(document.querySelectorAll("
     "'#ID figure[data-machine=\"' + machine + '\"] .on > title'), (title) => title.textContent.trim().split(' "
     "').at(-1)))]\n";
 
-/// The same of the JSON: the active states of each machine, in the order of the figures.
+/// The same data from the JSON: the active states of each machine, in the order of the figures.
 std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
                                                 const std::vector<std::string>& components) {
     std::vector<std::vector<std::string>> result(components.size());
@@ -262,8 +264,8 @@ std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
     return result;
 }
 
-/// What is asked of a counterexample, and how many lines answer it: its figures; each step, by keyboard from the
-/// beginning to the end; then what Home and End lead to.
+/// The checks of a counterexample and the number of lines that each prints: its figures; each step by keyboard from the
+/// beginning to the end; then the steps selected by Home and End.
 struct Tour {
     std::string id, commands;
     const nlohmann::json* run = nullptr;
@@ -296,8 +298,8 @@ struct Tour {
     }
 };
 
-// Each step fills the states that are active in its data, in the light and in the dark, and the browser has nothing to
-// say.
+// Each step highlights the states that are active in its data, in both colour schemes, and the browser reports no
+// problem.
 TEST_F(HtmlInABrowser, EachStepFillsTheStatesOfItsData) {
     for (const std::string study : {"aggregation", "swarm_taxis"}) {
         const std::string arguments = repository("corpus/" + study) + " " +
@@ -324,7 +326,7 @@ TEST_F(HtmlInABrowser, EachStepFillsTheStatesOfItsData) {
     }
 }
 
-// On the way to what is forbidden the machine is in the operation's state.
+// On the way to the forbidden event the machine is in the operation's state.
 TEST(Html, OperationsThatAreCalledAreDrawnToo) {
     const Folder folder(
         {{"m.rct",
@@ -344,7 +346,8 @@ controller C { event e event f opref r = op sref a = S connection C on e to a on
     EXPECT_THAT(all(claim, "data-on=\"([^\"]*)\""), ::testing::Contains("0:" + state));
 }
 
-// A click on a state or transition goes to the next step in which it is marked, and begins again behind the last one.
+// A click on a state or transition goes to the next step that marks it. After the last such step it continues with the
+// first one.
 TEST_F(HtmlInABrowser, AClickOnTheDiagramGoesToItsStep) {
     const std::string where = "print location.hash\n";
     const std::string click =
@@ -369,7 +372,7 @@ TEST_F(HtmlInABrowser, AClickOnTheDiagramGoesToItsStep) {
     EXPECT_EQ(lines[3], lines[2]) << "C is never marked";
 }
 
-/// A page with a counterexample that has some steps.
+/// A page with a counterexample of several steps.
 const std::string reached_page =
     "cat > m.rct <<'EOT'\npackage p stm S { event e initial i state A { } state B { }\n"
     "transition t0 { from i to A } transition t1 { from A to B trigger e } }\nEOT\n"
@@ -377,7 +380,7 @@ const std::string reached_page =
     "untimed assertion A : p::S is deadlock-free\nuntimed assertion M : p::S::A is reachable in p::S\nEOT\n"
     "(\"$verify\" check m.rct m.assertions --html page.html; true)";
 
-// The clock is the test's: `due` is what the page wants to be called behind so many milliseconds, `asked`.
+// The test replaces the timer: the page requests a call of `due` after `asked` milliseconds.
 TEST_F(HtmlInABrowser, PlaysFromTheBeginningToTheEnd) {
     const std::string look = "print [location.hash, document.querySelector('#a0 .play').textContent]\n";
     const std::string clock =
@@ -418,7 +421,7 @@ TEST_F(HtmlInABrowser, CopiesALinkToAStep) {
                                               "\"the link to step 1, to be copied\"", "true"));
 }
 
-// By keyboard: upwards, downwards, as written. Without script the table is as written, without buttons.
+// By keyboard: descending, ascending, original order. Without script the table has the original order and no buttons.
 TEST_F(HtmlInABrowser, SortsTheVerdicts) {
     const std::string claims =
         "print Array.from(document.querySelectorAll('#verdicts tbody tr'), (row) => "
@@ -435,7 +438,8 @@ TEST_F(HtmlInABrowser, SortsTheVerdicts) {
         ::testing::ElementsAre("\"XAM\"", "0"));
 }
 
-// Dark readers print dark ink on white paper; what scrolls on the screen is there as a whole.
+// Printing uses dark ink on white paper, also for users of the dark scheme. Parts that scroll on the screen are printed
+// completely.
 TEST_F(HtmlInABrowser, IsPrintedWhole) {
     const std::string style = "print getComputedStyle(document.querySelector('SELECTOR')).PROPERTY\n";
     const auto of = [&](const char* selector, const char* property) {

@@ -1,4 +1,4 @@
-// `init`: what it writes verifies as it stands, and nothing that is there is lost.
+// `init`: the files that it writes verify without changes, and it overwrites no existing file.
 #include <gmock/gmock.h>
 
 #include <filesystem>

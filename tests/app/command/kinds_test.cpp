@@ -36,7 +36,7 @@ controller Brain { requires Legs uses Ears sref runner = Runner connection Brain
 module Sheep { rref body = Body cref brain = Brain connection body on shout to brain on shout (_async) }
 )";
 
-/// Drives back for so many time units; what it never uses is worth a warning.
+/// Drives back for a number of time units. Its unused declarations cause warnings.
 constexpr const char* leader = R"(package lead
 interface Wheels { const pace : nat back() halt() }
 robotic platform Body { provides Wheels }
@@ -55,7 +55,7 @@ controller Brain { requires Wheels sref b = Backer sref idle = Idle }
 module Leader { rref body = Body cref brain = Brain }
 )";
 
-/// Calls after so many time units.
+/// Calls after a number of time units.
 constexpr const char* sun = R"(package sky
 interface Calls { const delay : nat call() }
 robotic platform Sky { provides Calls }
@@ -145,7 +145,7 @@ std::size_t count(const std::string& text, const std::string& what) {
     return found;
 }
 
-/// Two kinds of one model do not say it twice; denied warnings of any model end the run.
+/// Two kinds with the same model show its warnings once. Denied warnings of any model end the run.
 TEST(KindsOfRobots, WarningsOfEachModelAreShownOnce) {
     const Herd herd(bands);
     const Ran ran = herd.simulated({});
@@ -157,8 +157,8 @@ TEST(KindsOfRobots, WarningsOfEachModelAreShownOnce) {
     EXPECT_THAT(denied.err, HasSubstr("warnings are denied"));
 }
 
-/// Each log has the constants that its controller was made with, and is compared with the model that has them, unless
-/// the command line says others.
+/// Each log records the constants of its controller. It is compared with the model with these constants, unless the
+/// command line sets others.
 TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     const Herd herd(bands);
     const Ran ran = herd.simulated({"--log", herd / "logs", "--monitor"});
@@ -209,7 +209,7 @@ TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
     const Ran other = compared({"--const", "pace=5", "--html", folder / "page.html"});
     EXPECT_EQ(other.exit, 1) << other.out << other.err;
     EXPECT_THAT(contents(folder / "page.html"), HasSubstr("cycle 4 cannot be followed")) << "it is stepped through";
-    // `pace` means the constants of the controller and the machine too.
+    // `pace` means the constant of both the controller and the machine.
     for (const char* name : {"Leader::pace", "lead::Leader::pace"}) {
         const Ran part = compared({"--const", std::string(name) + "=5"});
         EXPECT_EQ(part.exit, 2) << part.out;
@@ -222,7 +222,7 @@ TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
     EXPECT_THAT(compared({"--const", "pace=5", "--const", "pace=3"}).err, HasSubstr("--const pace is given twice"));
 }
 
-/// One kind alone: it goes back 1 cm in each time unit, `pace` of them.
+/// One kind alone: it drives back 1 cm in each time unit, for `pace` time units.
 std::string alone(const std::string& constant, const std::string& asked) {
     return "scenario Alone for lead::Leader {\n\tstep 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 1 seed 1\n"
            "\tarena 400 cm by 400 cm\n\tlight goal at (-10 cm, 0 cm)\n\trobots 1 leaders { radius 3 cm axle 5 cm "
@@ -234,7 +234,7 @@ std::string alone(const std::string& constant, const std::string& asked) {
            asked + "\n}\n";
 }
 
-/// In a sweep, in a search and in its certificate the scenario's value gives way to every spelling.
+/// In sweeps, searches and certificates, every spelling of a constant overrides the value in the scenario.
 TEST(KindsOfRobots, NoConstantHasTwoNamesOfWhichOneDecides) {
     const std::string asked = "accept probability way <= 0.5 cm at end >= 90 % with confidence 90 %";
     const Folder folder(
@@ -249,7 +249,7 @@ TEST(KindsOfRobots, NoConstantHasTwoNamesOfWhichOneDecides) {
     const auto points = nlohmann::json::parse(swept("same.scenario").out).at("points");
     EXPECT_EQ(points.at(0).at("claims").at(0).at("answer"), "refuted");
     EXPECT_EQ(points.at(1).at("claims").at(0).at("answer"), "proved");
-    // `pace` means the constants of the controller and the machine too.
+    // `pace` means the constant of both the controller and the machine.
     const Ran other = swept("sweep.scenario");
     EXPECT_NE(other.exit, 0);
     EXPECT_THAT(other.out + other.err, HasSubstr("RC-S24"));
@@ -271,7 +271,7 @@ TEST(KindsOfRobots, NoConstantHasTwoNamesOfWhichOneDecides) {
     EXPECT_EQ(tuned({"--const", "pace=3,4", "--const", "leaders.pace=10"}).exit, 4);
 }
 
-/// With denied warnings of any model there is no search.
+/// If warnings are denied and any model has one, the search does not start.
 TEST(KindsOfRobots, NoSearchWhereWarningsAreDenied) {
     const Herd herd(claim);
     const Ran ran = run({"tune", herd / "herd/herd.scenario", "--const", "leaders.pace=2,10", "--deny-warnings"});
@@ -279,7 +279,7 @@ TEST(KindsOfRobots, NoSearchWhereWarningsAreDenied) {
     EXPECT_THAT(ran.err, HasSubstr("warnings are denied"));
 }
 
-/// After ten time units at the goal, 3 cm on the way after three.
+/// The robot reaches the goal after ten time units; after three time units it has moved 3 cm.
 TEST(KindsOfRobots, TheirConstantsHaveTheKindsNameInFront) {
     const Herd herd(bands);
     const auto with = [&](const std::string& constant) { return herd.simulated({"--const", constant}); };
@@ -315,7 +315,8 @@ TEST(KindsOfRobots, ASweepVariesThem) {
     EXPECT_THAT(unknown.err, HasSubstr("herd.scenario:"));
 }
 
-/// A certificate has the files, constants and verdicts of all models, and another leader is another certificate.
+/// A certificate contains the files, constants and verdicts of all models, so a different leader needs a different
+/// certificate.
 TEST(KindsOfRobots, TuningCertifiesAllModels) {
     const Herd herd(claim);
     const std::string scenario = herd / "herd/herd.scenario";
@@ -352,7 +353,7 @@ TEST(KindsOfRobots, TuningCertifiesAllModels) {
                 HasSubstr("RC-S10"));
 }
 
-/// A robot's diagrams are those of its kind, in which its state is marked; the others are hidden.
+/// The page shows the diagrams of the selected robot's kind, with its state marked, and hides the others.
 TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
     const Herd herd(bands);
     const Ran ran = herd.simulated({"--html", herd / "page.html"});
@@ -365,7 +366,7 @@ TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
     EXPECT_THAT(page, HasSubstr("<figcaption>sheep: herd::Runner</figcaption>"));
     EXPECT_THAT(page, HasSubstr("<figcaption>leaders: lead::Idle</figcaption>"));
     EXPECT_THAT(page, HasSubstr("<figcaption>slow: lead::Backer</figcaption>"));
-    // Of each state of the first machine, kind after kind, an element of its own model's diagram.
+    // For each state of the first machine of each kind, an element of the diagram of its model.
     const auto& states = data.at("states")[0];
     EXPECT_EQ(states.at("names"), nlohmann::json::parse(R"(["sheep::Waiting", "sheep::Running", "leaders::Backing",
         "leaders::Standing", "slow::Backing", "slow::Standing"])"));

@@ -1,5 +1,5 @@
-// What cannot be written is an error of the run, whichever verb writes it; and what is written goes where it was asked
-// for. The shell closes, fills and breaks standard output as users' pipelines do.
+// Output that cannot be written is an error of the run for every verb, and files are written to the requested place.
+// The shell commands close, fill and break standard output as users' pipelines do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ constexpr const char* machine =
     "e }\n}\n";
 constexpr const char* claim = "assertion A1 : S is deadlock-free\n";
 
-/// In a folder with a model and a script.
+/// A folder with a model and a script.
 std::string with_files(const std::string& commands) {
     return std::string("cat > m.rct <<'EOF'\n") + machine + "EOF\ncat > m.assertions <<'EOF'\n" + claim +
            "EOF\nprintf 'channel a\\nP = a -> P\\nassert P :[deadlock free [F]]\\n' > s.csp\n" +
@@ -40,7 +40,8 @@ TEST_P(EveryVerb, SaysThatStandardOutputIsClosed) {
 }
 
 TEST_P(EveryVerb, EndsQuietlyWhenItsReaderHasGone) {
-    // `true` reads nothing; the pause lets it go first. Exit code 2, since nobody has read the answer.
+    // `true` reads no input, and the pause lets it exit first. The exit code is 2 because the answer could not be
+    // delivered.
     const Ran ran =
         run_shell(with_files(std::string("{ sleep 0.2; \"$verify\" ") + GetParam() + "; echo $? >&2; } | true"));
     EXPECT_THAT(ran.err, HasSubstr("2\n"));
@@ -69,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(Output, OfFilesStaysInItsFolder) {
-    // Predictable names of temporary files, links in the place of a file and of a folder.
+    // Predictable names of temporary files, and symbolic links in place of a file and of a folder.
     const Ran ran = run_shell(with_files(R"(
 mkdir -p out/csp-gen/timed out/cpp away; echo mine > precious
 ln -s "$PWD/precious" out/csp-gen/timed/m.csp
@@ -106,10 +107,10 @@ cp big.rct before; chmod 640 big.rct
 (ulimit -f 2; "$verify" format big.rct; echo "exit $?")
 cmp big.rct before && ls -A | wc -l
 "$verify" format -q big.rct; cmp -s big.rct before || stat -c %a big.rct)");
-    EXPECT_EQ(ran.out, "exit 2\n5\n640\n") << ran.err;  // both files, and the three of the standard streams
+    EXPECT_EQ(ran.out, "exit 2\n5\n640\n") << ran.err;  // both files, and the three standard streams
 }
 
-// The path of the deepest one is longer than the system takes, which stops root too.
+// The deepest path is longer than the system accepts. This fails for root too.
 TEST(Input, AFolderThatCannotBeReadIsNotPassedOver) {
     for (const char* verb : {"validate m", "check m", "format --check m", "conform --traces m m.rct"}) {
         const Ran ran =

@@ -1,4 +1,4 @@
-// What stands in the text of a page, and somebody who plays with it in a browser.
+// Functions that read the text of a page and simulate its user in a browser.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,23 +8,23 @@
 
 namespace robochart::app::testing {
 
-/// The first group of each match of a regular expression.
+/// The first group of every match of a regular expression.
 [[nodiscard]] std::vector<std::string> all(const std::string& text, const std::string& pattern);
 
-/// What stands between these marks, each time.
+/// The text between each pair of these marks.
 [[nodiscard]] std::vector<std::string> between(const std::string& text, const std::string& begin,
                                                const std::string& end);
 
-/// A page's policy names its styles and its one script by their hashes, allows nothing else, and nothing is fetched;
-/// no two elements have one id.
+/// Checks that the page's policy allows only its styles and its script, by their hashes, that the page fetches nothing,
+/// and that ids of elements are unique.
 void expect_closed(const std::string& page);
 
-/// Commands of a shell that write page.html, then what tests/app/command/browser.mjs prints, line by line: problems
-/// too. `how`: its second argument.
+/// Runs shell commands that write page.html, then tests/app/command/browser.mjs; returns its output line by line,
+/// including problems. `how` is the second argument of browser.mjs.
 [[nodiscard]] std::vector<std::string> played(const std::string& written, const std::string& commands,
                                               const std::string& how = "");
 
-/// Is skipped where there is no browser (tests/needed.hpp).
+/// Tests that are skipped if there is no browser (tests/needed.hpp).
 class InABrowser : public ::testing::Test {
 protected:
     void SetUp() override;

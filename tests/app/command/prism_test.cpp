@@ -14,7 +14,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// From 0 to 1 with p, else to 2.
+/// From 0 to 1 with probability p, otherwise to 2.
 constexpr const char* fork =
     "dtmc const double p; const int n = 2;\n"
     "module M s:[0..n]; [] s=0 -> p:(s'=1) + 1-p:(s'=2); [] s>0 -> true; endmodule\n"
@@ -55,7 +55,7 @@ TEST_F(Prism, FractionsAreExact) {
 TEST_F(Prism, JsonHoldsTheValueBetweenItsBounds) {
     const Ran ran = ask(
         {"--const", "p=1/3", "--property", "\"a\": P=? [ F s=1 ]; P>=0.5 [ F s=1 ]; R=? [ C ]", "--format", "json"});
-    EXPECT_EQ(ran.exit, 2);  // there are no rewards: nothing is decided
+    EXPECT_EQ(ran.exit, 2);  // the model has no rewards, so no property is decided
     const json found = json::parse(
         ask({"--const", "p=1/3", "--property", "\"a\": P=? [ F s=1 ]; P>=0.5 [ F s=1 ]", "--format", "json"}).out);
     EXPECT_EQ(found["schema"], "robochart-verify/prism/1");
@@ -117,7 +117,7 @@ TEST_F(Prism, ErrorsInAStateNameIt) {
     EXPECT_THAT(json::parse(ran.out)["errors"][0].get<std::string>(), HasSubstr("outside its range"));
 }
 
-/// One property that cannot be evaluated does not hide the others.
+/// A property that cannot be evaluated does not hide the answers of the others.
 TEST_F(Prism, EachPropertyIsDecidedForItself) {
     const Ran ran = ask({"--const", "p=0.5", "--property", "mod(1,0); P=? [ F s=1 ]", "--format", "json"});
     EXPECT_EQ(ran.exit, 2);
@@ -146,7 +146,8 @@ TEST_F(Prism, PathsAreSampled) {
     };
     const Ran text = with({"--seed", "3"});
     EXPECT_EQ(text.exit, 0) << text.err;
-    // A hit is known after a step, that there is none where s=2 has come again: 1 + about 0.75.
+    // A path stops after one step if it reaches the target. Otherwise it stops when s=2 repeats. The mean is 1 + about
+    // 0.75 steps.
     EXPECT_THAT(text.out, HasSubstr("at 99 % (ci, 1000 paths of 1.8 steps, 1 to 2)"));
     EXPECT_THAT(text.out, HasSubstr("Clopper-Pearson: from 0.2"));
     EXPECT_THAT(text.out, ::testing::Not(HasSubstr("states")));
@@ -204,7 +205,7 @@ TEST_F(Prism, ViolatedBoundsShowPaths) {
     EXPECT_EQ(ask({"--const", "p=0.25", "--property", "P<=0.5 [ F<=3 s=1 ]", "--export", "strategy"}).exit, 3);
 }
 
-/// Several models at once give what one after the other gives.
+/// Parallel runs give the same results as a sequential run.
 TEST_F(Prism, ExperimentsAreTheSameForAnyNumberOfThreads) {
     const std::vector<std::string> question{"--const", "p=0:0.1:1,t=1:3", "--property",
                                             "const int t; P=? [ F<=t s=1 ]; P<=0.5 [ F<=t s=1 ]"};
@@ -217,7 +218,7 @@ TEST_F(Prism, ExperimentsAreTheSameForAnyNumberOfThreads) {
         if (first.empty()) first = ran.out;
         EXPECT_EQ(ran.out, first) << threads;
     }
-    // The first set for which the model is wrong ends the experiment, whoever comes to it.
+    // The first set of values with an invalid model ends the experiment, whichever thread finds it.
     for (const char* const threads : {"1", "4"}) {
         const Ran wrong =
             ask({"--const", "p=0.8:0.1:1.9", "--property", "P=? [ F s=1 ]", "--format", "json", "--threads", threads});

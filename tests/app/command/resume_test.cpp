@@ -1,5 +1,5 @@
-// Runs of the command that are ended in the midst of a search, by force, by a signal or by a full disk, and gone on
-// with: the answers, figures and counterexamples of a run that nobody ends.
+// Runs that are ended during a search by SIGKILL, another signal or a full disk, and then resumed. They must have the
+// answers, figures and counterexamples of an uninterrupted run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Eight processes side by side: 4^8 states each, and one more after `last`, which all do together, after 24 steps.
+/// Eight parallel processes with 4^8 states, and one more state after `last`, which all perform together, after 24
+/// steps.
 constexpr const char* script = R"(
 channel a : {0..7}.{0..3}
 channel last
@@ -30,14 +31,15 @@ assert [| {last} |] i : {0..7} @ ONCE(i, 0) :[deadlock free [F]]
 
 class Resumed : public ::testing::Test {
 protected:
-    /// `before`: what the command is run by, in a shell. It goes on from what is in the folder, if there is anything.
+    /// Decides the script. `before` is a shell prefix that starts the command. The run resumes from a checkpoint in the
+    /// folder, if there is one.
     Ran decide(const std::string& before, const std::string& options) const {
         const bool again = std::filesystem::exists(folder_ / "kept/questions");
         return run_shell(fmt::format("{} \"$verify\" cspm {} --no-reduction --format json {} {} {}", before,
                                      folder_ / "script.csp", again ? "--resume" : "--checkpoint", folder_ / "kept",
                                      options));
     }
-    /// What does not depend on how a run came to its end.
+    /// The part of the output that must not depend on interruptions.
     static std::string results(const Ran& ran) {
         const nlohmann::json report = nlohmann::json::parse(ran.out, nullptr, false);
         if (report.is_discarded() || !report.contains("results")) return ran.out + ran.err;
@@ -55,9 +57,9 @@ protected:
         return results(ran);
     }
 
-    /// Whether a run that is ended now has left a checkpoint that all its threads have written.
+    /// Whether a run that ends now leaves a checkpoint to which all threads have written their part.
     [[nodiscard]] bool has_checkpoint() const {
-        std::map<std::string, unsigned> written;  // by number and threads
+        std::map<std::string, unsigned> written;  // files by checkpoint number and number of threads
         std::error_code ignored;
         for (std::filesystem::recursive_directory_iterator at(folder_ / "kept", ignored), end; !ignored && at != end;
              at.increment(ignored)) {
@@ -80,7 +82,7 @@ TEST_F(Resumed, AfterKillsAtRandomMoments) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     int ended = 0, gone_on = 0;
-    // More rounds, and longer ones, on a machine that is busy.
+    // A busy machine needs more and longer rounds.
     for (int round = 0; round < 8 || (gone_on == 0 && round < 40); ++round) {
         const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80) * (1 + round / 8);
         const bool kept = has_checkpoint();

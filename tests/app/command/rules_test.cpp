@@ -1,4 +1,4 @@
-// The verb `rules` as a user runs it: answers, exit codes, formats, bad input; and with a model.
+// The verb `rules` as a user runs it, with and without a model: answers, exit codes, formats, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ TEST(Rules, ExitCodesFollowTheAnswers) {
         3);
 }
 
-/// Stop is due 5 seconds after Go and forbidden for 9 after Halt: both begin at once.
+/// Stop is due 5 seconds after Go and forbidden for 9 seconds after Halt. The conflict arises if both start at the same
+/// time.
 TEST(Rules, TellTheSituation) {
     const Ran ran = ask("A when Go and near then Stop within 5 seconds\nB when Halt then not Stop within 9 seconds");
     EXPECT_THAT(ran.out, HasSubstr("conflict: A and B\n"));
@@ -70,7 +71,7 @@ TEST(Rules, AnswerAsJson) {
     EXPECT_FALSE(wrong["errors"].empty());
 }
 
-/// As SLEEC-TK: a rule at work refuses its trigger, so that D misses its deadline.
+/// As in SLEEC-TK, an active rule refuses its trigger, so D misses its deadline.
 TEST(Rules, CompareAsSleecTk) {
     const std::string rules =
         "C when Halt and not near then not Stop within 60 seconds\nD when Go then Halt within 3 seconds";
@@ -138,7 +139,7 @@ TEST(RulesOfModels, AreNotPassedInSilence) {
         "obeyed");
 }
 
-/// OpenDoor comes two seconds behind Ring, and nothing makes Alarm come.
+/// OpenDoor comes two seconds after Ring, and the model never makes Alarm.
 TEST(RulesOfModels, WithoutLimit) {
     EXPECT_EQ(obey("R when Ring then OpenDoor").exit, 0);
     const Ran waits = obey("R when Ring then Alarm");
@@ -147,8 +148,8 @@ TEST(RulesOfModels, WithoutLimit) {
     EXPECT_THAT(waits.out, HasSubstr("time can pass for ever without it"));
 }
 
-/// Verdicts that are recorded of SLEEC-TK (shared/suite/sleec, conformance.tsv), with the instantiations of the
-/// published assertions. "conforms" is also what is never asked.
+/// Verdicts of SLEEC-TK (shared/suite/sleec, conformance.tsv), with the instantiations of the published assertions.
+/// "conforms" includes rules that are never triggered.
 TEST(RulesOfModels, AsRecorded) {
     if (tests::shared_folder().empty()) GTEST_SKIP() << "no shared/suite/sleec";
     const auto suite = tests::shared_folder() / "suite/sleec";
@@ -270,7 +271,7 @@ Ran guarded(const std::string& rules, const std::vector<std::string>& options = 
     return run(arguments);
 }
 
-/// A robot that turns because it sees another goes on turning, and commands nothing, while it still sees it.
+/// A robot that turns because it sees another robot keeps turning, without a new command, while it still sees it.
 TEST(RulesOfSimulations, StopATrialThatBreaksOne) {
     const Ran ran = guarded("Turn when seeRobot then angularSpeed within 0 seconds");
     EXPECT_EQ(ran.exit, 1) << ran.err;
@@ -281,7 +282,7 @@ TEST(RulesOfSimulations, StopATrialThatBreaksOne) {
     EXPECT_THAT(ran.err, HasSubstr(" ends without it, at "));
 }
 
-/// In a cycle the eye reports one of the two.
+/// In each cycle the eye reports one of the two.
 TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
     const Ran ran =
         guarded("One when seeWall then not seeRobot within 0 seconds\nOther when seeWall then Alarm within 5 seconds");
@@ -290,7 +291,7 @@ TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
     EXPECT_THAT(ran.out, HasSubstr("not followed: Other: the controller has no event and no operation 'Alarm'\n"));
 }
 
-/// Two seconds without bands, which are a success unless a rule is broken or not followed.
+/// Runs for two seconds without bands. The run succeeds unless a rule is broken or could not be followed.
 Ran guarded_briefly(const std::string& rules, const std::string& asked, const std::vector<std::string>& options) {
     std::string measures;
     for (int i = 0; i < 13; ++i) measures += " measure m" + std::to_string(i) + " : boolean";
@@ -315,7 +316,7 @@ Ran guarded_briefly(const std::string& rules, const std::string& asked, const st
 
 const std::string unread = "One when seeWall and m0 then not seeRobot within 0 seconds";
 
-/// As conform says of logs: what was not looked at is no success.
+/// As in `conform` for logs, an unchecked rule is no success.
 TEST(RulesOfSimulations, ThatCannotBeFollowedAreNoSuccess) {
     const Ran all = guarded_briefly("One when seeWall then not seeRobot within 0 seconds", "", {"--format", "json"});
     EXPECT_EQ(all.exit, 0) << all.err;
@@ -375,7 +376,8 @@ TEST(RulesAsMonitors, AreWritten) {
     EXPECT_EQ(run({"emit", "monitor", folder / "care.sleec", "--component", "C"}).exit, 4);
 }
 
-/// Ring without limit: the door may never be asked for again. The run is one of the model, and goes on for ever.
+/// Ring has no time limit, so OpenDoor may never be requested again. The counterexample is an infinite run of the
+/// model.
 TEST(RulesOfModels, DrawARunThatWaitsWithoutEnd) {
     const Folder folder(
         {{"bell.rct",

@@ -1,5 +1,5 @@
-// What continuous integration servers read: JUnit's XML and SARIF of assertions and code; and colours, which only
-// people see.
+// Output for continuous integration servers, JUnit's XML and SARIF for assertions and code, and colours, which appear
+// only on terminals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,14 +19,15 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// An element of a document.
+/// An element of an XML document.
 struct Element {
     std::string name;
     std::map<std::string, std::string> attributes;
-    std::string inside;  ///< elements from the root on
+    std::string inside;  ///< names of the elements from the root on
 };
 
-/// The elements of a document of XML 1.0 without comments and the like; fails where it is not well-formed.
+/// Parses an XML 1.0 document without comments, processing instructions and similar constructs; reports a test failure
+/// if the document is not well-formed.
 std::vector<Element> elements(const std::string& document) {
     static const std::regex tag("<(/?)([a-z-]+)((?: [a-z]+=\"[^\"<]*\")*)(/?)>"), attribute("([a-z]+)=\"([^\"<]*)\"");
     static const std::regex entity("&(?:amp|lt|gt|quot|#39|#45);");
@@ -84,7 +85,7 @@ TEST(Junit, IsWellFormedWhateverItHolds) {
     }
 }
 
-/// Attributes that every schema of JUnit's XML has, and elements where all of them have them.
+/// Attributes that all schemas of JUnit's XML have in common, and elements in an order that all of them allow.
 TEST(Junit, HasWhatAllSchemasHave) {
     const auto all = elements(junit_document(
         "s", {{"g", "n", JunitCase::Kind::failed, "m", "t", 0}, {"g", "n", JunitCase::Kind::passed, "", "t", 0}}));
@@ -102,7 +103,8 @@ TEST(Junit, HasWhatAllSchemasHave) {
     }
 }
 
-// A machine that stops, one assertion that holds, one that fails, one that nothing here decides.
+// A machine that stops, an assertion that holds, an assertion that fails, and an assertion that this tool cannot
+// decide.
 constexpr const char* files = R"(
 echo 'stm S { event e initial i state A { } state B { } transition t0 { from i to A } transition t1 { from A to B trigger e } }' > m.rct
 printf 'untimed assertion Good : S is divergence-free\nuntimed assertion Bad : S is deadlock-free\n' > m.assertions
@@ -150,7 +152,7 @@ TEST(Junit, OfScriptsIsOneDocument) {
     EXPECT_EQ(run_on("cspm s.csp --types --format junit").exit, 4);
 }
 
-/// What is not known must not pass.
+/// An undecided claim must not pass.
 TEST(Junit, CountsWhatIsNotKnownAsAnError) {
     for (const char* command : {"check m.rct --untimed --max-states 1", "check m.rct --timeout 0.000001",
                                 "conform m.rct --timeout 0.000001", "cspm s.csp --timeout 0.000001"}) {
@@ -235,7 +237,7 @@ TEST(Colours, AreForTerminalsAlone) {
     EXPECT_THAT(run_on("cspm s.csp --format plain --color always").out, Not(HasSubstr("\x1b")));
 }
 
-/// The colours change nothing else.
+/// Colours are the only difference.
 TEST(Colours, AreAllThatIsAdded) {
     static const std::regex escape("\x1b\\[[0-9;]*m"), milliseconds("[0-9.]+ m?s");
     const auto plain = [](const std::string& text) {
@@ -244,7 +246,7 @@ TEST(Colours, AreAllThatIsAdded) {
     EXPECT_EQ(plain(run_on("check m.rct --untimed --color always").out), plain(run_on("check m.rct --untimed").out));
 }
 
-/// `script` gives the command a terminal.
+/// The program `script` runs the command on a terminal.
 TEST(Colours, AreThereOnATerminalUnlessNoColorIsSet) {
     if (run_shell("command -v script").exit != 0) GTEST_SKIP() << "`script` is not installed";
     const std::string with = std::string(files) + "printf '%s' \"\\\"$verify\\\" check m.rct --untimed\" > run.sh; ";
@@ -252,7 +254,7 @@ TEST(Colours, AreThereOnATerminalUnlessNoColorIsSet) {
     EXPECT_THAT(run_shell(with + "NO_COLOR=1 script -qec 'sh run.sh' /dev/null").out, Not(HasSubstr("\x1b[32m")));
 }
 
-/// A file alone: with what it needs of its folder.
+/// A single file is loaded with the files of its folder that it needs.
 TEST(OneFile, FindsItsProject) {
     const std::string project = std::string(files) + "mkdir p; mv m.* p; cd p; ";
     for (const char* file : {"m.assertions", "m.rct", "./m.assertions"}) {
@@ -263,7 +265,7 @@ TEST(OneFile, FindsItsProject) {
     EXPECT_EQ(run_shell(project + "cd ..; \"$verify\" check --untimed p/m.assertions").exit, 1);
 }
 
-/// Assertions in a folder of their own, below their models.
+/// Assertions in a subfolder of their models.
 TEST(OneFile, FindsTheModelsAboveItsFolder) {
     const std::string project = std::string(files) + "mkdir -p p/claims; mv m.rct p; mv m.assertions p/claims; ";
     for (const char* command : {"check p/claims/m.assertions", "cd p; check claims/m.assertions",
@@ -274,7 +276,7 @@ TEST(OneFile, FindsTheModelsAboveItsFolder) {
         EXPECT_EQ(ran.exit, 1) << command << ran.err;
         EXPECT_THAT(ran.out, HasSubstr("1 of 2 checks hold, 1 fail")) << command;
     }
-    // With a model of its own folder, and beside other inputs, it is not looked for there.
+    // The parent folder is not searched if the file's own folder has a model, or if there are other inputs.
     EXPECT_EQ(run_shell(project + "echo 'stm T { initial i state A { } transition t { from i to A } }' > "
                                   "p/claims/t.rct; \"$verify\" check p/claims/m.assertions")
                   .exit,

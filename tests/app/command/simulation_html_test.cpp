@@ -1,5 +1,5 @@
-// `simulate --html`: the page has the positions and states of the tables, marks elements that are there, and lets
-// nothing of the model act.
+// `simulate --html`: the page contains the positions and states of the tables, marks existing elements, and runs no
+// code from the model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -137,7 +137,7 @@ TEST(SimulationHtml, MarksTheStatesAroundTheActiveOne) {
     };
     EXPECT_THAT(goes["elements"][0].get<std::vector<std::string>>(), ElementsAre(id_of("Waiting")));
     EXPECT_THAT(goes["elements"][2].get<std::vector<std::string>>(), ElementsAre(id_of("Fast"), id_of("Going")));
-    // x, y, heading; the first machine in its only state; the second waits, then is in the third of its states.
+    // x, y, heading; the first machine is in its only state; the second machine waits, then is in its third state.
     EXPECT_EQ(data["trials"][0]["frames"][2].get<std::string>().substr(6), "AAAA");
     EXPECT_EQ(data["trials"][0]["frames"][10].get<std::string>().substr(6), "AAAC");
 }
@@ -155,7 +155,7 @@ TEST(SimulationHtml, LetsNothingInButItsStylesAndItsScript) {
     }
 }
 
-// A loop without time stops the controller; what it says of the place has the file's name.
+// A loop without time stops the controller. The message about its place contains the name of the file.
 TEST(SimulationHtml, NothingOfTheModelActsAndStopsAreShown) {
     const std::string evil = "<img src=x onerror=alert(1)>\"'";
     const Folder folder(
@@ -180,7 +180,7 @@ TEST(SimulationHtml, ThatCannotBeWrittenIsAnError) {
     EXPECT_THAT(ran.err, HasSubstr("/proc/page.html"));
 }
 
-// 65 is one times 64 and one.
+// 65 is 1 * 64 + 1.
 TEST(TrialData, NumbersAreTwoLetters) {
     EXPECT_EQ(two_letters(0), "AA");
     EXPECT_EQ(two_letters(65), "BB");
@@ -190,7 +190,7 @@ TEST(TrialData, NumbersAreTwoLetters) {
 TEST(TrialData, AFrameHasPlaceHeadingAndStates) {
     const simulation::View view{-100, -50, 4095, 4095};
     const simulation::Frame frame{0, {{{-35, -15}, M_PI / 2}, {{9999, 50}, -M_PI / 2}}, {1, 65, 2, 0}, {}};
-    // 65 from the left; 15 below the middle, 65 below the top; a quarter of 4096 is 16 times 64.
+    // 65 from the left; 15 below the middle, 65 below the top; a quarter of 4096 is 16 * 64.
     EXPECT_EQ(frame_letters(view, frame, 2, 2),
               "BBBBQAABBB"
               "__AAwAACAA")
@@ -208,7 +208,7 @@ simulation::RunResult run_of(std::size_t trials, std::size_t frames) {
 TEST(TrialData, ShowsWhatFits) {
     simulation::Scenario scenario;
     scenario.robots = 10;
-    // Ten robots of one machine are 80 letters a frame: 100 frames of 4 trials fit into 32,000 letters.
+    // Ten robots of one machine need 80 letters per frame: 100 frames of 4 trials fit into 32,000 letters.
     const ShownTrials all = shown_trials(scenario, run_of(4, 100), 1, 32'000);
     EXPECT_THAT(all.trials, ElementsAre(0, 1, 2, 3));
     EXPECT_EQ(all.every, 1U);
@@ -224,8 +224,8 @@ TEST(TrialData, ShowsWhatFits) {
     EXPECT_EQ(shown_trials(scenario, run_of(1, 10), 1, 20'000).robots, 1000U);
 }
 
-/// The page in a browser, without its policy and with a script that acts as a reader does. Frames of the animation come
-/// by a timer, and time passes at once.
+/// Loads the page in a browser without its policy, with a script that acts as a reader. The animation uses a timer, and
+/// the browser's virtual time advances immediately.
 std::string acted(const std::string& script) {
     return "sed -e 's|<meta http-equiv[^>]*>|<script>requestAnimationFrame = (draw) => setTimeout(() => "
            "draw(performance.now()), 20); cancelAnimationFrame = clearTimeout;</script>|' -e 's|</body>|<script>" +
@@ -240,7 +240,7 @@ std::string simulated() {
            " --trials 2 --html page.html > out.txt; cp out/simulation/Aggregation/trial-02.csv . ; ";
 }
 
-// The time and robot in the address are shown, as the table has them: the place and the active state.
+// The page shows the time and the robot that the address selects, with the place and the active state from the table.
 TEST(SimulationHtml, ShowsTheTimeInTheAddress) {
     if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not on PATH";
     const Ran ran = run_shell(simulated() +
@@ -285,7 +285,7 @@ TEST(SimulationHtml, KeysGoFromTimeToTimeAndFromRobotToRobot) {
     EXPECT_THAT(ran.err, Not(HasSubstr("CONSOLE")));
 }
 
-// Ten times as fast as in the world, from the start; a pause leaves the robots at a recorded time.
+// The animation runs at ten times the speed of the world. A pause leaves the robots at a recorded time.
 TEST(SimulationHtml, PlaysAndPauses) {
     if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not on PATH";
     const Ran ran = run_shell(simulated() + acted("const play = document.getElementById(\"play\"); play.click();"

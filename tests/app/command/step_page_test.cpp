@@ -1,5 +1,5 @@
-// `step --html`: what the page embeds is what the terminal offers; it lets nothing of the model act; and in a browser
-// it goes where keys lead.
+// `step --html`: the page embeds the offers of the terminal, runs no code from the model, and in a browser keys lead to
+// the expected states.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using tests::contents;
 
-/// What a page embeds.
+/// The state space that a page embeds.
 class Space {
 public:
     explicit Space(const std::string& page)
@@ -31,17 +31,17 @@ public:
 
     [[nodiscard]] std::size_t states() const { return data_["states"].size(); }
     [[nodiscard]] std::size_t offers(std::size_t state) const { return data_["states"][state][1].size() / 2; }
-    /// As the terminal has it: "(hidden) t0: i -> A   m.rct:3".
+    /// An offer in the terminal's format: "(hidden) t0: i -> A   m.rct:3".
     [[nodiscard]] std::string offer(std::size_t state, std::size_t number) const {
         const auto& label = data_["labels"].at(data_["states"][state][1].at(2 * number).get<std::size_t>());
         const std::string place = text(label[1]);
         return (label[2] == 1 ? "(hidden) " : "") + text(label[0]) + (place.empty() ? "" : "   " + place);
     }
-    /// -1 where it is not embedded.
+    /// The target state; -1 if it is not embedded.
     [[nodiscard]] long target(std::size_t state, std::size_t number) const {
         return data_["states"][state][1].at(2 * number + 1).get<long>();
     }
-    /// "a>1 b>2": its offers with the states behind them.
+    /// The offers of a state with their target states: "a>1 b>2".
     [[nodiscard]] std::string listed(std::size_t state) const {
         std::string line;
         for (std::size_t i = 0; i < offers(state); ++i)
@@ -56,7 +56,7 @@ private:
     nlohmann::json data_;
 };
 
-/// What a state's structure is, an operator with its operands in brackets.
+/// The structure of a state: an operator with its operands in parentheses.
 std::string structure(const nlohmann::json& data, std::size_t part) {
     const auto text = [&](const nlohmann::json& number) {
         return data["texts"].at(number.get<std::size_t>()).get<std::string>();
@@ -71,7 +71,7 @@ std::string structure(const nlohmann::json& data, std::size_t part) {
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// A page of `step`, from files in a folder: "@NAME" is a file's path.
+/// A page of `step` from files in a folder; "@NAME" stands for a file's path.
 std::string page_of(const Files& files, std::vector<std::string> words) {
     const Folder folder(files);
     for (std::string& word : words)
@@ -114,7 +114,7 @@ TEST(StepPage, ReportsWhereItEnds) {
     EXPECT_EQ(space.listed(4999), "a>-1 b>0") << "all offers, but nothing behind the limit";
 }
 
-// Each state takes longer than the one before.
+// Exploration takes longer for each state than for the previous one.
 TEST(StepPage, KeepsWhatWasExploredWhenTheTimeIsOver) {
     const Folder folder(Files{{"s.csp",
                                "channel a\nf(n) = if n == 0 then 0 else f(n-1)\n"
@@ -135,7 +135,7 @@ TEST(StepPage, KeepsWhatCannotBeEvaluated) {
     EXPECT_EQ(Space(contents(folder / "page.html")).listed(0), "a.0>1 a.1>2");
 }
 
-/// Blocks of the terminal's output, one a state: its offers.
+/// The offers in each block of the terminal's output; one block per state.
 std::vector<std::vector<std::string>> shown(const std::string& out) {
     std::vector<std::vector<std::string>> result;
     std::istringstream lines(out);
@@ -150,13 +150,13 @@ std::vector<std::vector<std::string>> shown(const std::string& out) {
     return result;
 }
 
-// The same 2,000 choices in the page's data and in the terminal.
+// Makes the same 2,000 choices in the page's data and in the terminal.
 TEST(StepPage, AWalkOffersWhatTheTerminalOffers) {
     for (const std::vector<std::string>& time : {std::vector<std::string>{}, {"--untimed"}}) {
         std::vector<std::string> words{repository("corpus/aggregation")};
         words.insert(words.end(), time.begin(), time.end());
         const Space space(page_of({}, words));
-        // With hidden steps the walk begins at the beginning, after two blocks of output.
+        // With hidden steps the walk starts in the initial state, after two blocks of output.
         std::string commands = "internal\nundo 0\n";
         std::vector<std::vector<std::string>> expected;
         std::size_t here = 0;
@@ -266,8 +266,8 @@ const std::string lit =
     "print ['on', 'fired'].map((look) => Array.from(document.querySelectorAll('figure .' + look + ' > "
     "title')).map((title) => title.textContent))\n";
 
-// At rest in Off there are: e with 1, e with 2 (not with 0: its condition), time. After e the machine waits for two
-// time units, then takes f. No line of the output is a problem.
+// The stable state Off offers e with 1, e with 2 (its condition excludes 0), and time. After e the machine waits for
+// two time units, then accepts f. No output line reports a problem.
 TEST_F(StepPageInABrowser, GoesWhereKeysLead) {
     const auto lines = played(lamp_page, status + "key 2\n" + status + lit +
                                              "print document.querySelector('#absences .reason').textContent\n"
@@ -305,7 +305,7 @@ TEST_F(StepPageInABrowser, ComesBackAndKeepsTheWayInItsAddress) {
     EXPECT_THAT(lines[10], HasSubstr("followed to step 0 only"));
 }
 
-// Twelve offers: 1 may go on, 3 cannot, 12 is whole.
+// Twelve offers: 1 may be the start of a longer number, 3 may not, 12 is complete.
 TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
     const auto lines =
         played("printf 'channel a : {1..12}\\nP = a?x -> P\\n' > s.csp; \"$verify\" step s.csp P --html page.html",
@@ -316,7 +316,7 @@ TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
                                    "\"there is no offer 15\"", "\"#1.3.12\"", "12"));
 }
 
-// P has become Q; what is folded stays so.
+// P has become Q; folded parts stay folded.
 TEST_F(StepPageInABrowser, ShowsTheStructure) {
     const std::string tree =
         "print [Array.from(document.querySelectorAll('#tree li > mark, #tree li > span'), (each) => each.tagName + ' ' "
@@ -334,7 +334,7 @@ TEST_F(StepPageInABrowser, ShowsTheStructure) {
     EXPECT_THAT(lines[4], HasSubstr("false"));
 }
 
-// The way and the log of docs/step.md, "Saving a session".
+// The steps and the log of docs/step.md, "Saving a session".
 TEST_F(StepPageInABrowser, WritesTheWayAsTheLogThatSaveWrites) {
     std::string keys = "key 1\nkey 1\nkey 1\n";
     for (int i = 0; i < 10; ++i) keys += "key t\n";
@@ -378,7 +378,7 @@ TEST_F(StepPageInABrowser, EndsWhereTheEmbeddedStatesEnd) {
                             "1", "201", "\"4799 steps before; show them all\"", "5000", "\"#1x4999.2\""));
 }
 
-// 2,000 steps of a way in the address.
+// A path of 2,000 steps in the address.
 TEST_F(StepPageInABrowser, GoesALongWay) {
     const auto lines = played(lamp_page, "open #1x2.3x2000\n" + status + "key u\n" + status);
     ASSERT_EQ(lines.size(), 2U) << ::testing::PrintToString(lines);

@@ -1,5 +1,5 @@
-// `step` as a user has it: commands on standard input. That its offers are those of the semantics is tested in
-// tests/runs/stepper_test.cpp; docs/step.md is run as it is.
+// `step` as a user runs it, with commands on standard input. tests/runs/stepper_test.cpp checks that its offers agree
+// with the semantics; the commands of docs/step.md are also run.
 #include <gmock/gmock.h>
 
 #include <string>
@@ -82,7 +82,7 @@ TEST(Step, AnAssertionOfAWayHoldsUntilTheModelChanges) {
     EXPECT_EQ(changed.exit, 1) << changed.out << changed.err;
 }
 
-// Longer than what one definition may hold.
+// Longer than the maximal length of a definition.
 TEST(Step, AnOutputThatWaitsIsNoCycleOfALog) {
     const Ran ran = step("1\\n1\\ntock\\nsave way.trace\\n", "S");
     EXPECT_THAT(ran.err, HasSubstr("time passes where output o with true is on offer; in cycles it is done at once"));

@@ -1,4 +1,4 @@
-// `check --swarm` as a user runs it: which robot a step is of, claims by name, what is not decided.
+// `check --swarm` as a user runs it: the robot of each step, claims by name, undecided claims.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Each says its number and then waits for that of another, or says its own again.
+/// Each robot sends its number and then waits for another robot's number, or sends its own again.
 const char* const talkers = R"(
 interface Radio { event say : nat event hear : nat }
 robotic platform Body { uses Radio }
@@ -52,7 +52,7 @@ Folder talking() {
     return Folder({{"m/talkers.rct", talkers}, {"talk.swarm", talk}});
 }
 
-/// Talk goes on for ever within the first time unit, so nothing is known of later ones.
+/// The robots can talk indefinitely within the first time unit, so no later time is decided.
 TEST(SwarmCommand, WhereTimeCanStopNothingIsDecided) {
     const Folder folder = talking();
     const Ran ran = run({"check", folder / "m", "--swarm", folder / "talk.swarm"});
@@ -73,8 +73,8 @@ TEST(SwarmCommand, ClaimsHaveNames) {
     EXPECT_THAT(none.err, HasSubstr("did you mean 'possible linked(1)'?"));
 }
 
-/// Two robots of corpus/alpha that drive apart. Each event of the whole that has a robot's number is a step of it, and
-/// both robots' states are there behind each step.
+/// Two robots of corpus/alpha that drive apart. Each event with a robot's number is a step of that robot, and each step
+/// shows the states of both robots.
 TEST(SwarmCommand, StepsSayWhichRobot) {
     const std::vector<std::pair<std::string, std::string>> files{
         {"apart.swarm",

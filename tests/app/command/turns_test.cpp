@@ -1,4 +1,4 @@
-// Turns of claims: none waits for one that is not decided.
+// Turns of claims: an undecided claim does not delay the others.
 #include "app/claims/turns.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace robochart::app {
 namespace {
 
-/// Claims that note who had a turn; `slow` is never decided before its turn ends.
+/// Claims that record their turns. `slow` is never decided before its turn ends.
 class Turns {
 public:
     explicit Turns(Options options) : options_(std::move(options)), run_(options_) { options_.run = &run_; }
@@ -22,7 +22,7 @@ public:
                     return true;
                 }};
     }
-    /// Decided in a turn without end.
+    /// A claim that is decided only in an unlimited turn.
     WaitingClaim slow(const std::string& title) {
         return {title, [this, title](const Options& turn) {
                     order.push_back(title);
@@ -31,7 +31,7 @@ public:
                     return false;
                 }};
     }
-    /// A limit of its own, such as --max-states, leaves it open.
+    /// A claim that its own limit, such as --max-states, leaves undecided.
     WaitingClaim limited(const std::string& title) {
         return {title, [this, title](const Options&) {
                     order.push_back(title);
@@ -111,7 +111,7 @@ TEST(Turns, WhoseTimeHasEndedIsSaid) {
     EXPECT_EQ(ended_turn("the time limit was reached", turn), "the time limit was reached");
 }
 
-// What helps against the end of an assertion's time is not the run's.
+// If the time of one assertion is over, the advice names the option for assertions, not the one for runs.
 TEST(Turns, AdviceNamesTheLimitThatWasMet) {
     const auto advice = [](const std::string& reason) {
         Report report;

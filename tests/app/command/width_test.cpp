@@ -31,7 +31,7 @@ TEST(Width, ColoursAndBytesOfOneCharacterTakeNoColumns) {
     EXPECT_EQ(wrapped("\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9", 5), "\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9");
 }
 
-// The width comes from COLUMNS or the terminal; a pipe has none.
+// The width comes from COLUMNS or the terminal; a pipe has no width.
 TEST(Width, IsThatOfColumns) {
     constexpr const char* model =
         "echo 'stm M { event a event b initial i state AStateWithARatherLongNameForOne { } state "

@@ -1,5 +1,6 @@
-// Every command in a document is run, or is listed here with the reason why not; the verbs and options that documents
-// name exist. The language of a block says which it is: `console` is run, `sh` is not, `text` holds no commands.
+// Every command in a document is run, or this file lists it with the reason why not. All verbs and options that
+// documents name must exist. The language of a fenced block decides: `console` is run, `sh` is not run, `text` contains
+// no commands.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::IsEmpty;
 
-// ---------------------------------------------------------------- what is not run
+// ---------------------------------------------------------------- commands that are not run
 
 struct NotRun {
-    std::string_view document;  ///< "": any
-    std::string_view command;   ///< how it begins
+    std::string_view document;  ///< "": any document
+    std::string_view command;   ///< prefix of the command
     std::string_view reason;
 };
 
@@ -46,14 +47,14 @@ constexpr std::array not_run = {
     NotRun{"simulation/adapters/argos/README.md", "git clone ", "fetches ARGoS"},
 };
 
-/// Languages of blocks that are no commands: other tests or other programs read them.
+/// Languages of blocks without commands: other tests or other programs read them.
 constexpr std::array<std::string_view, 17> no_commands = {
     "robochart", "ros2",  "assertions", "scenario", "swarm", "cspm", "prism", "props", "sleec",
     "cpp",       "cmake", "yaml",       "lua",      "elisp", "toml", "json",  "text"};
 
 // ---------------------------------------------------------------- documents
 
-/// All that is written in Markdown, but for the history, templates and what is not ours.
+/// All Markdown documents except the history, templates and documents of third parties.
 std::vector<std::string> written_documents() {
     std::vector<std::string> result;
     const fs::path root = repository("");
@@ -76,8 +77,8 @@ std::string first_word(const std::string& text) {
     return word;
 }
 
-/// What the lines of a block ask to run: those behind `$ ` if there are any, else all. A line may go on in the next
-/// one; comments and what is indented belong to the line above.
+/// The commands in a block: the lines after `$ ` if there are any, otherwise all lines. A command may continue on the
+/// next line; comments and indented lines belong to the command above.
 std::vector<std::string> commands_of(const Block& block) {
     const bool marked = std::any_of(block.lines.begin(), block.lines.end(),
                                     [](const std::string& line) { return line.starts_with("$ "); });
@@ -108,7 +109,7 @@ const NotRun* exception_for(const std::string& document, const std::string& comm
     return found == not_run.end() ? nullptr : found;
 }
 
-/// The faults of a document; `used` takes the exceptions that it needs.
+/// The faults of a document; `used` receives the exceptions that the document needs.
 std::vector<std::string> faults_of(const std::string& document, std::set<const NotRun*>& used) {
     std::vector<std::string> faults;
     for (const Block& block : blocks(tests::contents(repository(document)))) {
@@ -137,7 +138,7 @@ TEST(CommandsInDocuments, AreRunOrExcepted) {
     for (const NotRun& each : not_run) EXPECT_TRUE(used.contains(&each)) << "nobody needs it: " << each.command;
 }
 
-/// Other forms of blocks would hide commands from these tests.
+/// These tests would not see commands in other kinds of blocks.
 TEST(CommandsInDocuments, StandInFencedBlocks) {
     for (const std::string& document : written_documents()) {
         std::istringstream text(tests::contents(repository(document)));
@@ -155,7 +156,7 @@ TEST(CommandsInDocuments, StandInFencedBlocks) {
     }
 }
 
-/// `console` is run in these documents: README.md and docs/*.md here, docs/rules/*.md by tests/rules.
+/// Blocks of `console` are run in these documents: README.md and docs/*.md here, docs/rules/*.md by tests/rules.
 TEST(CommandsInDocuments, SessionsStandWhereTheyAreRun) {
     for (const std::string& document : written_documents()) {
         const fs::path folder = fs::path(document).parent_path();
@@ -178,7 +179,7 @@ TEST(CommandsInDocuments, NameScriptsThatAreThere) {
 
 using Words = std::vector<std::string>;
 
-/// The words of a command up to where another one begins, without what only synopses have: brackets and dots.
+/// The words of a command up to the next command, without the brackets and dots of synopses.
 Words words_of(std::string text) {
     for (char& c : text)
         if (c == '[' || c == ']' || c == '\'' || c == '"') c = ' ';
@@ -206,7 +207,7 @@ Words alternatives(const std::string& word) {
     return result;
 }
 
-/// "MODEL", "N": something that the reader puts in.
+/// "MODEL", "N": a placeholder for the reader's value.
 bool is_placeholder(const std::string& word) {
     return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
         return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_' || c == '.' || c == '=' || c == '|';
@@ -219,7 +220,7 @@ const OptionRow* option_of(Verbs verb, const std::string& name) {
     return nullptr;
 }
 
-/// Why the words behind an option do not fit; "" if they do.
+/// Explains why the words after an option do not fit; "" if they fit.
 std::string wrong_words(const OptionRow& row, const Words& given) {
     for (std::size_t at = 0; at < given.size(); ++at)
         for (std::string each : alternatives(given[at])) {
@@ -231,7 +232,7 @@ std::string wrong_words(const OptionRow& row, const Words& given) {
     return {};
 }
 
-/// What is wrong with the options of a verb in the rest of a command.
+/// The first problem with the options of a verb in the rest of a command.
 std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
     for (; at < words.size(); ++at) {
         if (!words[at].starts_with('-') || words[at] == "-") continue;
@@ -246,7 +247,7 @@ std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
     return {};
 }
 
-/// What is wrong with the words behind `robochart-verify`; "" if it is nothing.
+/// The first problem with the words after `robochart-verify`; "" if there is none.
 std::string wrong_call(const Words& words) {
     const Words first = first_words();
     const bool verb_given = !words.empty() && std::find(first.begin(), first.end(), words[0]) != first.end();
@@ -254,7 +255,7 @@ std::string wrong_call(const Words& words) {
         const bool input = words.empty() || words[0].starts_with('-') || is_placeholder(words[0]) ||
                            words[0].find_first_of("./") != std::string::npos ||
                            fs::exists(repository("corpus/" + words[0]));
-        const bool model = input || words.size() > 1;  // a model of the page
+        const bool model = input || words.size() > 1;  // a model file of the page
         return model ? wrong_options(of(Verb::verify), words, 0) : "no verb " + words[0];
     }
     if (words[0] != "emit") return wrong_options(of(find_verb(words[0])->verb), words, 1);
@@ -267,8 +268,8 @@ std::string wrong_call(const Words& words) {
     return {};
 }
 
-/// The part of a text behind the name of the program, if it is called there: at the text's beginning or behind what
-/// begins a command.
+/// The words after each call of the program in a text. A call is at the beginning of the text or after a character that
+/// starts a command.
 std::vector<Words> calls_in(const std::string& text) {
     constexpr std::string_view program = "robochart-verify ";
     std::vector<Words> result;
@@ -307,7 +308,7 @@ TEST(CommandsInDocuments, HaveVerbsAndOptionsThatExist) {
         }
         for (const Block& block : blocks(text))
             for (const std::string& line : block.lines) {
-                if (block.language == "console" && !line.starts_with("$ ")) continue;  // the program's own words
+                if (block.language == "console" && !line.starts_with("$ ")) continue;  // output of the program
                 for (const Words& words : calls_in(line))
                     check(document + ":" + std::to_string(block.line) + ": " + line, words);
             }

@@ -22,7 +22,7 @@ std::string joined(const Lines& lines) {
     return text;
 }
 
-/// What the first line calls the file; "" if it does not.
+/// The file name in the first line of a block; "" if there is none.
 std::string file_name(const Block& block) {
     for (const std::string_view mark : file_marks)
         if (!block.lines.empty() && block.lines.front().starts_with(mark))
@@ -48,9 +48,9 @@ ShownSession session(const Block& block) {
     return result;
 }
 
-/// As it is compared.
+/// A line in the normalised form that the comparison uses.
 std::string plain(const std::string& line) {
-    static const std::regex times("[0-9][0-9,.]* m?s\\b");  // a slower machine says seconds
+    static const std::regex times("[0-9][0-9,.]* m?s\\b");  // a slower machine prints seconds
     static const std::regex figures("[0-9][0-9,.]* (bytes|states?|transitions?|cycles?)\\b");
     static const std::regex gaps("[ \t]+");
     std::string text = std::regex_replace(line, times, "N s");
@@ -61,13 +61,13 @@ std::string plain(const std::string& line) {
 
 using Place = Lines::const_iterator;
 
-/// All lines up to `...`, the same number of printed ones.
+/// Compares all lines up to `...` with the same number of printed lines.
 bool equal_until(Place shown, Place end, Place printed, Place printed_end) {
     if (printed_end - printed < end - shown) return false;
     return std::equal(shown, end, printed, [](const auto& a, const auto& b) { return plain(a) == plain(b); });
 }
 
-/// Text between backquotes of a paragraph.
+/// Adds the text between backquotes in a paragraph.
 void add_inline(const std::string& paragraph, std::size_t line, std::vector<Inline>& out) {
     for (std::size_t open = paragraph.find('`'); open != std::string::npos;) {
         const std::size_t close = paragraph.find('`', open + 1);
@@ -114,7 +114,7 @@ std::vector<Inline> inline_code(const std::string& document) {
         ++number;
         const bool is_fence = line.starts_with(fence);
         if (is_fence) in_block = !in_block;
-        // Rows of tables and items of lists stand alone.
+        // Rows of tables and items of lists are paragraphs of their own.
         const bool alone = line.empty() || line.starts_with('|') || line.starts_with("* ") || line.starts_with('#');
         if (is_fence || in_block || alone) finish();
         if (!is_fence && !in_block) paragraph += (paragraph.empty() ? "" : " ") + line;

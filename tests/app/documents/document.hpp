@@ -1,5 +1,5 @@
-// What a document in Markdown asks a reader to do: files to write and commands to run, with what these print.
-// docs/testing.md, "Commands in documents", describes how they are written.
+// The steps that a Markdown document asks a reader to do: files to write, and commands to run with their expected
+// output. docs/testing.md, "Commands in documents", describes the notation.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@ namespace robochart::app::testing {
 
 /// A fenced block.
 struct Block {
-    std::string language;  ///< what stands behind its fence
-    std::size_t line;      ///< of its fence in the document, from 1
+    std::string language;  ///< the word after its fence
+    std::size_t line;      ///< line of its fence in the document, from 1
     std::vector<std::string> lines;
 };
 
-/// The blocks of a document, in its order.
+/// The fenced blocks of a document, in order.
 [[nodiscard]] std::vector<Block> blocks(const std::string& document);
 
 /// Text in backquotes, outside blocks.
 struct Inline {
-    std::size_t line;  ///< of the beginning of its paragraph in the document, from 1
-    std::string text;  ///< on one line
+    std::size_t line;  ///< first line of its paragraph in the document, from 1
+    std::string text;  ///< joined into one line
 };
 [[nodiscard]] std::vector<Inline> inline_code(const std::string& document);
 
@@ -31,28 +31,28 @@ struct ShownFile {
     std::string text;
 };
 
-/// A line `$ COMMAND` of a block `console`, and the lines below it.
+/// A line `$ COMMAND` in a `console` block, and the output lines below it.
 struct ShownCommand {
     std::string command;
     std::vector<std::string> output;
 };
 
-/// A block `console`: its commands run in one shell.
+/// A `console` block; its commands run in one shell.
 struct ShownSession {
-    std::size_t line;  ///< of its fence in the document, from 1
+    std::size_t line;  ///< line of its fence in the document, from 1
     std::vector<ShownCommand> commands;
 };
 
 using Step = std::variant<ShownFile, ShownSession>;
 
-/// The steps of a document, in its order.
+/// The steps of a document, in order.
 [[nodiscard]] std::vector<Step> steps(const std::string& document);
 
-/// The lines of a text, without the empty ones at its end.
+/// The lines of a text, without empty lines at its end.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
-/// Whether lines are printed as they are shown. A shown line `...` stands for any lines. Widths of gaps between
-/// words, times, sizes and counts of states, transitions and cycles are not compared.
+/// Whether the printed lines agree with the shown ones. A shown line `...` matches any lines. The comparison ignores
+/// the widths of gaps between words, times, sizes, and counts of states, transitions and cycles.
 [[nodiscard]] bool agrees(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
 
 }  // namespace robochart::app::testing

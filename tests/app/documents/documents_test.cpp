@@ -1,5 +1,5 @@
-// README.md and the pages of docs/ do what they say: the files they show are written, the commands they show are run,
-// and these print what is shown below them.
+// Follows README.md and the pages of docs/: writes the files that they show, runs the commands that they show, and
+// compares the output with the shown output.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ void write(const Folder& folder, const ShownFile& file) {
     std::ofstream(folder / file.name, std::ios::binary) << file.text;
 }
 
-/// One shell for all; `$?` is that of the command before.
+/// All commands of a session run in one shell, so `$?` is the exit code of the previous command.
 std::string script(const Folder& folder, const ShownSession& session) {
     std::string text = "cd '" + folder.path() + "'; PATH=\"$PWD/bin:$PATH\"; exec 2>&1\n";
     for (const ShownCommand& command : session.commands)
@@ -52,7 +52,7 @@ void run_session(const std::string& document, const Folder& folder, const ShownS
     }
 }
 
-/// What a reader has: the command on the path, and the models of the repository.
+/// Sets up the environment of a reader: the command on the path, and the models of the repository.
 void furnish(const Folder& folder) {
     fs::create_directories(folder / "bin");
     fs::create_symlink(ROBOCHART_VERIFY, folder / "bin/robochart-verify");

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Decides scripts with the command and with robochart-verify-mpi, which mpirun starts two and four times with one thread
-each, and two times with two threads each, and compares: answers and lengths of counterexamples are those of the command,
-states and transitions too where an assertion holds (where it fails, ranks count whole levels), and all numbers and whole
-counterexamples are the same for all numbers of programs and threads. Exits with 1 where something differs."""
+"""Compares the command with robochart-verify-mpi on scripts. mpirun starts the latter with two and four ranks of one thread
+each, and with two ranks of two threads each. Answers and lengths of counterexamples must be those of the command. States
+and transitions must agree too if an assertion holds (if it fails, ranks count whole levels). All numbers and whole
+counterexamples must be the same for all numbers of ranks and threads. Exits with 1 if there is a difference."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-FAILS = 1  # the exit code where some assertion fails, which is so in these scripts
+FAILS = 1  # the exit code if an assertion fails, which is the case in these scripts
 
 
 def decided(command: list[str], scripts: list[str], options: tuple = ()) -> list[dict]:
@@ -31,7 +31,7 @@ def decided(command: list[str], scripts: list[str], options: tuple = ()) -> list
 
 
 def has_colours(mpiexec: str, mpi_program: str, script: str) -> bool:
-    """Whether the text that mpirun passes on to a pipe has escape sequences."""
+    """Whether the text that mpirun passes on to a pipe contains escape sequences."""
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     environment.pop("NO_COLOR", None)
     child = subprocess.run([mpiexec, "-n", "1", mpi_program, "cspm", script, "--progress", "never"],

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Ends searches by programs that mpirun starts in every way that is documented, and looks whether all end, with the exit
-code and message that are documented (docs/scale.md): errors of one program, limits, signals to mpirun. Exits with 1 where
-something differs. With --sample only some of the ways are tried.
+"""Ends distributed searches in every documented way: an error of one rank, limits, signals to mpirun (docs/scale.md). Checks
+that all ranks end, with the documented exit code and message. Exits with 1 if there is a difference. With --sample it
+tries only some of the ways.
 
     end_ranks.py MPIEXEC PROGRAM FAULTY_RANKS [--sample]"""
 
@@ -22,7 +22,7 @@ HOLDS, INTERNAL, INCONCLUSIVE, USAGE = 0, 70, 3, 4
 
 
 def ranks_left(folder: str) -> list[str]:
-    """Programs that still run: those that have the script of this run, which lies in the folder, among their
+    """Ranks that still run: processes with the script of this run, a file in the folder, among their
     arguments."""
     found = []
     for entry in Path("/proc").iterdir():
@@ -41,7 +41,7 @@ class Ends:
         self.wrong = 0
 
     def run(self, what: str, arguments: list[str], codes: set[int], words: str, *, after: int = 0) -> None:
-        """`after`: a signal that mpirun gets when the search has begun; 0: none."""
+        """`after`: the signal that mpirun gets after the search has started; 0: none."""
         environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                            TMPDIR=self.folder)
         child = subprocess.Popen([self.mpiexec, "--oversubscribe", "-n", "3", *arguments, "--no-cache"],
@@ -57,7 +57,7 @@ class Ends:
             child.kill()
             output += "(it did not end)"
         right = child.returncode in codes and output.count(words) == 1
-        # Ranks that are ended by mpirun may need a moment.
+        # Ranks that mpirun ends may need a moment to exit.
         limit = time.monotonic() + 5
         while ranks_left(self.folder) and time.monotonic() < limit:
             time.sleep(0.05)
@@ -97,7 +97,7 @@ def main() -> int:
         if not sample:
             limits_and_refusals(ends, program, many, few)
         searching = [program, "cspm", many, "--no-reduction", "--progress", "json"]
-        # mpirun has an exit code of its own where it was interrupted.
+        # After an interrupt, mpirun exits with its own exit code.
         for name in ("SIGTERM",) if sample else ("SIGINT", "SIGTERM"):
             for threads in ("2",) if sample else ("1", "2"):
                 ends.run(f"{name} to mpirun, {threads} threads", [*searching, "--threads", threads], {1, INCONCLUSIVE},

@@ -1,7 +1,7 @@
-// robochart-verify-mpi, of which one program meets an error of its own, or is at work for long.
+// robochart-verify-mpi with a seeded fault: one rank fails or pauses.
 //
-//   faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    the program's call of its exchange, from 0 on, before
-//                                                              which it throws or does nothing for three seconds
+// faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    before call CALL of its exchange (from 0), rank NUMBER
+// throws, or sleeps for three seconds
 #include <cstdlib>
 #include <string>
 

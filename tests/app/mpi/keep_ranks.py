@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Searches by real ranks whose states are kept in a folder (docs/scale.md): ended in some way, and gone on with by other
-numbers of ranks and by threads of the command; each time the answers, figures and counterexamples of a run that nobody
-ends. Exits with 1 where something differs. With --sample only a limit ends them.
+"""Distributed searches with checkpoints in a folder (docs/scale.md). They are ended in several ways, then resumed by other
+numbers of ranks and by threads of the command. The answers, figures and counterexamples must be those of an uninterrupted
+run. Exits with 1 if there is a difference. With --sample only a limit ends the searches.
 
     keep_ranks.py COMMAND MPIEXEC PROGRAM FAULTY [--sample]"""
 
@@ -18,7 +18,7 @@ from pathlib import Path
 
 from end_ranks import ranks_left
 
-# 4^N states each, and one more after `last`, which all do together, after 3 N steps.
+# 4^N states, and one more state after `last`, which all processes perform together, after 3 N steps.
 SCRIPT = """channel a : {{0..{last}}}.{{0..3}}
 channel last
 ROUND(i, n) = a.i.n -> ROUND(i, (n + 1) % 4)
@@ -44,7 +44,7 @@ class Kept:
         return ["cspm", self.script, "--no-reduction", "--no-cache", "--format", "json", option, kept, *more]
 
     def here(self, *more: str) -> list[str]:
-        """Begins where nothing is kept, and else goes on."""
+        """Starts a search if the folder is empty, otherwise resumes it."""
         return self.arguments("--resume" if os.path.exists(self.kept + "/questions") else "--checkpoint", self.kept,
                               *more)
 
@@ -56,7 +56,7 @@ class Kept:
 
     @staticmethod
     def results(ran: subprocess.CompletedProcess) -> str:
-        """What does not depend on how a run came to its end."""
+        """The part of the output that must not depend on interruptions."""
         try:
             found = json.loads(ran.stdout)["results"]
         except (ValueError, KeyError):
@@ -82,7 +82,7 @@ class Kept:
             time.sleep(0.02)
 
     def checkpoints(self) -> list[tuple[str, int, int, bool]]:
-        """Of each the folder, its number, of how many ranks it is, and whether it is complete."""
+        """For each checkpoint its folder, its number, its number of ranks, and whether it is complete."""
         parts = {}
         for path in Path(self.kept).glob("search-*/checkpoint-*-of-*"):
             number, rank, _, of_all = path.name.removeprefix("checkpoint-").split("-")
@@ -90,7 +90,7 @@ class Kept:
         return [(*each, len(ranks) == each[2]) for each, ranks in parts.items()]
 
     def checkpoint_of(self, ranks: int) -> bool:
-        """Whether the last checkpoint is one of so many ranks, and complete."""
+        """Whether the last checkpoint is complete and has this number of ranks."""
         found = max((each[1:] for each in self.checkpoints()), default=(0, 0, False))
         return found[1:] == (ranks, True)
 
@@ -111,7 +111,7 @@ def limits(kept: Kept) -> None:
 
 
 def kills(kept: Kept, seed: int) -> None:
-    """mpirun, or one of its ranks, is killed at random moments."""
+    """Kills mpirun, or one of its ranks, at random moments."""
     numbers = random.Random(seed)
     ended = went_on = 0
     for turn in range(24):
@@ -156,7 +156,7 @@ def interrupt(kept: Kept) -> None:
 
 
 def deadline(kept: Kept, faulty: str) -> None:
-    """The second rank is at work for longer than the first one is left alone behind a limit."""
+    """The second rank works for longer than the first rank waits for it after a limit."""
     program = [faulty, "1", "30", "sleep", *kept.here("--timeout", "1.5")]
     kept.expect_end("a limit while a rank is at work", kept.run([kept.mpiexec, "--oversubscribe", "-n", "2", *program]),
                     INCONCLUSIVE, "the time limit was reached")
@@ -165,7 +165,7 @@ def deadline(kept: Kept, faulty: str) -> None:
 
 
 def full_disk(kept: Kept) -> None:
-    """Files of the second rank do not grow over a few KiB; MPI would have larger ones where it shares memory."""
+    """Limits the files of the second rank to a few KiB. MPI itself would write larger files for shared memory."""
     program = [kept.program, *kept.here("--every", "0.000001")]
     ran = kept.run([kept.mpiexec, "--oversubscribe", "--mca", "btl", "self,tcp", "-n", "1", *program, ":", "-n", "1",
                     "sh", "-c", 'trap "" XFSZ; ulimit -f 8; exec "$@"', "sh", *program])
@@ -174,7 +174,7 @@ def full_disk(kept: Kept) -> None:
 
 
 def other_folder(kept: Kept) -> None:
-    """A path that leads each rank to a folder of its own."""
+    """A path that is a different folder for each rank."""
     folders = [os.path.join(kept.folder, name) for name in ("one", "two")]
     program = [kept.program, *kept.arguments("--checkpoint", "/proc/self/cwd/kept")]
     for what, words in (("a rank that finds no folder", "rank 1: No such file or directory"),

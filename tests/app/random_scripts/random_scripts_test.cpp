@@ -1,5 +1,5 @@
-// Random scripts through the whole command against the naive checker: read from a file, decided, reported as JSON; and
-// reported once more in another format. Several processes are one script, each in a module of its own, written in
+// Random scripts through the whole command, compared with the naive checker: the command reads a file, decides it, and
+// reports as JSON and in a second format. Each script combines several processes, each in its own module, written in
 // several ways.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using refine::RandomCases;
 
 constexpr std::size_t cases_a_script = 4;
 
-/// Compressions may change what chase follows.
+/// A compression may change which tau `chase` follows.
 bool has_one_meaning(const Case& asked) {
     std::string text = show(asked.script);
     text.erase(0, text.find("channel"));
@@ -32,8 +32,8 @@ bool has_one_meaning(const Case& asked) {
     return !used("chase(") || std::none_of(compressions.begin(), compressions.end(), used);
 }
 
-/// Ways to say that a name is a process: what FDR never evaluates stands beside it, or a name that means something
-/// else.
+/// Several ways to state that a name is a process. They include text that FDR never evaluates, and a name with another
+/// meaning.
 std::string written(std::mt19937_64& numbers, const std::string& name, const std::string& module,
                     const std::string& body) {
     switch (numbers() % 8) {
@@ -55,7 +55,7 @@ std::string written(std::mt19937_64& numbers, const std::string& name, const std
     }
 }
 
-/// The case as a module, or an instance of one.
+/// The case as a module, or as an instance of a parameterised module.
 std::string module_of(std::mt19937_64& numbers, const Case& asked, const std::string& name) {
     std::string text;
     for (std::size_t i = 0; i < asked.script.definitions.size(); ++i)
@@ -86,8 +86,8 @@ public:
     void next() {
         refine::naive::Script none;
         script = show(none);
-        // Which of several taus chase follows depends on the order in which events are met first: it is that of the
-        // letters.
+        // Which tau `chase` follows depends on the order in which events first occur. This question makes that order
+        // alphabetical.
         asked = {{"assert RUN({a, b, c}) [T= STOP", true}};
         for (std::size_t i = 0; i < cases_a_script;) {
             const RandomCases::Explored each = cases_.next();
