@@ -16,7 +16,7 @@ std::vector<State> members_of(const StateSet& set) {
     return members;
 }
 
-/// The greatest part of a sub-model in which every choice stays in one strongly connected component.
+/// Computes the greatest part of a sub-model in which every choice stays in one strongly connected component.
 class EndComponents {
 public:
     EndComponents(const Graph& graph, const SubModel& within)
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// Choices of states outside, or with targets outside; then states without choices.
+    /// Removes choices of states outside, or with targets outside; then states without choices.
     void remove_what_leaves() {
         for (State state = 0; state < graph_.states(); ++state)
             for (std::uint32_t choice = model_.first_choice[state]; choice < model_.first_choice[state + 1]; ++choice) {
@@ -97,7 +97,7 @@ private:
 
     std::vector<EndComponent> collect() const {
         std::vector<EndComponent> found;
-        std::vector<std::uint32_t> place(graph_.states(), no_component);  // of each component in `found`
+        std::vector<std::uint32_t> place(graph_.states(), no_component);  // by component in `found`
         for (State state = 0; state < graph_.states(); ++state) {
             if (!left_.states[state]) continue;
             std::uint32_t& at = place[component_[state]];
@@ -115,7 +115,7 @@ private:
     const Graph& graph_;
     const Model& model_;
     SubModel left_;
-    std::vector<std::uint32_t> choices_left_;  // of each state
+    std::vector<std::uint32_t> choices_left_;  // by state
     std::vector<std::uint32_t> component_;
     std::vector<State> removed_;
 };

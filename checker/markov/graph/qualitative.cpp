@@ -14,7 +14,7 @@ StateSet all(const Graph& graph) {
     return StateSet(graph.states(), true);
 }
 
-/// A set that grows backwards along edges: each state added is looked at once.
+/// A set that grows backwards along edges; each added state is processed once.
 class BackwardSearch {
 public:
     BackwardSearch(const Graph& graph, const StateSet& from) : graph_(graph), found_(from) {
@@ -22,8 +22,8 @@ public:
             if (from[state]) ahead_.push_back(state);
     }
 
-    /// `admits(choice)`: whether its source belongs to the set, now that one of the choice's targets is in it. Called
-    /// once for each branch to a state of the set.
+    /// `admits(choice)`: whether its source belongs to the set, now that the set contains a target of the choice.
+    /// Called once for each branch to a state of the set.
     template <class Admits>
     StateSet run(Admits admits) {
         while (!ahead_.empty()) {
@@ -45,7 +45,7 @@ private:
     std::vector<State> ahead_;
 };
 
-/// The states of `left` that have, like those of `right`, only this: every choice has a branch into the set.
+/// The least set that contains `right` and every state of `left` all of whose choices have a branch into the set.
 StateSet every_choice_may(const Graph& graph, const StateSet& left, const StateSet& right) {
     const Model& model = graph.model();
     std::vector<std::uint32_t> missing(graph.states());
@@ -60,13 +60,13 @@ StateSet every_choice_may(const Graph& graph, const StateSet& left, const StateS
     });
 }
 
-/// Choices all of whose branches lead into a set, which shrinks.
+/// The choices all of whose branches lead into a set that shrinks.
 class Inside {
 public:
     Inside(const Graph& graph, const std::vector<bool>& choices) : graph_(graph), set_(all(graph)), choices_(choices) {}
 
     [[nodiscard]] bool holds(std::uint32_t choice) const { return choices_[choice]; }
-    /// Whether it is smaller now.
+    /// Removes choices that leave `set`; returns whether any was removed.
     bool shrink(const StateSet& set) {
         bool any = false;
         for (State state = 0; state < set.size(); ++state) {

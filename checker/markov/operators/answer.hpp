@@ -1,4 +1,4 @@
-// Results of the operators over intervals as enclosures.
+// Converts results of the operators over intervals to enclosures.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace robochart::markov {
 
-/// Rounds upward while the operator runs. Asks it again, for more, while the values of components lose too much of
-/// their precision on their way through others.
+/// Rounds upward while the operator runs. Runs it again with a higher precision if values lose too much precision when
+/// they pass through other components.
 [[nodiscard]] Solution answer(const Precision& precision,
                               const std::function<Result<Interval>(const Precision& precision)>& operation);
 

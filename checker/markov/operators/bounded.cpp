@@ -7,7 +7,7 @@
 namespace robochart::markov {
 namespace {
 
-/// Precision that any result has: that of the steps themselves.
+/// The precision of results computed by steps: there is no convergence criterion.
 Precision of_steps(diagnostics::Budget* budget) {
     return {.relative = infinity, .budget = budget};
 }

@@ -1,4 +1,5 @@
-// Probabilities and rewards of a number of steps: as many sweeps, so the enclosures are as narrow as rounding allows.
+// Probabilities and rewards for a number of steps. Each step is one sweep, so the enclosures are as narrow as rounding
+// allows.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@ namespace robochart::markov {
 [[nodiscard]] std::vector<Enclosure> next(const Model& model, const StateSet& set, Direction direction,
                                           diagnostics::Budget* budget = nullptr);
 
-/// P [ left U[from,to] right ]; without `to`: U>=from, to the precision.
+/// P [ left U[from,to] right ]; without `to`: U>=from, up to the requested precision.
 [[nodiscard]] Solution bounded_until(const Model& model, const StateSet& left, const StateSet& right,
                                      std::uint64_t from, std::optional<std::uint64_t> to, Direction direction,
                                      const Precision& precision = {});
@@ -20,7 +21,7 @@ namespace robochart::markov {
 [[nodiscard]] std::vector<Enclosure> cumulative_reward(const Model& model, const Rewards& rewards, std::uint64_t steps,
                                                        Direction direction, diagnostics::Budget* budget = nullptr);
 
-/// R [ I=steps ]: the state reward after that many steps. Rewards may be negative.
+/// R [ I=steps ]: the state reward after `steps` steps. Rewards may be negative.
 [[nodiscard]] std::vector<Enclosure> instantaneous_reward(const Model& model, const Rewards& rewards,
                                                           std::uint64_t steps, Direction direction,
                                                           diagnostics::Budget* budget = nullptr);

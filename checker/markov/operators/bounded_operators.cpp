@@ -1,4 +1,4 @@
-// Operators of a number of steps: one sweep over the states for each.
+// Operators for a number of steps: one sweep over the states for each step.
 #include "checker/markov/operators/operators.hpp"
 #include "checker/markov/solve/arithmetic.hpp"
 #include "checker/markov/solve/earnings.hpp"
@@ -15,7 +15,7 @@ public:
           budget_(precision.budget),
           numbers_(converted(model.numbers, model.exact, Value{})) {}
 
-    /// The best expectation of these values after one step, with what the step earns; of one state.
+    /// The best expectation of these values after one step, plus the reward of the step, for one state.
     [[nodiscard]] Value expectation(State state, const std::vector<Value>& values,
                                     const Earnings<Value>& earnings) const {
         const std::uint32_t first = model_.first_choice[state];
@@ -25,7 +25,7 @@ public:
         return result;
     }
 
-    /// `step(state, values)` gives the value of a state from those of the sweep before. Ends early where nothing
+    /// `step(state, values)` returns the value of a state from those of the sweep before. Ends early if nothing
     /// changes.
     template <class Step>
     void repeat(std::uint64_t times, std::vector<Value>& values, Step step) const {
@@ -92,7 +92,7 @@ Result<Value> BoundedOperators<Value>::next(const Model& model, const StateSet& 
     return result_of(std::move(values));
 }
 
-/// The last steps count those that are within the interval; in the first `from` the left side must hold.
+/// The last steps count those within the interval; in the first `from` steps the left side must hold.
 template <class Value>
 Result<Value> BoundedOperators<Value>::until(const Model& model, const StateSet& left, const StateSet& right,
                                              std::uint64_t from, std::optional<std::uint64_t> to, Direction direction,

@@ -1,6 +1,6 @@
-// The operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers, for small models: those whose
-// Model::exact, Rewards::exact_state and exact_choice are there. Time and memory grow with the digits of the numbers;
-// the budget, which may be null, ends it.
+// The operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers, for small models that contain
+// Model::exact, Rewards::exact_state and exact_choice. Time and memory grow with the digits of the numbers; the budget,
+// which may be null, limits them.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace robochart::markov {
 
-/// The value of every state; nothing where it is infinite.
+/// The value of every state; no value if it is infinite.
 struct ExactSolution {
     std::vector<std::optional<Rational>> values;
-    std::vector<std::uint32_t> strategy;  ///< as Solution::strategy; of the unbounded operators only
+    std::vector<std::uint32_t> strategy;  ///< as in Solution::strategy; only for the unbounded operators
 };
 
 [[nodiscard]] ExactSolution exact_until(const Model& model, const StateSet& left, const StateSet& right,

@@ -1,11 +1,11 @@
-// Averages over an infinite run of a dtmc, from every state. Throw Unsupported for an mdp.
+// Averages over an infinite run of a dtmc, from every state. Both throw Unsupported for an mdp.
 #pragma once
 
 #include "checker/markov/solve/solution.hpp"
 
 namespace robochart::markov {
 
-/// S [ set ]: the share of the time spent in the set.
+/// S [ set ]: the fraction of time spent in the set.
 [[nodiscard]] Solution long_run_probability(const Model& model, const StateSet& set, const Precision& precision = {});
 
 /// R [ S ]: the average reward of a step. Rewards may be negative.

@@ -1,5 +1,6 @@
-// Averages over infinite runs of a dtmc. In a bottom component the average is what is earned between two visits of one
-// of its states, over the steps between them; before, equations say which component is reached.
+// Averages over infinite runs of a dtmc. In a bottom component the average is the expected reward between two visits of
+// a state divided by the expected number of steps between them. Equations give the probabilities to reach each
+// component.
 #include "checker/markov/operators/operators.hpp"
 #include "checker/markov/solve/arithmetic.hpp"
 #include "checker/markov/solve/earnings.hpp"
@@ -82,7 +83,7 @@ private:
         return sum;
     }
 
-    /// Of each component, what is expected to be earned from one visit of its first state up to the next.
+    /// For each component, the expected reward between two visits of its first state.
     std::vector<Value> between_visits(const std::vector<std::vector<State>>& components,
                                       const Earnings<Value>& earnings) {
         StateSet open(model_.states(), false);

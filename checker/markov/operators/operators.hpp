@@ -1,5 +1,5 @@
-// The operators in any arithmetic. unbounded.hpp, bounded.hpp and long_run.hpp give them for intervals, exact.hpp for
-// rationals.
+// The operators for any arithmetic. unbounded.hpp, bounded.hpp and long_run.hpp instantiate them for intervals,
+// exact.hpp for rationals.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ namespace robochart::markov {
 template <class Value>
 struct Result {
     std::vector<Value> values;
-    StateSet infinite;  ///< empty: none is
+    StateSet infinite;  ///< empty: no state
     std::vector<std::uint32_t> strategy;
     std::string shortfall;
 };
 
-// Values are of Interval or Rational. Intervals need RoundUpward.
+// `Value` is Interval or Rational. Intervals need RoundUpward.
 
 template <class Value>
 struct UnboundedOperators {

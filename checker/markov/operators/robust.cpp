@@ -11,7 +11,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The branches in the order in which mass does most for the value.
+/// The branches, sorted by the worth of their targets, best first.
 std::vector<std::size_t> by_worth(const UncertainRow& row, const std::vector<double>& worth) {
     std::vector<std::size_t> order(row.branches.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -27,14 +27,14 @@ Interval point(double value) {
 Interval smaller(const Interval& a, const Interval& b) {
     return {std::min(a.low(), b.low()), std::min(a.high, b.high)};
 }
-/// What is left of a mass; rounding does not make it negative.
+/// The rest of a mass; rounding does not make it negative.
 Interval rest(const Interval& whole, const Interval& part) {
     const Interval left = whole - part;
     return {std::max(0.0, left.low()), std::max(0.0, left.high)};
 }
 
-/// The greatest expectation of `worth`, from above: every branch gets its least probability, and what is left goes to
-/// the worthiest, each up to its greatest.
+/// An upper bound on the greatest expectation of `worth`: every branch gets its least probability, and the rest is
+/// assigned to the best branches, each up to its greatest probability.
 double within_bounds(const UncertainRow& row, const std::vector<double>& worth) {
     Interval sum = point(0);
     Interval left = point(1);
@@ -54,8 +54,8 @@ double within_bounds(const UncertainRow& row, const std::vector<double>& worth) 
     return sum.high;
 }
 
-/// The same in the ball: up to half of the radius is moved to the worthiest branch, from the least worthy ones (Strehl
-/// and Littman, JCSS 74, 2008).
+/// The same within the ball: up to half of the radius is moved to the best branch, from the worst ones (Strehl and
+/// Littman, JCSS 74, 2008).
 double within_ball(const UncertainRow& row, const std::vector<double>& worth) {
     const std::vector<std::size_t> order = by_worth(row, worth);
     Interval sum = point(0);
@@ -82,8 +82,8 @@ double sign_of(Direction direction) {
     return direction == Direction::maximum ? 1 : -1;
 }
 
-/// The states without `goal` in which nature can keep the chain for ever: the greatest set that it need not leave. More
-/// only where rounding cannot tell.
+/// The states outside `goal` in which nature can keep the chain forever: the greatest set that it need not leave. The
+/// result is larger only if rounding prevents a decision.
 StateSet endless(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
     std::vector<double> inside(chain.size());
     for (std::size_t state = 0; state < chain.size(); ++state) inside[state] = goal[state] ? 0 : 1;
@@ -101,7 +101,7 @@ StateSet endless(const UncertainChain& chain, const StateSet& goal, diagnostics:
     return result;
 }
 
-/// The states without `goal` from which nature can bring the chain into `target`, with a chance above 0.
+/// The states outside `goal` from which nature can bring the chain into `target` with positive probability.
 StateSet leading_to(const UncertainChain& chain, const StateSet& goal, StateSet target, diagnostics::Budget* budget) {
     std::vector<double> there(target.begin(), target.end());
     for (bool changed = true; changed;) {
@@ -117,7 +117,7 @@ StateSet leading_to(const UncertainChain& chain, const StateSet& goal, StateSet 
     return target;
 }
 
-/// What it costs from each state on, from above, where it does from its successors on; 0 where nothing is asked.
+/// Upper bounds on the costs from each state, computed from bounds for its successors; 0 for the states in `done`.
 std::vector<double> costs_behind(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
                                  const std::vector<double>& worth, double sign) {
     std::vector<double> next(chain.size());
@@ -133,7 +133,8 @@ double change(const std::vector<double>& before, const std::vector<double>& now)
     return most;
 }
 
-/// A vector that its costs and successors do not exceed, near to what value iteration came to; empty: none.
+/// A vector that is at least the costs plus its expectation over successors, near the result of value iteration; empty
+/// if none is found.
 std::vector<double> inductive(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
                               std::vector<double> worth) {
     constexpr double more = 1 + 1e-6;
@@ -147,7 +148,7 @@ std::vector<double> inductive(const UncertainChain& chain, const StateSet& done,
     return worth;
 }
 
-/// The states that can be reached, in whichever chain.
+/// The states that are reachable in some chain.
 StateSet reachable(const UncertainChain& chain, State from) {
     StateSet found(chain.size());
     std::vector<State> open{from};
@@ -256,7 +257,7 @@ double average_bound(const UncertainChain& chain, State from, const std::vector<
             const double gain = sign * value[state] + expectation(chain[state], worth) - worth[state];
             bound = std::max(bound, gain);
             other = std::min(other, gain);
-            next[state] = worth[state] + gain / 2;  // half a step: a chain with a period settles too
+            next[state] = worth[state] + gain / 2;  // half a step, so that periodic chains converge too
         }
         least = std::min(least, bound);
         if (bound - other < near) break;

@@ -1,7 +1,7 @@
-// Markov chains whose probabilities are known within bounds only: what every chain within them has in common. Robust
-// value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean, Artificial Intelligence
-// 122, 2000). Nature chooses anew in each step, so what holds of all her choices holds of every chain within the
-// bounds.
+// Markov chains whose probabilities are only known within bounds: properties that all chains within the bounds share.
+// Robust value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean, Artificial
+// Intelligence 122, 2000). Nature chooses anew in each step, so a statement about all of its choices holds for every
+// chain within the bounds.
 #pragma once
 
 #include <cstdint>
@@ -12,50 +12,50 @@
 
 namespace robochart::markov {
 
-/// Where a state may go to, and with which probability.
+/// A possible target of a state, with bounds on its probability.
 struct UncertainBranch {
     State target = 0;
     double low = 0;  ///< 0 <= low <= high <= 1
     double high = 1;
 };
 
-/// The branches of a state: all vectors of probabilities within the bounds, and no farther than `radius` from `centre`
-/// in the sum of absolute differences. At least one such vector exists.
+/// The branches of a state: all vectors of probabilities within the bounds whose distance from `centre`, the sum of
+/// absolute differences, is at most `radius`. At least one such vector exists.
 struct UncertainRow {
     std::vector<UncertainBranch> branches;  ///< targets ascend
-    std::vector<double> centre;             ///< of each branch; empty: no such condition
+    std::vector<double> centre;             ///< by branch; empty: no such condition
     double radius = 2;
 };
 
-/// A chain with a row for each state.
+/// A chain, with one row for each state.
 using UncertainChain = std::vector<UncertainRow>;
 
-/// A bound, for each state, on the probability to come into `goal` within 0, 1, ... `steps` steps, for every chain
-/// within the bounds: with `minimum` none is below it, with `maximum` none above it; rounding can only loosen it.
-/// `result[k][s]` is about k steps from s. Where a row has both kinds of conditions, the ball alone is used.
-/// Throws std::invalid_argument where a row holds no vector of probabilities.
+/// Bounds, for each state, on the probability to reach `goal` within 0, 1, ... `steps` steps, for every chain within
+/// the bounds: with `minimum`, no probability is below; with `maximum`, none is above. Rounding can only loosen the
+/// bounds. `result[k][s]` is for k steps from s. If a row has both kinds of conditions, only the ball is used. Throws
+/// std::invalid_argument if a row contains no vector of probabilities.
 [[nodiscard]] std::vector<std::vector<double>> reach_bounds(const UncertainChain& chain, const StateSet& goal,
                                                             std::uint64_t steps, Direction direction,
                                                             diagnostics::Budget* budget = nullptr);
 
-/// A bound, for each state, on the expectation of a value of the state 0, 1, ... `steps` steps later, for every chain
-/// within the bounds. `result[k][s]` is about k steps from s.
+/// Bounds, for each state, on the expectation of a value of the state 0, 1, ... `steps` steps later, for every chain
+/// within the bounds. `result[k][s]` is for k steps from s.
 [[nodiscard]] std::vector<std::vector<double>> value_bounds(const UncertainChain& chain,
                                                             const std::vector<double>& value, std::uint64_t steps,
                                                             Direction direction, diagnostics::Budget* budget = nullptr);
 
-/// A bound, for each state, on the expected sum of what the states before `goal` cost (at least 0; a state that costs
-/// nothing is entered from nowhere). A lower bound is reached from below, so every round gives one. An upper bound is a
-/// vector w with cost + E w <= w for all choices of nature (Park induction); infinite where she can keep the chain from
-/// the goal for ever, and where no such vector was found in `most_rounds` rounds.
+/// Bounds, for each state, on the expected sum of the costs of states before `goal` (at least 0; a state without costs
+/// has no predecessors). Value iteration approaches a lower bound from below, so every round gives one. An upper bound
+/// is a vector w with cost + E w <= w for all choices of nature (Park induction). It is infinite if nature can keep the
+/// chain from the goal forever, and if no such vector is found in `most_rounds` rounds.
 [[nodiscard]] std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goal,
                                               const std::vector<double>& cost, Direction direction,
                                               std::uint64_t most_rounds = 100'000,
                                               diagnostics::Budget* budget = nullptr);
 
-/// A bound on what a value of the state is on average in the long run from a state: the greatest value[s] + E v - v[s],
-/// or the least, over the states that can be reached, of some vector v (any of them gives a bound: Puterman, Markov
-/// Decision Processes, 1994, theorem 8.5.5).
+/// A bound on the long-run average of a value of the state, from a state: the greatest value[s] + E v - v[s], or the
+/// least, over the reachable states, for some vector v (any vector gives a bound: Puterman, Markov Decision Processes,
+/// 1994, theorem 8.5.5).
 [[nodiscard]] double average_bound(const UncertainChain& chain, State from, const std::vector<double>& value,
                                    Direction direction, std::uint64_t most_rounds = 10'000,
                                    diagnostics::Budget* budget = nullptr);

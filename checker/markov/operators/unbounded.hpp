@@ -1,5 +1,4 @@
-// Probabilities and rewards without a bound on the steps, for every state, as enclosures that hold in spite of
-// rounding.
+// Probabilities and rewards without a step bound, for every state, as enclosures that are valid in spite of rounding.
 #pragma once
 
 #include "checker/markov/solve/solution.hpp"
@@ -10,12 +9,12 @@ namespace robochart::markov {
 [[nodiscard]] Solution until(const Model& model, const StateSet& left, const StateSet& right, Direction direction,
                              const Precision& precision = {});
 
-/// R [ F target ]: what is earned before the target is reached; infinite where it is not reached with probability 1
-/// (maximum: under every scheduler; minimum: under one). Throws Unsupported where a reward is negative.
+/// R [ F target ]: the reward earned before the target is reached; infinite if it is not reached with probability 1
+/// (maximum: under every scheduler; minimum: under one). Throws Unsupported if a reward is negative.
 [[nodiscard]] Solution reachability_reward(const Model& model, const Rewards& rewards, const StateSet& target,
                                            Direction direction, const Precision& precision = {});
 
-/// R [ C ]: what is earned in all. Throws Unsupported where a reward is negative.
+/// R [ C ]: the total reward. Throws Unsupported if a reward is negative.
 [[nodiscard]] Solution total_reward(const Model& model, const Rewards& rewards, Direction direction,
                                     const Precision& precision = {});
 

@@ -1,4 +1,5 @@
-// until, reachability_reward, total_reward: the graph says where the answer is 0, 1 or infinite, equations the rest.
+// until, reachability_reward, total_reward: the graph decides where the result is 0, 1 or infinite; equations give the
+// other values.
 #include "checker/markov/graph/qualitative.hpp"
 #include "checker/markov/operators/operators.hpp"
 #include "checker/markov/solve/arithmetic.hpp"
@@ -9,7 +10,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The states in which a predicate of states holds.
+/// The states that satisfy a predicate.
 template <class Holds>
 StateSet states_where(std::size_t states, Holds holds) {
     StateSet set(states);
@@ -84,7 +85,7 @@ public:
         return earn(rewards, finite, std::move(admitted), zero, std::move(collapsed));
     }
 
-    /// Where nothing more need be paid, an end component is left only for more.
+    /// If nothing more need be paid, an end component is left only to earn more.
     Result<Value> total_reward(const Rewards& rewards) {
         const Payments payments(model_, rewards);
         const std::vector<bool> free = payments.free_choices(every_choice(graph_));
@@ -99,7 +100,7 @@ public:
     }
 
 private:
-    /// Where one can stay and be paid again and again.
+    /// The states in which a scheduler can stay and be paid infinitely often.
     StateSet endless_pay(const std::vector<bool>& free) {
         StateSet endless(model_.states(), false);
         std::vector<std::pair<EndComponent, std::uint32_t>> paying;
@@ -115,7 +116,7 @@ private:
         return endless;
     }
 
-    /// To where one can stay for nothing.
+    /// The least reward on the way to states in which a scheduler can stay for free.
     Result<Value> cheapest_rest(const Rewards& rewards, const std::vector<bool>& free) {
         StateSet resting(model_.states(), false);
         const std::vector<EndComponent> components = end_components(graph_, {every_state(graph_), free});
@@ -128,7 +129,7 @@ private:
         return result;
     }
 
-    /// Values of finite states, 0 in `zero`.
+    /// Values of the finite states; 0 in `zero`.
     Result<Value> earn(const Rewards& rewards, const StateSet& finite, std::vector<bool> admitted, const StateSet& zero,
                        std::vector<EndComponent> collapsed) {
         result_.infinite = finite;

@@ -1,8 +1,8 @@
 // See probable_paths.hpp. A path costs the sum of -log of its probabilities. Dijkstra's algorithm, backwards from the
-// goal, gives every state its cheapest way there. So the cheapest path that begins in a known way is that beginning and
-// the cheapest way on; all others leave that way at some state, and begin in a known way up to there. These beginnings
-// wait in a queue, by the cost of the cheapest path that begins like that (Lawler, A procedure for computing the K best
-// solutions to discrete optimization problems, Management Science 18, 1972).
+// goal, gives every state its cheapest path to the goal. So the cheapest path with a given prefix is the prefix
+// followed by the cheapest path from its last state; every other path with this prefix deviates at some state, which
+// gives a longer prefix. The prefixes are in a queue, ordered by the cost of their cheapest paths (Lawler, A procedure
+// for computing the K best solutions to discrete optimization problems, Management Science 18, 1972).
 #include "checker/markov/paths/probable_paths.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace robochart::markov {
 namespace {
 
 constexpr State nowhere = ~State{0};
-/// Beginnings that are kept.
+/// Maximal number of stored prefixes.
 constexpr std::size_t most_beginnings = 5'000'000;
 
 class Search {
@@ -49,13 +49,13 @@ private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     struct Beginning {
         State state;
-        std::uint32_t before;  ///< the beginning without this state
+        std::uint32_t before;  ///< the prefix without this state
         std::uint32_t steps;
         double cost;
     };
     using Entry = std::pair<double, std::uint32_t>;
 
-    /// The paths that may still come are less probable than the last one.
+    /// Whether the bound is unreachable, because the remaining paths are less probable than the last one.
     [[nodiscard]] bool out_of_reach(const PathSet& found) const {
         const auto left = static_cast<double>(wanted_.most - found.paths.size());
         return left * found.paths.back().probability.high < wanted_.bound - found.total.low;
@@ -107,8 +107,8 @@ private:
         return number;
     }
 
-    /// The cheapest path with this beginning; beginnings that leave it are kept for later. Nothing where it is too
-    /// long.
+    /// The cheapest path with this prefix; prefixes that deviate from it are stored for later. No value if the path is
+    /// too long.
     std::optional<Path> follow(std::uint32_t number) {
         queue_.pop();
         while (!wanted_.right[beginnings_[number].state]) {
@@ -142,7 +142,7 @@ private:
 
     const PathsWanted& wanted_;
     const Model& model_;
-    std::vector<double> cost_;  ///< of the cheapest way to the goal
+    std::vector<double> cost_;  ///< costs of the cheapest paths to the goal
     std::vector<State> toward_;
     std::vector<Beginning> beginnings_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;

@@ -1,5 +1,5 @@
-// The most probable paths to a set of states, one after the other: evidence that a probability exceeds a bound
-// (Han, Katoen and Damman, Counterexample generation in probabilistic model checking, IEEE TSE 35, 2009).
+// The most probable paths to a set of states, in descending order: evidence that a probability exceeds a bound (Han,
+// Katoen and Damman, Counterexample generation in probabilistic model checking, IEEE TSE 35, 2009).
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,32 @@
 namespace robochart::markov {
 
 struct Path {
-    std::vector<State> states;  ///< the last one is the first in the goal
+    std::vector<State> states;  ///< only the last one is in the goal
     Enclosure probability;
 };
 
-/// Paths of `left U right` from a state: no two of them begin alike, so their probabilities add up.
+/// Paths of `left U right` from a state: none is a prefix of another, so their probabilities add up.
 struct PathsWanted {
     const Graph& graph;
-    const std::vector<std::uint32_t>& strategy;  ///< a choice of each state
+    const std::vector<std::uint32_t>& strategy;  ///< a choice for each state
     const StateSet& left;
     const StateSet& right;
     State from = 0;
-    std::optional<std::uint64_t> steps;  ///< of a path at most
-    double bound = 0;                    ///< what they are to reach together
-    bool strict = true;                  ///< ... to exceed
-    std::size_t most = 10'000;           ///< paths
+    std::optional<std::uint64_t> steps;  ///< maximal length of a path
+    double bound = 0;                    ///< bound for their total probability
+    bool strict = true;                  ///< the total must exceed the bound, not only reach it
+    std::size_t most = 10'000;           ///< maximal number of paths
     diagnostics::Budget* budget = nullptr;
 };
 
 struct PathSet {
-    std::vector<Path> paths;  ///< the most probable first, but for rounding
-    Enclosure total;          ///< of their probabilities
-    bool enough = false;      ///< the total reaches the bound, in spite of rounding
+    std::vector<Path> paths;  ///< the most probable first, up to rounding
+    Enclosure total;          ///< sum of their probabilities
+    bool enough = false;      ///< the total reaches the bound in spite of rounding
 };
 
-/// As few of the most probable paths as are enough; where `most` of them cannot be, only some. Throws LimitReached.
+/// The least number of most probable paths that reaches the bound; if `most` of them cannot reach it, only some paths.
+/// Throws LimitReached.
 [[nodiscard]] PathSet probable_paths(const PathsWanted& wanted);
 
 }  // namespace robochart::markov

@@ -1,4 +1,4 @@
-// What the operators need of the numbers that they compute with: intervals, rationals, and doubles for guesses.
+// The arithmetic that the operators need: intervals, rationals, and doubles for guesses.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace robochart::markov {
 
-/// Numbers of a model in another arithmetic. A double is any value of the enclosure.
+/// The numbers of a model in another arithmetic. A double is an arbitrary value of the enclosure.
 [[nodiscard]] std::vector<Interval> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
                                               const Interval&);
 [[nodiscard]] std::vector<Rational> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
@@ -29,7 +29,8 @@ template <class Value>
     return (direction == Direction::maximum) == (left < right) ? right : left;
 }
 
-/// Whether `left` is strictly better; for intervals by some value in them, which only a strategy depends on.
+/// Whether `left` is strictly better. Intervals are compared by some value in them, which affects only the choice of a
+/// strategy.
 [[nodiscard]] inline bool better(const Interval& left, const Interval& right, Direction direction) {
     return direction == Direction::maximum ? left.middle() > right.middle() : left.middle() < right.middle();
 }
@@ -38,7 +39,7 @@ template <class Value>
     return direction == Direction::maximum ? left > right : left < right;
 }
 
-/// Whether a divisor can be trusted to be above 0.
+/// Whether a divisor is known to be positive.
 [[nodiscard]] inline bool positive(const Interval& value) {
     return value.negated_low < 0;
 }

@@ -1,4 +1,4 @@
-// Rewards as the operators read them.
+// Rewards in the form that the operators use.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace robochart::markov {
 
-/// Rewards in another arithmetic; empty vectors: all are 0.
+/// Rewards in another arithmetic; empty vectors: all rewards are 0.
 template <class Value>
 struct Earnings {
     std::vector<Value> state;
@@ -17,14 +17,14 @@ struct Earnings {
 template <class Value>
 [[nodiscard]] Earnings<Value> earnings(const Rewards& rewards);
 
-/// Where rewards are above 0. Throws Unsupported where one is negative.
+/// The places of positive rewards. Throws Unsupported if a reward is negative.
 class Payments {
 public:
     Payments(const Model& model, const Rewards& rewards);
 
-    /// States that earn something, or may: by one of their choices.
+    /// States that earn something, or may earn something by one of their choices.
     [[nodiscard]] StateSet states() const;
-    /// Of these choices those that earn nothing, their states included.
+    /// Those of the given choices that earn nothing, including in their states.
     [[nodiscard]] std::vector<bool> free_choices(std::vector<bool> choices) const;
 
 private:

@@ -14,7 +14,7 @@ namespace {
 template <class Value>
 class Elimination {
 public:
-    /// `right_sides` go through it, if there are some; `keep_shares`: for those that come later.
+    /// `right_sides` are transformed too; `keep_shares` stores what later right sides need.
     Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>>& right_sides,
                 bool keep_shares, const EliminationLimit& limit)
         : limit_(limit),
@@ -58,7 +58,7 @@ private:
         forget_places(row);
     }
 
-    /// To the row whose places are known.
+    /// Adds to the row whose places are known.
     void add(std::uint32_t unknown, std::uint32_t to, const Value& factor) {
         Row& row = rows_[unknown];
         if (place_[to] == nowhere) {
@@ -99,7 +99,7 @@ private:
         return true;
     }
 
-    /// In the row of `from`, the eliminated unknown by its own row.
+    /// Replaces the eliminated unknown in the row of `from` by its own row.
     bool replace(std::uint32_t from, std::uint32_t eliminated) {
         Row& row = rows_[from];
         const Row& by = rows_[eliminated];
@@ -124,10 +124,11 @@ private:
     const EliminationLimit& limit_;
     const bool keep_shares_;
     std::vector<Row> rows_;
-    std::vector<std::vector<std::uint32_t>> incoming_;  // unknowns with an entry of this one, some of them gone
-    std::vector<std::uint64_t> incoming_count_;         // those not gone
+    std::vector<std::vector<std::uint32_t>> incoming_;  // by unknown: rows with an entry for it; some of these entries
+                                                        // may have been removed
+    std::vector<std::uint64_t> incoming_count_;         // number of those that have not been removed
     std::vector<bool> gone_;
-    std::vector<std::uint32_t> place_;  // of each unknown in the entries of one row
+    std::vector<std::uint32_t> place_;  // by unknown: its index in the entries of one row
     std::vector<std::vector<Value>>& right_sides_;
     std::vector<std::uint32_t> order_;
     std::vector<std::vector<Entry>> shares_;

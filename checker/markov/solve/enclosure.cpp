@@ -15,7 +15,7 @@ double above(double value) {
     return std::nextafter(value, infinity);
 }
 
-/// The exact sum lies between (Knuth's two-sum: the sum's error is a double, and these operations find it).
+/// An enclosure of the exact sum (Knuth's two-sum: the error of the sum is a double, and these operations compute it).
 Enclosure sum(double left, double right) {
     const double rounded = left + right;
     if (std::isinf(left) || std::isinf(right)) return {rounded, rounded};
@@ -24,12 +24,12 @@ Enclosure sum(double left, double right) {
     return {error >= 0 ? rounded : below(rounded), error <= 0 ? rounded : above(rounded)};
 }
 
-/// 0 * infinity is 0: the limit of a bound.
+/// 0 * infinity is 0, as the limit of a bound.
 Enclosure product(double left, double right) {
     if (left == 0 || right == 0) return {0, 0};
     const double rounded = left * right;
     if (std::isinf(left) || std::isinf(right)) return {rounded, rounded};
-    // The error of a product is a double only far from underflow.
+    // The error of a product is a double only if the product is far from underflow.
     const bool error_is_exact = std::abs(rounded) > 1e-250 && !std::isinf(rounded);
     if (error_is_exact && std::fma(left, right, -rounded) == 0) return {rounded, rounded};
     return {below(rounded), above(rounded)};
@@ -45,7 +45,7 @@ Enclosure quotient(double left, double right) {
     return {below(rounded), above(rounded)};
 }
 
-/// Over the corners of two enclosures.
+/// The hull of an operation's results over the corners of two enclosures.
 template <class Operation>
 Enclosure hull(Enclosure left, Enclosure right, Operation operation) {
     const Enclosure corners[] = {operation(left.low, right.low), operation(left.low, right.high),

@@ -1,4 +1,4 @@
-// Numbers as two doubles that enclose them. Arithmetic rounds outward, and only where the result is no double.
+// Numbers as pairs of doubles that enclose them. Arithmetic rounds outward, and only if the result is not a double.
 #pragma once
 
 #include <limits>
@@ -7,25 +7,25 @@ namespace robochart::markov {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// low <= exact value <= high; both infinite where the value is.
+/// low <= exact value <= high; both are infinite if the value is.
 struct Enclosure {
     double low = 0;
     double high = 0;
 
     [[nodiscard]] bool exact() const { return low == high; }
     [[nodiscard]] double middle() const;
-    /// (high - low) / the greater absolute bound, rounded up; 0 where exact.
+    /// (high - low) / the greater absolute bound, rounded up; 0 if exact.
     [[nodiscard]] double relative_width() const;
     friend bool operator==(const Enclosure&, const Enclosure&) = default;
 };
 
-/// For expressions over results, in the usual rounding mode (to nearest).
+/// For expressions over results, in the default rounding mode (to nearest).
 [[nodiscard]] Enclosure operator+(Enclosure left, Enclosure right);
 [[nodiscard]] Enclosure operator-(Enclosure left, Enclosure right);
 [[nodiscard]] Enclosure operator*(Enclosure left, Enclosure right);
-/// From -infinity to infinity where the divisor may be 0.
+/// From -infinity to infinity if the divisor may be 0.
 [[nodiscard]] Enclosure operator/(Enclosure left, Enclosure right);
-/// 1 - p, of a probability: stays within 0 .. 1.
+/// 1 - p for a probability; the result stays within 0 .. 1.
 [[nodiscard]] Enclosure complement(Enclosure probability);
 
 }  // namespace robochart::markov

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
-/// Open states, those of an end component as one. A class is known by its first state.
+/// Open states, where the states of an end component form one class. A class is identified by its first state.
 class Classes {
 public:
     Classes(const std::vector<EndComponent>& collapsed, std::size_t states) {
@@ -38,7 +38,7 @@ public:
 private:
     [[nodiscard]] std::uint32_t component(State state) const { return component_.empty() ? none : component_[state]; }
 
-    std::vector<std::uint32_t> component_;  // of each state; empty where nothing is collapsed
+    std::vector<std::uint32_t> component_;  // by state; empty if nothing is collapsed
     const std::vector<EndComponent>* collapsed_ = nullptr;
 };
 
@@ -185,7 +185,8 @@ private:
         choices_.push_back(choice);
     }
 
-    /// For all members of the class. Those of an end component go to the one whose choice leaves it.
+    /// Sets the value for all members of the class. In an end component, the strategy moves to the state whose choice
+    /// leaves it.
     void set(State first, const Value& value, std::uint32_t choice) {
         classes_.for_each_member(first, [&](State member) { equations_.values[member] = value; });
         if (!equations_.asked.precision.strategy || choice == none) return;
@@ -201,8 +202,8 @@ private:
     std::string& shortfall_;
     const Classes classes_;
     const std::vector<Value> numbers_;
-    std::vector<std::uint32_t> place_;    // of the classes of one component among its unknowns
-    std::vector<std::uint32_t> choices_;  // of that component's rows, the model's choices
+    std::vector<std::uint32_t> place_;    // by class of one component: its index among the unknowns
+    std::vector<std::uint32_t> choices_;  // the model's choices for that component's rows
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Values of states by equations over the whole model, solved component by component, those that others lead to first.
+// Values of states by equations over the whole model, solved component by component, in reverse topological order.
 #pragma once
 
 #include <string>
@@ -11,21 +11,22 @@
 
 namespace robochart::markov {
 
-/// What is to be solved. The conditions of Optimum hold once the end components are states of their own.
+/// The equations to solve. The conditions of Optimum hold after each end component has been replaced by one state.
 template <class Value>
 struct Equations {
     const Graph& graph;
-    StateSet open;                        ///< states whose values are unknown
-    std::vector<bool> admitted;           ///< choices; each open state has one
-    std::vector<EndComponent> collapsed;  ///< of open states: where staying earns nothing, and is not worth anything
+    StateSet open;                        ///< states with unknown values
+    std::vector<bool> admitted;           ///< by choice; each open state has an admitted one
+    std::vector<EndComponent> collapsed;  ///< end components of open states in which staying earns nothing and has no
+                                          ///< value
     Earnings<Value> earnings;
-    std::vector<Value> values;  ///< of each state; filled in where open
+    std::vector<Value> values;  ///< by state; computed for open states
     Optimum asked;
-    bool probabilities = false;  ///< no value is above 1
+    bool probabilities = false;  ///< no value exceeds 1
 };
 
-/// Fills in the values of open states, and their choices: a strategy for them, if asked for (of the others 0). Adds to
-/// `shortfall` why some value is less precise than asked for.
+/// Computes the values of open states and, if requested, their choices as a strategy (0 for other states). Appends to
+/// `shortfall` the reason if some value is less precise than requested.
 template <class Value>
 void solve(Equations<Value>& equations, std::vector<std::uint32_t>& strategy, std::string& shortfall);
 

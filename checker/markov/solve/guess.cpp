@@ -9,13 +9,13 @@
 namespace robochart::markov {
 namespace {
 
-/// The e >= 0 with excess + e * growth <= 0: from least to most, none where least > most.
+/// The e >= 0 with excess + e * growth <= 0: from least to most, none if least > most.
 struct Scales {
     double least = 0;
     double most = infinity;
 };
 
-/// Both arguments are rounded up already; so are the results, to the safe side.
+/// Both arguments are already rounded up; the results are rounded to the safe side too.
 Scales scales(double excess, double growth) {
     if (growth < 0) return {excess > 0 ? excess / -growth : 0, infinity};
     if (excess > 0) return {infinity, 0};
@@ -27,10 +27,10 @@ public:
     Proof(const System<Interval>& system, Direction direction, const Guesses& guesses)
         : system_(system), direction_(direction), guesses_(guesses) {}
 
-    /// Nothing where there is none.
+    /// No value if there is none.
     std::optional<double> scale() {
         for (std::uint32_t unknown = 0; unknown < system_.size(); ++unknown) {
-            Scales one{infinity, 0};  // of the bound for which one choice is enough
+            Scales one{infinity, 0};  // for the bound for which one choice suffices
             for (std::uint32_t choice = system_.first_choice[unknown]; choice < system_.first_choice[unknown + 1];
                  ++choice) {
                 const auto [above, below] = look(unknown, choice);
@@ -60,7 +60,7 @@ private:
             const Interval& factor = system_.numbers[system_.number[entry]];
             const Guess& guess = guesses_[system_.unknown[entry]];
             high += factor.high * guess.high;
-            negated_low += factor.negated_low * guess.low;  // -(p * x) rounded up: guesses are not negative
+            negated_low += factor.negated_low * guess.low;  // -(p * x) rounded up, because guesses are not negative
             weight += factor.high * guess.weight;
         }
         const Guess& own = guesses_[unknown];

@@ -6,7 +6,7 @@
 namespace robochart::markov {
 namespace {
 
-/// 1 + 2^-60 is above 1 only where sums round upward; 1/3 + 1/3 + 1/3 - 1 likewise.
+/// 1 + 2^-60 is above 1 only if sums are rounded upward; likewise 1/3 + 1/3 + 1/3 - 1.
 bool rounds_upward() {
     volatile double one = 1;
     volatile double tiny = 0x1p-60;

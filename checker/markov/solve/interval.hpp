@@ -1,12 +1,11 @@
 // Intervals whose operations round outward because the processor rounds upward.
 //
-// Why every bound is right, optimised or not:
+// Why every bound is valid, with and without optimisation:
 // - RoundUpward sets the mode with fesetround, which every operation of SSE2 and NEON obeys, and checks that it has
-// effect.
-// - An interval keeps the *negated* low bound. So both bounds only ever need rounding upward, and no operation depends
-// on a
-//   change of mode in between.
-// - The optimiser may not fold constants to nearest, nor move a minus sign through a rounded operation: the folder is
+//   effect.
+// - An interval stores the *negated* low bound. So both bounds only ever need rounding upward, and no operation depends
+//   on a change of mode in between.
+// - The optimiser must not fold constants to nearest, nor move a minus sign through a rounded operation: the folder is
 //   compiled with -frounding-math. Operands come from the heap, so no operation moves over the call of fesetround.
 // - Minus signs are exact. Contraction of a*b+c to one rounding only makes the result sharper.
 // Tests compare all operators with rational arithmetic.
@@ -19,7 +18,8 @@
 
 namespace robochart::markov {
 
-/// While it lives, this thread rounds upward. Throws std::runtime_error where the system does not do so.
+/// Sets this thread's rounding mode to upward during its lifetime. Throws std::runtime_error if the system does not
+/// support it.
 class RoundUpward {
 public:
     RoundUpward();
@@ -31,7 +31,7 @@ private:
     int before_;
 };
 
-/// Valid while RoundUpward lives.
+/// Valid during the lifetime of a RoundUpward.
 struct Interval {
     double negated_low = 0;
     double high = 0;
@@ -40,7 +40,7 @@ struct Interval {
     Interval(double low_bound, double high_bound) : negated_low(-low_bound), high(high_bound) {}
 
     [[nodiscard]] double low() const { return -negated_low; }
-    /// Some double between the bounds.
+    /// A double between the bounds.
     [[nodiscard]] double middle() const { return std::clamp(high / 2 - negated_low / 2, low(), high); }
     [[nodiscard]] Enclosure enclosure() const { return {0.0 - negated_low, high}; }
 
@@ -50,14 +50,14 @@ struct Interval {
         return *this;
     }
     friend Interval operator+(Interval left, const Interval& right) { return left += right; }
-    /// The factor on the left is not negative.
+    /// The left factor must not be negative.
     friend Interval operator*(const Interval& factor, const Interval& value) {
         Interval result;
         result.negated_low = (value.negated_low > 0 ? factor.high : factor.low()) * value.negated_low;
         result.high = (value.high < 0 ? factor.low() : factor.high) * value.high;
         return result;
     }
-    /// The divisor is above 0.
+    /// The divisor must be positive.
     friend Interval operator/(const Interval& value, const Interval& divisor) {
         Interval result;
         result.negated_low = value.negated_low / (value.negated_low > 0 ? divisor.low() : divisor.high);

@@ -18,7 +18,7 @@ Integer times(const Integer& multiplier, const Rational& value) {
     return multiplier / denominator(value) * numerator(value);
 }
 
-/// The equations in whole numbers: multiplier(i) x(i) = constant(i) + sum of factor x(j), where x is `scale` times the
+/// The equations with integers: multiplier(i) x(i) = constant(i) + sum of factor x(j), where x is `scale` times the
 /// solution.
 class WholeRows {
 public:
@@ -91,7 +91,7 @@ public:
         rows_.numbers = numbers_;
     }
 
-    /// Nothing where the prime divides a denominator or a pivot, or where the limit is reached.
+    /// No value if the prime divides a denominator or a pivot, or if the limit is reached.
     [[nodiscard]] std::optional<Factors<Residue<prime>>> factors(const EliminationLimit& limit) const {
         if (!exist_) return std::nullopt;
         Policy all(rows_.size());
@@ -177,10 +177,10 @@ private:
     const Factors<Residue<prime>>& factors_;
     const EliminationLimit& limit_;
     std::vector<Integer> left_;
-    std::vector<Residue<prime>> inverse_;  // of the multipliers
+    std::vector<Residue<prime>> inverse_;  // inverses of the multipliers
     std::vector<std::vector<std::uint32_t>> digits_;
     std::uint64_t modulus_digits_ = 0;
-    std::size_t doubtful_ = 0;  // a value that had no fraction
+    std::size_t doubtful_ = 0;  // index of a value for which no fraction was found
 };
 
 template <std::uint32_t prime>
@@ -200,7 +200,7 @@ std::optional<std::vector<Rational>> lift(const System<Rational>& system, const 
     if (auto found = lift_with<first_prime>(rows, system, policy, limit)) return found;
     if (auto found = lift_with<second_prime>(rows, system, policy, limit)) return found;
     if (auto found = lift_with<third_prime>(rows, system, policy, limit)) return found;
-    // No prime fits. What a limited elimination with fractions would take, nobody knows.
+    // No prime is suitable. The cost of a limited elimination with fractions is unpredictable.
     if (limit.operations != EliminationLimit{}.operations) return std::nullopt;
     std::vector<Rational> side;
     for (const std::uint32_t choice : policy) side.push_back(system.constant[choice]);

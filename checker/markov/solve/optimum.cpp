@@ -41,21 +41,21 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t first_visits = 64'000'000;  // of entries by sweeps
+    static constexpr std::uint64_t first_visits = 64'000'000;  // visits of entries by sweeps
     static constexpr std::uint64_t first_sweeps = 64;
-    static constexpr std::uint64_t last_visits = first_visits << 9U;  // where sweeps stand still
+    static constexpr std::uint64_t last_visits = first_visits << 9U;  // used if sweeps make no progress
     static constexpr std::uint64_t visits_for_an_operation = 64;
     static constexpr std::uint64_t rounds_of_policies = 8;
     static constexpr std::uint64_t most_entries = 50'000'000;
     static constexpr std::size_t few_unknowns = 1'000;
-    static constexpr std::uint64_t few_rational_operations = 5'000'000;  // most of them modulo a prime
+    static constexpr std::uint64_t few_rational_operations = 5'000'000;  // most of these are computed modulo a prime
     static constexpr double sharp = 1e-13;
 
-    /// Elimination and sweeps in turn, each time for eight times as long: which is faster is not known before, and both
-    /// together take little more than the faster one.
+    /// Alternates elimination and sweeps, each time eight times as long: it is not known in advance which is faster,
+    /// and both together take little longer than the faster one.
     bool attempt() {
         if (!deterministic_ && sweep_up_to(first_sweeps))
-            return true;  // a policy's elimination costs more than a chain's
+            return true;  // eliminating a policy costs more than eliminating a chain
         for (std::uint64_t visits = first_visits;; visits *= 8) {
             if (eliminate_within(visits / visits_for_an_operation)) return true;
             if (visits == first_visits && bound_with_rationals()) return true;
@@ -87,7 +87,7 @@ private:
         const auto improves = [this](double value, double offered) {
             return better(offered, value, asked_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
         };
-        // After sweeps the best choices by the guesses are nearly right; where the minimum is asked for they may not
+        // After sweeps, the best choices according to the guesses are nearly right; for a minimum, they might never
         // leave.
         const bool guessed = sweeps_ > 0 && asked_.direction == Direction::maximum;
         auto found = iterate_policies<double>(
@@ -110,7 +110,7 @@ private:
         return reached;
     }
 
-    /// Values of the policy with the constants' bounds, and weights over all choices that are as good.
+    /// Values of the policy for both bounds of the constants, and weights over all choices that are as good.
     bool guess(System<double>& system, const SystemSolution<double>& found, const EliminationLimit& limit) {
         std::vector<double> low(system.size());
         std::vector<double> high(system.size());
@@ -139,7 +139,7 @@ private:
         return true;
     }
 
-    /// Tries a proof where the sweeps stand still and, less and less often, before.
+    /// Tries a proof when the sweeps make no progress and, less and less often, before.
     bool sweep_up_to(std::uint64_t most) {
         std::uint64_t next_proof = sweeps_ + 8;
         std::uint64_t failures = 0;
@@ -153,7 +153,7 @@ private:
                 polish();
                 return true;
             }
-            stands_still_ = still && failures > 8;  // no further sweep changes anything
+            stands_still_ = still && failures > 8;  // further sweeps change nothing
             if (stands_still_) return false;
             if (++failures % 4 == 0) iteration_.set_tie(tie_ = std::max(tie_ / 100, 1e-13));
             next_proof = sweeps_ + 1 + sweeps_ / 8;
@@ -161,7 +161,7 @@ private:
         return false;
     }
 
-    /// Half as many sweeps again, for what they add.
+    /// Adds half as many sweeps, which improve the bounds.
     void polish() {
         for (std::uint64_t more = sweeps_ / 2 + 4; more > 0 && width_ > sharp; --more) {
             if (asked_.precision.budget != nullptr) asked_.precision.budget->check();
@@ -176,7 +176,7 @@ private:
         return values && keep_if_narrower(std::move(*values));
     }
 
-    /// Whether they are narrow enough.
+    /// Stores the values if they are narrower; returns whether they are narrow enough.
     bool keep_if_narrower(std::vector<Interval> values) {
         const double width = relative_width(values);
         if (width < width_ || values_.empty()) {
@@ -193,7 +193,7 @@ private:
     const bool deterministic_;
     std::vector<Interval> values_;
     Policy policy_;
-    std::optional<Policy> leaving_;  // the best found that leaves
+    std::optional<Policy> leaving_;  // the best policy found that leaves
     double width_ = infinity;
     double tie_ = 1e-6;
     std::uint64_t sweeps_ = 0;

@@ -1,4 +1,4 @@
-// The values of one strongly connected component.
+// The optimal values of one strongly connected component.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace robochart::markov {
 
-/// Every policy leaves with probability 1, or, where the minimum is asked for, one that does not has infinite value:
-/// then the equations have one solution, which is the optimum (Bertsekas and Tsitsiklis, 1991).
+/// Either every policy leaves with probability 1, or, for a minimum, any policy that does not has infinite value. Then
+/// the equations have one solution, which is the optimum (Bertsekas and Tsitsiklis, 1991).
 struct Optimum {
     Direction direction;
     Precision precision;
 };
 
-/// By policy iteration, from a policy that leaves.
+/// By policy iteration, starting with a policy that leaves.
 [[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked);
 
-/// Enclosures; where they cannot be made as narrow as asked for, `shortfall` says why. `most`: no value is above it.
+/// Enclosures; if they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: no value is
+/// above it.
 [[nodiscard]] SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& asked, double most,
                                                std::string& shortfall);
 

@@ -1,4 +1,4 @@
-// Bounds for small components that no residual in floating point can prove: where 2^40 steps are expected, say, and
+// Bounds for small components that no residual in floating point can prove: for example, if 2^40 steps are expected and
 // choices are equally good.
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace robochart::markov {
 
-/// The optimum with rational numbers, of the equations with all probabilities at their low bounds, widened by what the
-/// true probabilities can change.
+/// The optimum of the equations with all probabilities at their low bounds, computed with rational numbers and widened
+/// by the possible effect of the true probabilities.
 ///
-/// Let the probabilities between different unknowns, and to outside, be within a factor 1+d of the low bounds, and 1 -
-/// p(i,i) be the sum of the others. Under each policy a value is a quotient of two sums of products: of at most n such
-/// factors, n the number of unknowns, and no sign but plus (the matrix-tree theorem). So it changes by at most the
-/// factor (1+d)^n either way, and so does the best of them. Values grow with the constants; both bounds are solved.
-/// Policy iteration begins with `first`, a policy that leaves. Nothing where the limit is reached. `most`: no value is
-/// above it.
+/// Suppose that the probabilities between different unknowns, and to outside, are within a factor 1+d of the low
+/// bounds, and that 1 - p(i,i) is the sum of the others. Under each policy a value is a quotient of two sums of
+/// products, each with at most n such factors, where n is the number of unknowns, and with no sign but plus (the
+/// matrix-tree theorem). So it changes by at most the factor (1+d)^n in either direction, and so does the best of them.
+/// Values grow with the constants; the equations are solved for both bounds. Policy iteration begins with `first`, a
+/// policy that leaves. No value if the limit is reached. `most`: no value is above it.
 [[nodiscard]] std::optional<SystemSolution<Interval>> rational_bounds(const System<Interval>& system, Policy first,
                                                                       Direction direction, double most,
                                                                       const EliminationLimit& limit);

@@ -24,7 +24,7 @@ std::optional<std::vector<Value>> policy_values(const System<Value>& system, con
     return std::move(solved->front());
 }
 
-/// Of few unknowns fractions stay short, and an elimination is faster.
+/// With few unknowns, fractions stay short and an elimination is faster.
 std::optional<std::vector<Rational>> policy_values(const System<Rational>& system, const Policy& policy,
                                                    const EliminationLimit& limit) {
     constexpr std::uint64_t few_operations = 1'000;

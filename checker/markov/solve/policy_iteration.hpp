@@ -8,8 +8,8 @@
 
 namespace robochart::markov {
 
-/// What a choice of an unknown is worth if it is taken until another unknown is reached: as accurate as the sum of the
-/// probabilities to get there, and better than the value exactly where taking it once is.
+/// The worth of a choice if it is repeated until another unknown is reached. It is as accurate as the sum of the
+/// probabilities to get there, and better than the value exactly if taking the choice once is better.
 template <class Value>
 [[nodiscard]] Value worth(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice,
                           const std::vector<Value>& values) {
@@ -24,8 +24,8 @@ template <class Value>
     return sum / leaving;
 }
 
-/// `improves(value, worth)`: whether a choice of this worth replaces the policy's, of this value. `admitted(choice)`:
-/// whether it may. Nothing where the elimination ends without a result.
+/// `improves(value, worth)`: whether a choice with this worth replaces the policy's choice, whose value is `value`.
+/// `admitted(choice)`: whether it may be used. No value if the elimination has no result.
 template <class Value>
 [[nodiscard]] std::optional<SystemSolution<Value>> iterate_policies(
     const System<Value>& system, Policy policy, const EliminationLimit& limit,

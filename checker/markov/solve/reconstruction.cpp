@@ -5,7 +5,7 @@
 namespace robochart::markov {
 namespace {
 
-/// A number without a fraction has seemingly one with probability 2^-spare.
+/// A number without a fraction appears to have one with probability 2^-spare.
 constexpr unsigned spare = 32;
 
 class DigitSum {
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] Integer all() const { return of(0, digits_.size(), powers_.size()); }
 
 private:
-    /// Of digits from begin to end, at most 2^level.
+    /// The number with the digits from begin to end, at most 2^level digits.
     [[nodiscard]] Integer of(std::size_t begin, std::size_t end, std::size_t level) const {
         if (begin >= end) return 0;
         if (end - begin == 1) return digits_[begin];
@@ -43,7 +43,7 @@ Integer from_digits(std::span<const std::uint32_t> digits, std::uint32_t base) {
 }
 
 std::optional<Fraction> reconstructed(const Integer& value, const Integer& modulus) {
-    // remainder = factor * value modulo modulus, in each step; remainders fall, factors grow.
+    // remainder = factor * value modulo modulus in each step; remainders decrease, factors grow
     const unsigned most = (bits(modulus) - 1) / 2;
     Integer before = modulus;
     Integer remainder = value;
@@ -70,11 +70,11 @@ std::optional<Fraction> reconstructed(const Integer& value, const Integer& modul
 CommonFractions common_fractions(std::size_t count, std::size_t first, const Integer& modulus,
                                  const std::function<Integer(std::size_t)>& value) {
     CommonFractions result;
-    std::vector<Integer> denominators(count);  // each a divisor of the next one
+    std::vector<Integer> denominators(count);  // each divides the next one
     result.numerators.resize(count);
     for (std::size_t step = 0; step < count; ++step) {
         const std::size_t at = (first + step) % count;
-        // Most often the denominator so far is one of this value too.
+        // Usually the current denominator is also one of this value.
         auto fraction = reconstructed(Integer(value(at) * result.denominator % modulus), modulus);
         if (!fraction) {
             result.without = at;

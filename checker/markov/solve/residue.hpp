@@ -1,18 +1,18 @@
-// Whole numbers modulo a prime: a field in which a division is exact and no number grows.
+// Integers modulo a prime: a field in which division is exact and numbers do not grow.
 #pragma once
 
 #include <cstdint>
 
 namespace robochart::markov {
 
-/// A class of the whole numbers modulo `prime`, which is a prime below 2^31.
+/// A class of the integers modulo `prime`, which is a prime below 2^31.
 template <std::uint32_t prime>
 class Residue {
 public:
     static_assert(prime < (1U << 31U));
 
     Residue() = default;
-    /// `value` is below the prime.
+    /// `value` must be below the prime.
     explicit Residue(std::uint32_t value) : value_(value) {}
 
     /// The member of the class from 0 to prime - 1.
@@ -26,7 +26,7 @@ public:
     friend Residue operator*(Residue left, Residue right) {
         return Residue(static_cast<std::uint32_t>(std::uint64_t{left.value_} * right.value_ % prime));
     }
-    /// The divisor is not 0.
+    /// The divisor must not be 0.
     friend Residue operator/(Residue left, Residue right) { return left * right.inverse(); }
     friend bool operator==(Residue, Residue) = default;
 
@@ -50,7 +50,7 @@ inline constexpr std::uint32_t first_prime = 2'147'483'647;
 inline constexpr std::uint32_t second_prime = 2'147'483'629;
 inline constexpr std::uint32_t third_prime = 2'147'483'587;
 
-/// Whether it can be divided by.
+/// Whether it is a valid divisor.
 template <std::uint32_t prime>
 [[nodiscard]] bool positive(Residue<prime> value) {
     return value.value() != 0;

@@ -1,4 +1,4 @@
-// What is asked of the numeric and the exact operators, and what they answer.
+// Options and results of the numeric and the exact operators.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,25 @@
 
 namespace robochart::markov {
 
-/// Over the schedulers of an mdp; a dtmc has one.
+/// For the schedulers of an mdp; a dtmc has only one.
 enum class Direction { minimum, maximum };
 
 struct Precision {
-    double relative = 1e-6;                 ///< the relative width that enclosures should have at most
-    std::uint64_t most_sweeps = 1'000'000;  ///< over a strongly connected component
+    double relative = 1e-6;                 ///< maximal relative width of the enclosures
+    std::uint64_t most_sweeps = 1'000'000;  ///< for a strongly connected component
     diagnostics::Budget* budget = nullptr;  ///< polled; may be null
-    bool strategy = false;                  ///< ask for Solution::strategy
+    bool strategy = false;                  ///< compute Solution::strategy
 };
 
 /// The value of every state.
 struct Solution {
-    std::vector<Enclosure> values;  ///< right in any case
-    std::vector<std::uint32_t>
-        strategy;           ///< of each state an optimal choice, as an index into the model's; empty unless asked for
-    std::string shortfall;  ///< why some enclosure is wider than asked for; empty where none is
+    std::vector<Enclosure> values;        ///< always valid enclosures
+    std::vector<std::uint32_t> strategy;  ///< by state: an optimal choice, as an index into the model's choices; empty
+                                          ///< unless requested
+    std::string shortfall;                ///< why some enclosure is wider than requested; empty if none is
 };
 
-/// The question has no answer here: the message says why.
+/// Thrown if the query is not supported; the message contains the reason.
 class Unsupported : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t no_choice = 0xFFFFFFFF;
 
-/// Breadth first from outside, against the direction of the entries; along all choices, or those of one policy.
+/// Breadth-first search from outside, against the direction of the entries; along all choices, or those of one policy.
 template <class Value>
 class LeavingPolicy {
 public:
@@ -59,7 +59,7 @@ private:
     Policy policy_;
     std::vector<std::uint64_t> first_;
     std::vector<std::uint32_t> incoming_;  // choices
-    std::vector<std::uint32_t> owner_;     // of each choice
+    std::vector<std::uint32_t> owner_;     // by choice
     std::vector<std::uint32_t> queue_;
 };
 

@@ -10,16 +10,16 @@
 
 namespace robochart::markov {
 
-/// Unknowns 0 .. size-1. Every choice leads, with its outside probability and its entries, to exactly 1 in all; no
-/// choice has only entries of its own unknown; constants are not negative.
+/// Unknowns 0 .. size-1. The outside probability and the entries of every choice sum to exactly 1; no choice has only
+/// entries for its own unknown; constants are not negative.
 template <class Value>
 struct System {
-    std::vector<std::uint32_t> first_choice{0};  ///< unknowns + 1
-    std::vector<std::uint64_t> first_entry{0};   ///< choices + 1
-    std::vector<std::uint32_t> unknown;          ///< of each entry
-    std::vector<std::uint32_t> number;           ///< of each entry: index into numbers
-    std::vector<Value> constant;                 ///< of each choice: what it earns, and what it reaches outside
-    std::vector<Value> outside;                  ///< of each choice: the probability to leave
+    std::vector<std::uint32_t> first_choice{0};  ///< unknowns + 1 elements
+    std::vector<std::uint64_t> first_entry{0};   ///< choices + 1 elements
+    std::vector<std::uint32_t> unknown;          ///< by entry
+    std::vector<std::uint32_t> number;           ///< by entry: index into numbers
+    std::vector<Value> constant;                 ///< by choice: its reward plus the values that it reaches outside
+    std::vector<Value> outside;                  ///< by choice: the probability to leave
     std::span<const Value> numbers;
 
     [[nodiscard]] std::size_t size() const { return first_choice.size() - 1; }
@@ -29,15 +29,15 @@ struct System {
 /// One choice for each unknown.
 using Policy = std::vector<std::uint32_t>;
 
-/// A policy that leaves the component with probability 1, from everywhere. Some choice must lead outside.
+/// A policy that leaves the component with probability 1 from every state. Some choice must lead outside.
 template <class Value>
 [[nodiscard]] Policy leaving_policy(const System<Value>& system);
 
-/// Whether this policy leaves with probability 1, from everywhere.
+/// Whether this policy leaves with probability 1 from every state.
 template <class Value>
 [[nodiscard]] bool leaves(const System<Value>& system, const Policy& policy);
 
-/// Values of unknowns, and the choices that give them.
+/// Values of unknowns, and the choices that attain them.
 template <class Value>
 struct SystemSolution {
     std::vector<Value> values;

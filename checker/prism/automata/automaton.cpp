@@ -47,7 +47,7 @@ constexpr const char* beyond =
     "formulas of LTL are decided that are made with !, & and | of safe and co-safe formulas, G of co-safe and F of "
     "safe ones; this one is not";
 
-/// Formulas to conditions, by laws of LTL until only parts are left.
+/// Converts formulas to conditions, applying laws of LTL until only parts remain.
 class Splitter {
 public:
     explicit Splitter(Formulas& formulas) : formulas_(formulas) {}
@@ -112,7 +112,7 @@ private:
         return result;
     }
 
-    /// X of a formula with the X inside of its operator.
+    /// X of a formula, with the X moved inside its operator.
     FormulaId inwards(FormulaId id) {
         const Formula formula = formulas_[id];
         switch (formula.form) {
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    /// The operands of nested `form` (both or either): those that are tails, and the others.
+    /// The operands of nested `form` (both or either), split into tails and others.
     void operands(FormulaId id, Form form, std::vector<FormulaId>& tails, std::vector<FormulaId>& others) const {
         const Formula& formula = formulas_[id];
         if (formula.form != form) return (formula.tail ? tails : others).push_back(id);
@@ -148,7 +148,7 @@ private:
     std::vector<Conjunction> until(const Formula& formula) {
         if (!formula.steps.any()) throw NotDecided(beyond);
         const Formula right = formulas_[formula.b];
-        // What a beginning does not change holds now, or never.
+        // If prefixes do not matter, the formula holds now or never
         if (right.tail) return (*this)(formula.b);
         if (right.form == Form::either)
             return any((*this)(formulas_.until(formula.a, right.a)), (*this)(formulas_.until(formula.a, right.b)));
@@ -162,7 +162,7 @@ private:
         return formula.a == Formulas::yes ? finally(formula.b) : guarded_until(formula);
     }
 
-    /// F of a formula that is no tail, and no disjunction.
+    /// F of a formula that is neither a tail nor a disjunction.
     std::vector<Conjunction> finally(FormulaId id) {
         const Formula formula = formulas_[id];
         if (formula.safe) return literal({formulas_.negated(id), true}, false);
@@ -174,7 +174,7 @@ private:
         throw NotDecided(beyond);
     }
 
-    /// a U b of an a that says something.
+    /// a U b where a is not true.
     std::vector<Conjunction> guarded_until(const Formula& formula) {
         const Formula left = formulas_[formula.a];
         const FormulaId at_last = formulas_.finally(formula.b);
@@ -204,7 +204,7 @@ private:
         return formula.a == Formulas::no ? always(formula.b) : guarded_release(formula);
     }
 
-    /// G of a formula that is no tail, and no conjunction.
+    /// G of a formula that is neither a tail nor a conjunction.
     std::vector<Conjunction> always(FormulaId id) {
         const Formula formula = formulas_[id];
         if (formula.co_safe) return literal({id, true}, true);
@@ -216,7 +216,7 @@ private:
         throw NotDecided(beyond);
     }
 
-    /// a R b of an a that says something.
+    /// a R b where a is not false.
     std::vector<Conjunction> guarded_release(const Formula& formula) {
         const Formula left = formulas_[formula.a];
         const FormulaId for_ever = formulas_.always(formula.b);

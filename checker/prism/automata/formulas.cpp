@@ -51,7 +51,7 @@ FormulaId Formulas::until(FormulaId a, FormulaId b, Steps steps) {
     const Formula& left = formulas_[a];
     const Formula& right = formulas_[b];
     if (a == yes && steps.any() && right.form == Form::until && right.a == yes && right.steps.any()) return b;
-    // F of G x, whatever x is.
+    // F of G x, for any x.
     const bool persists = a == yes && right.form == Form::release && right.a == no && right.steps.any();
     const bool tail = steps.any() && (persists || (a == yes && right.tail));
     return add({Form::until, 0, a, b, steps, left.co_safe && right.co_safe,

@@ -1,4 +1,4 @@
-// Formulas of linear-time temporal logic, each once: equal ones have the same number. Negation stands at atoms only.
+// Formulas of linear-time temporal logic. Equal formulas have the same number. Negation occurs only at atoms.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ using FormulaId = std::uint32_t;
 
 enum class Form : std::uint8_t { no, yes, atom, not_atom, both, either, next, until, release };
 
-/// The steps after which the right side of `until` may come.
+/// The steps after which the right side of `until` may hold.
 struct Steps {
     std::uint64_t from = 0;
-    std::optional<std::uint64_t> to;  ///< nothing: any later
+    std::optional<std::uint64_t> to;  ///< no value: unbounded
     [[nodiscard]] bool any() const { return from == 0 && !to; }
     [[nodiscard]] Steps after_one() const { return {from > 0 ? from - 1 : 0, to ? std::optional(*to - 1) : to}; }
     friend auto operator<=>(const Steps&, const Steps&) = default;
@@ -27,9 +27,9 @@ struct Formula {
     std::uint32_t atom = 0;
     FormulaId a = 0, b = 0;
     Steps steps = {};
-    bool co_safe = true;  ///< a path on which it holds has a beginning after which it holds whatever follows
-    bool safe = true;     ///< a path on which it does not hold has one after which it cannot hold
-    bool tail = false;    ///< adding a beginning to a path, or removing one, changes nothing
+    bool co_safe = true;  ///< every path that satisfies it has a prefix all of whose continuations satisfy it
+    bool safe = true;     ///< every path that violates it has a prefix none of whose continuations satisfies it
+    bool tail = false;    ///< adding a prefix to a path, or removing one, changes nothing
 };
 
 class Formulas {
@@ -45,7 +45,7 @@ public:
     FormulaId either(FormulaId a, FormulaId b);
     FormulaId next(FormulaId a);
     FormulaId until(FormulaId a, FormulaId b, Steps steps = {});
-    /// The opposite of `until` of opposites.
+    /// The dual of `until`: the negation of `until` of negations.
     FormulaId release(FormulaId a, FormulaId b, Steps steps = {});
     FormulaId finally(FormulaId a) { return until(yes, a); }
     FormulaId always(FormulaId a) { return release(no, a); }

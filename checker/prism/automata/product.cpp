@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    /// A state of the model behind a state of the automaton, which reads it.
+    /// The product state after the automaton in state `before` reads a state of the model.
     markov::State at(markov::State state, Automaton::State before) {
         const Automaton::State now = automaton_.after(before, letters_[state]);
         const auto [found, fresh] =
@@ -91,8 +91,9 @@ markov::StateSet done(const Product& product, const Automaton& automaton, std::s
     return result;
 }
 
-/// In an end component a part that is not `always` is done in all states or in none, and a batch of an `always` is done
-/// again and again, or never from some time on. A scheduler can visit all states of a component again and again.
+/// In an end component, a part that is not `always` is fulfilled in all states or in none, and batches of an `always`
+/// are fulfilled infinitely often, or never from some time on. A scheduler can visit all states of a component
+/// infinitely often.
 markov::StateSet winning(const Product& product, const Automaton& automaton, const Condition& condition,
                          diagnostics::Budget* budget) {
     const markov::Model& model = product.model;

@@ -1,4 +1,5 @@
-// A model with an automaton that reads its states, and what a scheduler of the two can do about a condition.
+// The product of a model with an automaton that reads its states, and the states in which a scheduler can satisfy a
+// condition.
 #pragma once
 
 #include <vector>
@@ -11,18 +12,19 @@ namespace robochart::prism::automata {
 
 struct Product {
     markov::Model model;
-    std::vector<Automaton::State> automaton;  ///< of each state, which the automaton has read
-    std::vector<markov::State> begin;         ///< of each state of the model: where a path from it begins
+    std::vector<Automaton::State> automaton;  ///< by state, after the automaton has read it
+    std::vector<markov::State> begin;         ///< by state of the model: the initial state of paths from it
 };
 
-/// Paths from every state of the model. `letters` has one element a state. Throws NotDecided, LimitReached.
+/// Contains the paths from every state of the model. `letters` has one element for each state. Throws NotDecided and
+/// LimitReached.
 [[nodiscard]] Product product(const markov::Model& model, const std::vector<Letter>& letters, Automaton& automaton,
                               diagnostics::Budget* budget);
 
-/// The states where a part that is not `always` holds whatever follows.
+/// The states in which a part that is not `always` holds for all continuations.
 [[nodiscard]] markov::StateSet done(const Product& product, const Automaton& automaton, std::size_t part);
 
-/// The states of end components in which the condition holds, under a scheduler that stays there.
+/// The states of end components in which a scheduler that stays there satisfies the condition.
 [[nodiscard]] markov::StateSet winning(const Product& product, const Automaton& automaton, const Condition& condition,
                                        diagnostics::Budget* budget);
 

@@ -1,6 +1,6 @@
-// What is left of a formula after the first states of a path (its derivatives), as Boolean functions of formulas that
-// have to hold from the next state on. Functions are binary decision diagrams, so equal ones have the same number and
-// a formula has finitely many of them.
+// The rest of a formula after the first states of a path (its derivatives), as Boolean functions of formulas that must
+// hold from the next state on. The functions are binary decision diagrams, so equal ones have the same number and a
+// formula has finitely many of them.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace robochart::prism::automata {
 using Letter = std::uint64_t;
 inline constexpr std::size_t most_atoms = 64;
 
-/// A formula that these automata do not decide, or of which they become too large.
+/// Thrown for a formula that these automata do not support, or for which they become too large.
 class NotDecided : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -29,13 +29,13 @@ using ResidueId = std::uint32_t;
 class Residues {
 public:
     static constexpr ResidueId no = 0;   ///< cannot hold any more
-    static constexpr ResidueId yes = 1;  ///< holds whatever follows
+    static constexpr ResidueId yes = 1;  ///< holds for all continuations
 
-    /// `formulas` outlives it.
+    /// `formulas` must outlive the object.
     explicit Residues(Formulas& formulas);
 
     [[nodiscard]] ResidueId of(FormulaId formula);
-    /// What is left after a state. Throws NotDecided.
+    /// The rest of the formula after a state. Throws NotDecided.
     [[nodiscard]] ResidueId after(ResidueId residue, Letter letter);
     [[nodiscard]] ResidueId both(ResidueId a, ResidueId b) { return choice(a, b, no); }
 
@@ -62,7 +62,7 @@ private:
     static constexpr std::size_t most_nodes = 1'000'000;
     Formulas& formulas_;
     std::vector<Node> nodes_;
-    std::vector<FormulaId> variables_;  ///< their formulas
+    std::vector<FormulaId> variables_;  ///< formulas of the variables
     std::map<FormulaId, std::uint32_t> number_;
     std::unordered_map<Pair, ResidueId, HashPair> known_;
     std::map<std::tuple<ResidueId, ResidueId, ResidueId>, ResidueId> choices_;

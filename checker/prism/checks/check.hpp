@@ -1,4 +1,4 @@
-// The static rules, applied: trees to checked models and properties.
+// Applies the static rules: converts trees to checked models and properties.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace robochart::prism {
 
-/// Nothing, with findings, where a rule is broken.
+/// No value, with findings, if a rule is violated.
 [[nodiscard]] std::optional<CheckedModel> check_model(const ModelFile& file, diagnostics::Diagnostics& diagnostics);
 
-/// Properties over a model. What is in order is there, whatever the findings.
+/// Properties over a model. The result contains the properties without errors, even if there are findings.
 [[nodiscard]] CheckedProperties check_properties(const CheckedModel& model, const PropertyFile& file,
                                                  diagnostics::Diagnostics& diagnostics);
 

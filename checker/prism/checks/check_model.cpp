@@ -72,7 +72,7 @@ private:
             model_.modules.push_back(std::move(module));
             return;
         }
-        // The base stands above or below; it may be renamed itself if it stands above.
+        // The base may be declared before or after; it may itself be renamed if it is declared before.
         const auto named = [&](const Module& each) { return each.name.text == written.base.text; };
         const auto above = std::find_if(model_.modules.begin(), model_.modules.end(), named);
         if (above != model_.modules.end()) return add_renamed(written, *above);
@@ -100,7 +100,7 @@ private:
         }
     }
 
-    /// Names are replaced in what formulas have been expanded to; functions and actions too.
+    /// Replaces names after the expansion of formulas; functions and actions are renamed too.
     void add_renamed(const Module& written, Module base) {
         std::map<std::string, std::string, std::less<>> names;
         Rewriter rewriter;
@@ -187,7 +187,7 @@ private:
                 types.expect(item.value, Type::real);
             }
         check_actions();
-        // What is wrong in a base is reported there alone.
+        // errors in a base are reported only there
         const std::size_t errors = diagnostics_.errors();
         for (const bool renamed : {false, true})
             for (const Module& module : model_.modules)
@@ -196,8 +196,8 @@ private:
                         check_command(module, command, types);
     }
 
-    /// Actions are those of commands, and the new names that the composition gives them. A model without any command
-    /// gets its transitions from elsewhere (GivenSpace).
+    /// Actions are those of commands, and the new names in the composition. A model without any command gets its
+    /// transitions from elsewhere (GivenSpace).
     void check_actions() {
         std::set<std::string> actions;
         bool commands = false;
@@ -279,7 +279,7 @@ private:
     CheckedModel model_;
     Rewriter formulas_;
     Scope scope_;
-    /// Of each variable the module that may write it; nothing: it is global.
+    /// by variable: the module that may write it; no value: it is global
     std::map<std::string, std::optional<std::string>, std::less<>> writer_;
 };
 

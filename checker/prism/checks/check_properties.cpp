@@ -9,7 +9,7 @@
 namespace robochart::prism {
 namespace {
 
-/// The labels in an expression, which may be names of properties.
+/// The labels in an expression; they may be names of properties.
 void collect_labels(const ExprPtr& expr, std::set<std::string>& labels, std::set<const Expr*>& seen) {
     if (!expr || !seen.insert(expr.get()).second) return;
     if (expr->op == Op::label) labels.insert(expr->text);
@@ -71,7 +71,7 @@ private:
         }
     }
 
-    /// Properties that others refer to come first.
+    /// Properties to which others refer come first.
     void properties() {
         std::vector<Defined> defined;
         for (const Property& each : file_.properties) {
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    /// The labels of an expression as names, for the order.
+    /// The labels in an expression as names, for sorting.
     static ExprPtr references(const ExprPtr& expr) {
         std::set<std::string> labels;
         std::set<const Expr*> seen;

@@ -11,7 +11,7 @@
 namespace robochart::prism {
 namespace {
 
-/// A part of the composition: the actions that others can act on together with it, and what it does.
+/// A part of the composition: the actions on which others can synchronise with it, and its synchronisations.
 struct Part {
     std::set<std::string> alphabet;
     std::vector<Synchronisation> acts;

@@ -1,4 +1,4 @@
-// Which commands act together: `system ... endsystem` as a list of synchronisations.
+// Converts `system ... endsystem` to a list of synchronisations.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace robochart::prism {
 
-/// Without a composition all modules act together on the actions that their texts have in common. Modules that are
-/// missing, unknown or there twice are reported.
+/// Without a composition, all modules synchronise on their common actions. Modules that are missing, unknown or
+/// duplicated are reported.
 [[nodiscard]] std::vector<Synchronisation> compose(const std::vector<Module>& modules, const CompositionPtr& system,
                                                    diagnostics::Diagnostics& diagnostics);
 

@@ -11,7 +11,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Depth first, without recursion: chains of definitions may be long.
+/// Depth-first search without recursion, because chains of definitions may be long.
 class Order {
 public:
     Order(const std::vector<Defined>& definitions, diagnostics::Diagnostics& diagnostics)
@@ -111,7 +111,7 @@ std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas,
     bool grown = false;
     for (const std::size_t i : definition_order(definitions, diagnostics)) {
         result[i].body = rewriter(formulas[i].body);
-        // The first that is too large is reported, and not built upon.
+        // Only the first definition that is too large is reported; others are not expanded with it.
         diagnostics::Diagnostics more;
         const bool good = is_manageable(result[i].body, formulas[i].name.span, grown ? more : diagnostics);
         grown = grown || !good;

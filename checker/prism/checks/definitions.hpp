@@ -1,4 +1,4 @@
-// Formulas and constants that use each other: in an order in which each comes after those that it uses.
+// Sorts formulas and constants that use each other: each comes after those that it uses.
 #pragma once
 
 #include <string>
@@ -16,16 +16,16 @@ struct Defined {
     ExprPtr body;
 };
 
-/// Indices in such an order. Each name that is defined by itself is reported, and left out.
+/// The indices in sorted order. Definitions that depend on themselves are reported and left out.
 [[nodiscard]] std::vector<std::size_t> definition_order(const std::vector<Defined>& definitions,
                                                         diagnostics::Diagnostics& diagnostics);
 
-/// Adds the formulas, expanded, to what the rewriter replaces; returns them in the order of the text. Reports what is
-/// defined by itself or grows too large.
+/// Adds the expanded formulas to the rewriter's replacements; returns them in the order of the text. Reports
+/// definitions that depend on themselves or grow too large.
 [[nodiscard]] std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas, Rewriter& rewriter,
                                                       diagnostics::Diagnostics& diagnostics);
 
-/// Whether an expression is of a size that can be worked with; reports where it is not.
+/// Whether an expression is within the size limit; reports it otherwise.
 bool is_manageable(const ExprPtr& expr, Span place, diagnostics::Diagnostics& diagnostics);
 
 }  // namespace robochart::prism

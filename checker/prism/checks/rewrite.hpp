@@ -1,4 +1,4 @@
-// Trees with names replaced: formulas by what they stand for, names by other names.
+// Replaces names in trees: formulas by their definitions, names by other names.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@ namespace robochart::prism {
 /// Replaces names. Equal parts of a tree stay shared.
 class Rewriter {
 public:
-    /// Names that stand for expressions.
+    /// Names that are replaced by expressions.
     std::map<std::string, ExprPtr, std::less<>> expressions;
-    /// Functions by other names.
+    /// Functions that are renamed.
     std::map<std::string, std::string, std::less<>> functions;
 
-    /// Null stays null.
+    /// Null for null.
     [[nodiscard]] ExprPtr operator()(const ExprPtr& expr);
 
 private:
     [[nodiscard]] ExprPtr rewritten(const ExprPtr& expr);
-    std::unordered_map<const Expr*, ExprPtr> done_;  ///< of this call
+    std::unordered_map<const Expr*, ExprPtr> done_;  ///< results of this call
 };
 
 /// Calls `visit` with every name in a tree, once for each shared part.

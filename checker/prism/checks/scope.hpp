@@ -1,4 +1,4 @@
-// The names of a model as a scope.
+// The scope of a model.
 #pragma once
 
 #include "checker/prism/checks/checked.hpp"
@@ -6,7 +6,7 @@
 
 namespace robochart::prism {
 
-/// Constants, variables and formulas share one space of names; what is declared twice is reported.
+/// Constants, variables and formulas share one name space; duplicate declarations are reported.
 void declare_names(const CheckedModel& model, Scope& scope, diagnostics::Diagnostics& diagnostics);
 /// A constant of a model or of a properties file.
 void declare_constant(const Constant& constant, Scope& scope, diagnostics::Diagnostics& diagnostics);

@@ -19,7 +19,7 @@ constexpr bool is_number(Type type) {
     return type != Type::boolean;
 }
 
-/// Functions with the numbers of their arguments.
+/// Functions with the allowed numbers of arguments.
 struct Function {
     std::string_view name;
     std::size_t least, most;

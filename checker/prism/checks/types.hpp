@@ -13,7 +13,7 @@
 
 namespace robochart::prism {
 
-/// What names denote, and what may stand in an expression.
+/// The meaning of names, and the allowed kinds of expressions.
 struct Scope {
     struct Symbol {
         Type type = Type::integer;
@@ -21,26 +21,26 @@ struct Scope {
     };
     ModelKind kind = ModelKind::mdp;
     std::map<std::string, Symbol, std::less<>> symbols;
-    bool properties = false;                    ///< questions and labels may stand here
+    bool properties = false;                    ///< queries and labels are allowed
     std::set<std::string, std::less<>> labels;  ///< with "deadlock" and "init"
-    std::vector<std::string> rewards;           ///< names, "" where there is none
-    /// Types of the properties by name, as far as they are known.
+    std::vector<std::string> rewards;           ///< names, "" if a structure has none
+    /// Known types of properties by name.
     std::map<std::string, std::optional<Type>, std::less<>> named;
 };
 
-/// Types of trees in a scope. Where something does not fit it is reported, and there is no type.
+/// Types of trees in a scope. A type error is reported, and the tree then has no type.
 class TypeChecker {
 public:
     TypeChecker(const Scope& scope, diagnostics::Diagnostics& diagnostics) : scope_(scope), diagnostics_(diagnostics) {}
 
     std::optional<Type> type(const ExprPtr& expr) { return type(expr, false); }
-    /// Reports where the type is another; an int may stand for a double. Null is in order.
+    /// Reports an error if the type differs; an int is accepted as a double. Null is accepted.
     void expect(const ExprPtr& expr, Type wanted, bool constant = false, const char* what = "");
 
 private:
     using Result = std::optional<Type>;
 
-    /// `path`: whether path formulas may stand here.
+    /// `path`: whether path formulas are allowed.
     Result type(const ExprPtr& expr, bool path);
     Result computed(const Expr& expr, bool path);
     Result name(const Expr& expr);
@@ -56,14 +56,15 @@ private:
     Result filter(const Expr& expr);
     Result path_operator(const Expr& expr);
     bool operand(const ExprPtr& expr, Type wanted, bool path = false);
-    /// All are numbers: int if all are.
+    /// All operands must be numbers; the result is int if all are int.
     Result numbers(const std::vector<ExprPtr>& parts);
     Result wrong(const Expr& expr, const std::string& wanted, Type found);
     void constant(const ExprPtr& expr, const char* what);
 
     const Scope& scope_;
     diagnostics::Diagnostics& diagnostics_;
-    std::unordered_map<const Expr*, Result> known_[2];  ///< not in, and in, a place for path formulas
+    std::unordered_map<const Expr*, Result> known_[2];  ///< index 0: where path formulas are not allowed; index 1:
+                                                        ///< where they are
 };
 
 }  // namespace robochart::prism

@@ -144,7 +144,7 @@ Code::Root Code::operation(const Expr& expr) {
     return add(node, expr.span);
 }
 
-/// Comparisons of a variable with a constant have operations of their own: guards are made of them.
+/// Comparisons of a variable with a constant have special operations because most guards consist of them.
 Code::Root Code::comparison(const Expr& expr) {
     Node node;
     node.type = Type::boolean;
@@ -199,7 +199,7 @@ std::vector<Code::Root> Code::operands(const Node& node) const {
     return one ? std::vector<Root>{node.a} : std::vector<Root>{node.a, node.b};
 }
 
-/// What reads no variable is evaluated now. Where that fails, it may still never be evaluated.
+/// Evaluates an expression that reads no variable. If this fails, it is kept, because it may never be evaluated.
 Code::Root Code::folded(Root root) {
     const Node node = nodes_[root];
     using enum Operation;

@@ -1,5 +1,5 @@
-// Expressions over states as code: a tree in an array, names resolved, constants folded. Integers and truth values are
-// evaluated as machine integers, checked for 32 bits; doubles as real numbers (real.hpp).
+// Expressions over states as code: a tree in an array, with resolved names and folded constants. Integers and booleans
+// are evaluated as machine integers, checked for 32 bits; doubles as real numbers (real.hpp).
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@ namespace robochart::prism {
 /// Values of the variables, in the order of the model.
 using StateValues = const std::int32_t*;
 
-/// The code of many expressions; each is named by its root.
+/// The code of many expressions; each is identified by its root.
 class Code {
 public:
     using Root = std::uint32_t;
 
-    /// Variables are found by their index here; constants have their values.
+    /// `variables` maps names to indices in a state; constants have values.
     Code(std::map<std::string, std::uint32_t, std::less<>> variables, std::vector<Type> types, Values constants);
 
-    /// The expression is checked (checks/types.hpp), and asks no question; labels have been replaced.
+    /// The expression must have been checked (checks/types.hpp) and contain no query; labels must have been replaced.
     Root compile(const ExprPtr& expr);
-    /// More names with values, for expressions compiled from now on.
+    /// Adds a name with a value for expressions compiled from now on.
     void define(const std::string& name, Value value);
 
     [[nodiscard]] Type type(Root root) const { return nodes_[root].type; }
     [[nodiscard]] Span span(Root root) const { return spans_[root]; }
     [[nodiscard]] bool is_constant(Root root) const { return nodes_[root].op == Operation::constant; }
-    /// The variables that it reads, ascending.
+    /// The variables that the code reads, ascending.
     [[nodiscard]] std::vector<std::uint32_t> variables(Root root) const;
 
-    // Throw EvaluationError.
+    // Both throw EvaluationError.
     [[nodiscard]] bool holds(Root root, StateValues state) const { return integer(root, state) != 0; }
     [[nodiscard]] std::int64_t integer(Root root, StateValues state) const;
     [[nodiscard]] Real real(Root root, StateValues state) const;
@@ -53,8 +53,9 @@ private:
     struct Node {
         Operation op = Operation::constant;
         Type type = Type::integer;
-        std::uint32_t a = 0, b = 0, c = 0;  ///< operands; of min and max places in `lists_`; of a constant in `reals_`
-        std::int64_t value = 0;             ///< of a constant; what a variable is compared with
+        std::uint32_t a = 0, b = 0, c = 0;  ///< operands; for min and max indices into `lists_`; for a constant an
+                                            ///< index into `reals_`
+        std::int64_t value = 0;             ///< value of a constant; right side of a comparison
     };
 
     Root add(const Node& node, Span span);
@@ -83,7 +84,7 @@ private:
     std::vector<Span> spans_;
     std::vector<std::uint32_t> lists_;
     std::vector<Real> reals_;
-    std::unordered_map<const Expr*, Root> known_;  ///< of one expression being compiled
+    std::unordered_map<const Expr*, Root> known_;  ///< for the expression that is being compiled
 };
 
 }  // namespace robochart::prism

@@ -1,4 +1,4 @@
-// The commands of a model as code, and what they do in a state.
+// The commands of a model as code, and their effects in a state.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 
 namespace robochart::prism {
 
-/// What one branch of an enabled command does: with which probability, and which variables it writes.
+/// The effect of one branch of an enabled command: its probability, and the variables that it writes.
 struct Effect {
     NumberTable::Id probability = NumberTable::one;
-    std::uint32_t first_write = 0, end_write = 0;  ///< in CommandTable::writes
+    std::uint32_t first_write = 0, end_write = 0;  ///< indices into CommandTable::writes
 };
 struct Write {
     std::uint32_t variable = 0;
     std::int64_t value = 0;
 };
 
-/// Refuses states in which the model leaves out a step (CheckedModel::left_out).
+/// Rejects states in which the encoding leaves out a step (CheckedModel::left_out).
 class LeftOut {
 public:
     LeftOut(const CheckedModel& model, Code& code);
@@ -36,14 +36,14 @@ private:
     std::optional<Code::Root> root_;
 };
 
-/// The commands by groups: one for each action of each module.
+/// The commands in groups: one group for each action of each module.
 class CommandTable {
 public:
-    /// Throws EvaluationError. Warnings go to `diagnostics`, which outlives the table.
+    /// Throws EvaluationError. Warnings are reported to `diagnostics`, which must outlive the table.
     CommandTable(const CheckedModel& model, const Layout& layout, Code& code, NumberTable& numbers,
                  diagnostics::Diagnostics& diagnostics);
 
-    /// The parts of a synchronisation as groups.
+    /// A synchronisation, with its parts as groups.
     struct Act {
         std::uint32_t action = 0;  ///< index into `actions`
         std::vector<std::uint32_t> groups;
@@ -51,24 +51,25 @@ public:
     [[nodiscard]] const std::vector<Act>& acts() const { return acts_; }
     [[nodiscard]] const std::vector<std::string>& actions() const { return actions_; }  ///< the first is ""
 
-    /// Finds the enabled commands of all groups, and evaluates what those do that can act. Throws EvaluationError.
+    /// Finds the enabled commands of all groups, and evaluates the effects of those that can act. Throws
+    /// EvaluationError.
     void evaluate(StateValues state);
-    /// The same without what they do.
+    /// The same without effects.
     void evaluate_guards(StateValues state);
-    /// What one command that is enabled there does.
+    /// The effects of one command that is enabled in the state.
     void evaluate_effects(std::uint32_t command, StateValues state) { evaluate_effects(commands_[command], state); }
     /// The enabled commands of a group, as indices for `effects`.
     [[nodiscard]] const std::vector<std::uint32_t>& enabled(std::uint32_t group) const { return enabled_[group]; }
     [[nodiscard]] const std::vector<Effect>& effects(std::uint32_t command) const { return commands_[command].effects; }
     [[nodiscard]] const Write* write(std::uint32_t index) const { return writes_.data() + index; }
     [[nodiscard]] Span span(std::uint32_t command) const { return commands_[command].source->span; }
-    /// The module that the commands of a group belong to, by its name.
+    /// The name of the module that contains the commands of a group.
     [[nodiscard]] const std::string& module(std::uint32_t group) const {
         return model_.modules[group_names_[group].module].name.text;
     }
 
 private:
-    /// A number of the text: fixed, or evaluated by the values that it depends on.
+    /// A number in the text: constant, or evaluated from the values of variables.
     struct Probability {
         bool fixed = true;
         NumberTable::Id id = NumberTable::one;
@@ -86,7 +87,7 @@ private:
         const Command* source = nullptr;
         Code::Root guard = 0;
         std::vector<CodedBranch> branches;
-        bool fixed = true;  ///< all probabilities are
+        bool fixed = true;  ///< all probabilities are constant
         bool warned = false;
         std::vector<Effect> effects;  ///< in the state evaluated last
     };
@@ -99,7 +100,7 @@ private:
     void check_probability(const Probability& probability, NumberTable::Id id);
     void evaluate_effects(CodedCommand& command, StateValues state);
     void write_values(const CodedBranch& branch, Effect& effect, StateValues state);
-    /// Divides by the sum where it is almost 1.
+    /// Divides by the sum if it is almost 1.
     void check_sum(CodedCommand& command);
 
     const CheckedModel& model_;
@@ -111,7 +112,7 @@ private:
     std::vector<std::vector<std::uint32_t>> groups_;  ///< commands
     std::vector<ActionOfModule> group_names_;
     std::vector<std::vector<std::uint32_t>> enabled_;
-    std::vector<bool> acting_;  ///< groups that an act has whose groups all have an enabled command
+    std::vector<bool> acting_;  ///< groups that belong to a synchronisation all of whose groups have an enabled command
     std::vector<Act> acts_;
     std::vector<std::string> actions_{""};
     std::vector<bool> proper_;  ///< numbers that are known to be probabilities

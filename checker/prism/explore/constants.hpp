@@ -1,4 +1,4 @@
-// Values of constants: of those that the model defines, and of those that it leaves open.
+// Values of constants, defined by the model or given by the caller.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace robochart::prism {
 
-/// Adds the values of the constants to those known. `given`: of open ones, by name; a value of another type is
-/// converted if it is an int for a double. Throws EvaluationError where one has no value, unless they are `optional`.
+/// Adds the values of the constants to those known. `given`: values of constants without definition, by name; an int is
+/// converted for a double. Throws EvaluationError if a constant has no value, unless they are `optional`.
 void evaluate_constants(const std::vector<Constant>& constants, const Values& given, Values& known,
                         bool optional = false);
 

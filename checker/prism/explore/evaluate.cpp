@@ -152,7 +152,7 @@ std::int64_t Code::integral_power(std::int64_t base, std::int64_t exponent, Root
     return result;
 }
 
-/// Ties of `round` go up: round(-1.5) is -1.
+/// `round` rounds ties up: round(-1.5) is -1.
 std::int64_t Code::rounded(const Node& node, Root root, StateValues state) const {
     Real operand = real(node.a, state);
     if (node.op == Operation::round) operand = operand + Real(Rational(1, 2));

@@ -1,4 +1,4 @@
-// What evaluating an expression may throw, and values of constants.
+// Errors of the evaluation of expressions, and values of constants.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace robochart::prism {
 
-/// A rule of explore/rules.hpp is broken at a place, in a state where that is known.
+/// A violation of a rule in explore/rules.hpp, with its place, and the state if it is known.
 class EvaluationError : public std::exception {
 public:
     EvaluationError(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments)
@@ -37,8 +37,8 @@ private:
 /// The value of a constant.
 struct Value {
     Type type = Type::integer;
-    std::int64_t integer = 0;  ///< also of a bool: 0 or 1
-    Real real;                 ///< of a double
+    std::int64_t integer = 0;  ///< also for a bool: 0 or 1
+    Real real;                 ///< for a double
 
     [[nodiscard]] Real number() const { return type == Type::real ? real : Real(integer); }
     [[nodiscard]] std::string text() const;

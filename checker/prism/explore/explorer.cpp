@@ -96,7 +96,7 @@ void Explorer::combine(const CommandTable::Act& act, std::size_t part, Distribut
     push_choice(act.action, distribution);
 }
 
-/// Probabilities multiply, updates join.
+/// Multiplies probabilities and combines updates.
 void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTable::Id probability,
                       Distribution& distribution) {
     if (part == act.groups.size()) {
@@ -113,7 +113,7 @@ void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTabl
     }
 }
 
-/// Branches to one target become one.
+/// Combines branches with the same target.
 void Explorer::merge(Distribution& distribution) {
     std::stable_sort(distribution.begin(), distribution.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -147,7 +147,7 @@ NumberTable::Id Explorer::number_of(std::uint64_t count) {
     return counts_[count];
 }
 
-/// In a dtmc all combinations are equally likely. A state without any gets a loop to itself.
+/// In a dtmc all combinations are equally likely. A state without combinations gets a loop.
 void Explorer::finish_state(markov::State state) {
     markov::Model& chain = space_.chain_;
     const bool deadlock = combinations_ == 0;

@@ -12,7 +12,7 @@ void conjuncts(const ExprPtr& expr, std::vector<ExprPtr>& result) {
     for (const ExprPtr& part : expr->parts) conjuncts(part, result);
 }
 
-/// Gives the variables values in their order.
+/// Assigns values to the variables in their order.
 class Lister {
 public:
     Lister(const ExprPtr& expr, const Layout& layout, Code& code, diagnostics::Budget* budget,
@@ -49,11 +49,11 @@ private:
     Code& code_;
     diagnostics::Budget* budget_;
     const std::function<void(const std::int32_t*)>& found_;
-    std::vector<std::vector<Code::Root>> decided_;  ///< conjuncts, by how many variables have values then
+    std::vector<std::vector<Code::Root>> decided_;  ///< conjuncts, by the number of variables that must have values
     std::vector<std::int32_t> values_;
 };
 
-/// Those of the declarations.
+/// The initial values in the declarations.
 std::vector<std::int32_t> declared_values(const Instance& instance, Code& code) {
     const auto& fields = instance.layout().fields();
     std::vector<std::int32_t> values(fields.size());

@@ -1,4 +1,4 @@
-// A model with values for its constants: how its states are packed, and code over them.
+// A model with values for its constants: the packing of its states, and code over them.
 #pragma once
 
 #include <functional>
@@ -14,18 +14,18 @@ namespace robochart::prism {
 
 class Instance {
 public:
-    /// `model` outlives it. Throws EvaluationError.
+    /// `model` must outlive the object. Throws EvaluationError.
     Instance(const CheckedModel& model, const Values& constants);
 
     [[nodiscard]] const CheckedModel& model() const { return model_; }
     /// Values of the constants of the model.
     [[nodiscard]] const Values& constants() const { return constants_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
-    /// Code for expressions over its states, with more constants. Behind the values of the variables two truth values
-    /// may stand, by the names below. Throws EvaluationError.
+    /// Code for expressions over its states, with more constants. In a state, two booleans with the names below may
+    /// follow the values of the variables. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more = {}) const;
 
-    /// Names of truth values of a state that are no variables: whether it is a deadlock, whether it is initial.
+    /// Names of booleans in a state that are not variables: whether it is a deadlock, whether it is initial.
     static constexpr const char* deadlock_name = "\"deadlock\"";
     static constexpr const char* initial_name = "\"init\"";
 
@@ -35,8 +35,8 @@ private:
     Layout layout_;
 };
 
-/// Calls `found` with the values of each initial state. Of init ... endinit the states are listed by trying values:
-/// every conjunct is looked at as soon as its variables have values. Throws EvaluationError.
+/// Calls `found` with the values of each initial state. States of init ... endinit are found by trying values: every
+/// conjunct is evaluated as soon as its variables have values. Throws EvaluationError.
 void list_initial_states(const Instance& instance, Code& code, diagnostics::Budget* budget,
                          const std::function<void(const std::int32_t*)>& found);
 

@@ -1,5 +1,5 @@
-// How the values of the variables lie in the words of a packed state: as many bits as the range needs, none across two
-// words.
+// How the values of variables are packed in the words of a state: as many bits as the range needs, not crossing a word
+// boundary.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ public:
         std::string name;
         Type type = Type::integer;
         std::int64_t low = 0, high = 0;
-        bool bounded = true;  ///< has a range of its own, or is a bool
+        bool bounded = true;  ///< has a declared range, or is a bool
         std::uint32_t word = 0, shift = 0;
         std::uint32_t mask = 0;  ///< before it is shifted
     };
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::size_t words() const { return words_; }
     void unpack(lts::StateView state, std::int32_t* values) const;
     void pack(const std::int32_t* values, lts::Word* state) const;
-    /// Writes one value, which is in its range.
+    /// Writes one value, which must be in its range.
     void set(lts::Word* state, std::uint32_t variable, std::int64_t value) const {
         const Field& field = fields_[variable];
         const auto bits = static_cast<std::uint32_t>(value - field.low);
@@ -38,7 +38,7 @@ public:
     }
     /// "x=1, y=false".
     [[nodiscard]] std::string text(const std::int32_t* values) const;
-    /// The same of those variables alone that have other values than before; of all where nothing was before.
+    /// The same for the variables whose values differ from `before`; for all if `before` is null.
     [[nodiscard]] std::string changes(const std::int32_t* before, const std::int32_t* after) const;
 
 private:

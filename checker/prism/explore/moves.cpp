@@ -1,4 +1,4 @@
-// See moves.hpp. Combinations are made again as the explorer makes them, and compared with what it found.
+// See moves.hpp. Combinations are computed again like in the explorer, and compared with its results.
 #include "checker/prism/explore/moves.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ void MoveReader::branch(const CommandTable::Act& act, std::size_t part, const st
     }
 }
 
-/// The same targets, each with as much probability.
+/// Whether both have the same targets with the same probabilities.
 bool MoveReader::is_choice(const Branches& branches) const {
     const markov::Model& chain = space_.chain();
     const std::uint64_t first = chain.first_branch[choice_];

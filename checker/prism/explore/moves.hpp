@@ -1,4 +1,4 @@
-// Transitions of a state space in terms of the model: which commands of which modules make them.
+// Transitions of a state space in terms of the model: the commands and modules that cause them.
 #pragma once
 
 #include <cstdint>
@@ -22,17 +22,17 @@ struct Move {
     std::vector<Part> parts;
 };
 
-/// "[go] Robot (line 7), Human (line 12)"; several with "or" between them; "no command" of none.
+/// "[go] Robot (line 7), Human (line 12)"; several moves are joined by "or"; "no command" if there is none.
 [[nodiscard]] std::string text_of(const std::vector<Move>& moves, const diagnostics::SourceManager& sources);
 
 class MoveReader {
 public:
-    /// `space` outlives it.
+    /// `space` must outlive the object.
     explicit MoveReader(const StateSpace& space);
 
-    /// The commands that the choice of a state stands for, as far as they may lead to `to` where that is given. More
-    /// than one element: of a dtmc, which draws one of them; of an mdp, choices that count as one. Empty for the loop
-    /// of a deadlock.
+    /// The commands for a choice of a state; if `to` is given, only those that may lead to it. There are several
+    /// elements in a dtmc, which draws one of them, and for choices of an mdp that count as one. Empty for the loop of
+    /// a deadlock.
     [[nodiscard]] std::vector<Move> moves(markov::State state, std::uint32_t choice,
                                           std::optional<markov::State> to = {});
 
@@ -48,7 +48,7 @@ private:
     const StateSpace& space_;
     Code code_;
     NumberTable numbers_;
-    diagnostics::Diagnostics unused_;  ///< the exploration has reported them
+    diagnostics::Diagnostics unused_;  ///< discarded, because the exploration has reported them
     CommandTable commands_;
     std::vector<std::int32_t> values_;
     std::vector<std::uint32_t> chosen_;

@@ -1,5 +1,5 @@
-// The numbers that occur in a model, each once. Operations on them are remembered: in a state space the same few are
-// added and multiplied again and again.
+// The numbers in a model, without duplicates. Results of operations are cached, because a state space adds and
+// multiplies the same few numbers many times.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ public:
 
     Id sum(Id a, Id b) { return a == zero ? b : b == zero ? a : combined(Operation::sum, a, b); }
     Id product(Id a, Id b) { return a == one ? b : b == one ? a : combined(Operation::product, a, b); }
-    /// The divisor is not 0.
+    /// The divisor must not be 0.
     Id quotient(Id a, Id b) { return b == one ? a : combined(Operation::quotient, a, b); }
 
 private:
@@ -41,7 +41,7 @@ private:
 
     std::vector<Real> numbers_;
     std::unordered_multimap<std::size_t, Id> found_;  ///< by hash
-    std::vector<Remembered> remembered_;              ///< one a hash: a newer one takes the place of an older one
+    std::vector<Remembered> remembered_;              ///< one for each hash; a newer one replaces an older one
 };
 
 }  // namespace robochart::prism

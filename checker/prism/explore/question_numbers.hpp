@@ -1,4 +1,4 @@
-// Numbers that questions are asked with: bounds on the steps of paths, the index of a reward structure.
+// Numbers in queries: bounds on the steps of paths, the index of a reward structure.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,10 @@ struct StepRange {
 [[nodiscard]] StepRange step_range(const StepBound& steps, Code& code);
 /// A number of steps: not negative.
 [[nodiscard]] std::uint64_t step_number(const ExprPtr& expr, Code& code);
-/// The bound of P, S or R: not negative, and at most 1 of a probability. Throws EvaluationError.
+/// The bound of P, S or R: not negative, and at most 1 for a probability. Throws EvaluationError.
 [[nodiscard]] Real bound_of(const Expr& question, Code& code);
-/// Which reward structure R asks about: by its name, by its number from 1 on, else the first. Throws EvaluationError.
+/// The reward structure of an R query: by its name, by its number counted from 1, or the first by default. Throws
+/// EvaluationError.
 [[nodiscard]] std::size_t reward_index(const Query& query, const CheckedModel& model, Code& code);
 
 }  // namespace robochart::prism

@@ -14,14 +14,14 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Beyond that many bits a fraction is no longer kept.
+/// Fractions with more bits are replaced by enclosures.
 constexpr unsigned most_bits = 1U << 15U;
 
 unsigned bits(const Integer& value) {
     return value.is_zero() ? 0 : static_cast<unsigned>(msb(abs(value))) + 1;
 }
 
-/// Widened by a few units in the last place: what the mathematical library may be wrong by.
+/// Widened by a few units in the last place, the possible error of the mathematical library.
 Enclosure around(double value) {
     double low = value;
     double high = value;
@@ -119,7 +119,7 @@ std::string fraction_text(const Rational& value) {
 
 std::string Real::text() const {
     if (exact_) return fraction_text(value_);
-    if (bounds_.exact()) return bounds_.low > 0 ? "Infinity" : "-Infinity";  // finite ones are fractions
+    if (bounds_.exact()) return bounds_.low > 0 ? "Infinity" : "-Infinity";  // finite exact values are fractions
     const auto side = [](double bound) {
         return std::isinf(bound) ? std::string(bound > 0 ? "Infinity" : "-Infinity") : fmt::format("{}", bound);
     };
@@ -149,7 +149,7 @@ Real infinite(bool positive) {
     return positive ? Enclosure{infinity, infinity} : Enclosure{-infinity, -infinity};
 }
 
-/// What has no value in some case: certainly, or perhaps.
+/// Throws if there is no value: always, or only for some values of an enclosure.
 [[noreturn]] void no_value(bool certain, const std::string& what) {
     if (certain) throw std::domain_error(what + " has no value");
     throw Unclear("whether it is " + what + " is not known");
@@ -200,7 +200,7 @@ Real operator/(const Real& a, const Real& b) {
 
 namespace {
 
-/// One of them is known to be infinite.
+/// One of them must be known to be infinite.
 Real infinite_power(const Real& base, const Real& exponent) {
     const auto compared = [](const Real& a, std::int64_t b) { return a.compare(Real(b)); };
     if (base.infinite()) {
@@ -262,7 +262,7 @@ Real natural_logarithm(const Real& value) {
 }  // namespace
 
 Real logarithm(const Real& value, const Real& base) {
-    // Whole powers of the base, as log(8,2), are exact.
+    // Whole powers of the base, as in log(8,2), are exact.
     if (value.exact() && value.value() > 0 && base.exact() && base.value() > 1) {
         const double near = std::round(std::log(value.bounds().low) / std::log(base.bounds().low));
         if (std::abs(near) <= 4096 && power(base, Real(static_cast<std::int64_t>(near))).compare(value) == 0)

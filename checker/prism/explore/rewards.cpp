@@ -1,4 +1,4 @@
-// Rewards of a structure, state by state. See state_space.hpp.
+// Rewards of a structure by state. See state_space.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace robochart::prism {
 
-/// Matching items add up. In a dtmc the one choice of a state stands for all combinations of commands, equally likely:
-/// its reward is the mean of theirs.
+/// The rewards of matching items are added. In a dtmc the single choice of a state represents all combinations of
+/// commands, equally likely: its reward is the mean of theirs.
 class RewardTable {
 public:
     RewardTable(const StateSpace& space, const RewardStructure& structure, bool exact)
@@ -82,7 +82,7 @@ private:
 
     void choices(markov::State state) {
         const markov::Model& chain = space_.chain_;
-        // The loop that was added earns nothing; of given states none was.
+        // The loop added at a deadlock earns nothing; given states have no added loops.
         const bool deadlock = space_.deadlocks_[state] && !space_.given_;
         if (chain.kind == markov::Kind::dtmc)
             return add(deadlock ? NumberTable::zero : mean(), result_.choice, result_.exact_choice);

@@ -1,4 +1,4 @@
-// What goes wrong while constants, states and rewards of a PRISM model are evaluated, as a table.
+// Errors in the evaluation of constants, states and rewards of a PRISM model, as a table.
 #pragma once
 
 #include <span>

@@ -20,21 +20,22 @@ struct ExploreOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// States that something else has explored, with the values of a model's variables in them.
+/// States that another program part has explored, with the values of a model's variables.
 struct GivenSpace {
     markov::Model chain;
-    markov::StateSet deadlocks;        ///< where the label "deadlock" holds
-    std::vector<std::int32_t> values;  ///< of the first state in the order of the variables, of the second, ...
+    markov::StateSet deadlocks;        ///< states in which the label "deadlock" holds
+    std::vector<std::int32_t> values;  ///< values of the first state in the order of the variables, then of the second,
+                                       ///< ...
 };
 
-/// The states that are reachable, numbered breadth first, and what happens in them.
+/// The reachable states, numbered in breadth-first order, and their transitions.
 class StateSpace {
 public:
-    /// `model` and `diagnostics`, which takes warnings, outlive it. Throws EvaluationError, LimitReached.
+    /// `model` and `diagnostics`, which receives warnings, must outlive the object. Throws EvaluationError,
+    /// LimitReached.
     StateSpace(const CheckedModel& model, const Values& constants, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
-    /// States that are given: the model says what their variables are called, and which rewards there are. Throws
-    /// EvaluationError.
+    /// For given states: the model provides the names of their variables and the rewards. Throws EvaluationError.
     StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
 
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] const Layout& layout() const { return instance_.layout(); }
     /// Values of the constants of the model.
     [[nodiscard]] const Values& constants() const { return instance_.constants(); }
-    /// Transitions as PRISM counts them: branches.
+    /// Number of transitions as PRISM counts them: branches.
     [[nodiscard]] std::uint64_t transitions() const { return chain_.target.size(); }
     /// States in which no command is enabled.
     [[nodiscard]] const markov::StateSet& deadlocks() const { return deadlocks_; }
@@ -56,13 +57,13 @@ public:
         if (!given_) return store_[state];
         return lts::StateView(rows_).subspan(std::size_t{state} * layout().words(), layout().words());
     }
-    /// The number of a packed state that is reachable; of a space that was explored.
+    /// The number of a reachable packed state; only for explored spaces.
     [[nodiscard]] markov::State number_of(lts::StateView packed) const { return store_.find(packed); }
     void unpack(markov::State state, std::int32_t* values) const { layout().unpack(packed(state), values); }
 
     /// Code for expressions over its states, with more constants. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more) const { return instance_.code(more); }
-    /// Where an expression of type bool holds; labels of the model, "deadlock" and "init" are replaced before.
+    /// The states in which a bool expression holds; labels of the model, "deadlock" and "init" must have been replaced.
     [[nodiscard]] markov::StateSet satisfying(const Code& code, Code::Root root) const;
     /// The rewards of a structure, by its index; `exact`: with fractions.
     [[nodiscard]] markov::Rewards rewards(std::size_t structure, bool exact) const;
@@ -76,7 +77,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     lts::StateStore store_;
     bool given_ = false;
-    std::vector<lts::Word> rows_;  ///< of given states, which may have equal values
+    std::vector<lts::Word> rows_;  ///< for given states, several of which may have equal values
     markov::Model chain_;
     markov::StateSet deadlocks_;
     std::uint64_t deadlock_count_ = 0;
