@@ -1,6 +1,6 @@
-// See counterexample.hpp. An upper bound is violated where the formula is too likely, a lower one where its opposite
-// is. Either is the reachability of states, by docs/probability.md, "Counterexamples": where `left U right` is too
-// unlikely, paths to states from which it has probability 0 are too likely.
+// See counterexample.hpp. An upper bound is violated if the formula is too likely, a lower bound if its negation is.
+// Either is a reachability probability, see docs/probability.md, "Counterexamples": if `left U right` is too unlikely,
+// paths to states from which it has probability 0 are too likely.
 #include "checker/prism/counterexample.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ markov::Precision with_strategy(const EvaluatorOptions& options) {
     return {options.relative, most_sweeps, options.budget, true};
 }
 
-/// The chain that is left when every state takes its choice of a strategy.
+/// The chain in which every state takes its choice of a strategy.
 markov::Model induced(const markov::Model& model, const std::vector<std::uint32_t>& strategy) {
     markov::Model chain;
     chain.initial = model.initial;
@@ -37,7 +37,7 @@ markov::Model induced(const markov::Model& model, const std::vector<std::uint32_
     return chain;
 }
 
-/// Paths of states in terms of the model.
+/// Describes paths of states in terms of the model.
 class PathDescriber {
 public:
     PathDescriber(const StateSpace& space, const std::vector<std::uint32_t>& strategy)
@@ -108,7 +108,7 @@ public:
         return result.count == 0 ? std::nullopt : std::optional(std::move(result));
     }
 
-    /// A scheduler for the value of a question.
+    /// A scheduler that attains the value of a query.
     std::vector<std::uint32_t> best(const Expr& question) {
         constexpr const char* supported =
             "a strategy exists for P [ F, G, U, W, R ], R [ F ] and R [ C ] without steps";
@@ -138,14 +138,14 @@ private:
             .strategy;
     }
 
-    /// The scheduler under which the event is likeliest.
+    /// Chooses the scheduler under which the event is most likely.
     void choose(const Reachability& reach, const Counterexample& result) {
         const auto& first = space_.chain().first_choice;
         strategy_.assign(first.begin(), first.end() - 1);
         if (result.scheduled) strategy_ = until(reach, !result.never);
     }
 
-    /// Instead of the event: that it cannot come any more.
+    /// Replaces the event by reaching states in which it has become impossible.
     void avoid(Event& event) const {
         const markov::Model chain = induced(space_.chain(), strategy_);
         markov::StateSet never = prob0a(markov::Graph(chain), event.left, event.right);

@@ -1,4 +1,4 @@
-// Why a bound on a probability is violated: the most probable paths that together are evidence of it.
+// Why a bound on a probability is violated: the most probable paths that together are evidence.
 #pragma once
 
 #include <cstdint>
@@ -14,38 +14,38 @@ namespace robochart::prism {
 /// A path in terms of the model.
 struct ProbablePath {
     struct Step {
-        std::vector<Move> by;  ///< what made it; more than one: one of these
-        std::string changes;   ///< "x=1, y=false": the variables that have another value then; "": none
-        std::string state;     ///< all of them
+        std::vector<Move> by;  ///< the commands that caused it; several elements: one of these
+        std::string changes;   ///< "x=1, y=false": the variables that change; "": none
+        std::string state;     ///< all variables
     };
-    std::string from;  ///< the state in which it begins
+    std::string from;  ///< the initial state
     std::vector<Step> steps;
     Enclosure probability;
 };
 
-/// Paths whose probabilities add up, since none is the beginning of another.
+/// Paths whose probabilities add up, since none is a prefix of another.
 struct Counterexample {
-    bool holds = true;                ///< the formula holds on these paths; else it does not, however they go on
-    bool never = false;               ///< ... since what it asks for cannot come any more
-    bool scheduled = false;           ///< of an mdp: under the scheduler that makes them likeliest
+    bool holds = true;                ///< the formula holds on these paths; if false, it does not, for any continuation
+    bool never = false;               ///< the formula can never hold any more
+    bool scheduled = false;           ///< for an mdp: under the scheduler that makes them most likely
     std::vector<ProbablePath> paths;  ///< the most probable ones, at most `most_kept`
-    std::uint64_t count = 0;          ///< of all paths that were added up
+    std::uint64_t count = 0;          ///< number of paths in the sum
     Enclosure total;
-    Real bound;           ///< what the total is to exceed, or to reach
-    bool strict = true;   ///< to exceed
-    bool enough = false;  ///< it does; else there are too many paths, or infinitely many
+    Real bound;           ///< the bound that the total must reach or exceed
+    bool strict = true;   ///< must exceed
+    bool enough = false;  ///< it does; otherwise there are too many paths, or infinitely many
     static constexpr std::size_t most_kept = 100;
 };
 
-/// For P with a bound of F, G, U, W or R of states that is violated in an initial state; nothing for other properties,
-/// and where a scheduler would need to know how many steps were made. Labels are replaced. Throws EvaluationError,
-/// Undecided, LimitReached.
+/// For P with a bound, of F, G, U, W or R of state formulas, that is violated in an initial state. No value for other
+/// properties, and if a scheduler would need to know the number of steps. Labels must have been replaced. Throws
+/// EvaluationError, Undecided, LimitReached.
 [[nodiscard]] std::optional<Counterexample> counterexample(const StateSpace& space, Code& code, const ExprPtr& question,
                                                            const EvaluatorOptions& options);
 
-/// The choices of a scheduler with which the value of P or R without a bound on the steps is attained (within the width
-/// of enclosures), for each state an index into the choices of the model. Throws as above, Undecided also where there
-/// is no such scheduler without memory.
+/// The choices of a scheduler that attains the value of P or R without a step bound (within the width of the
+/// enclosures); for each state an index into the choices of the model. Throws as above, and Undecided if no memoryless
+/// scheduler attains it.
 [[nodiscard]] std::vector<std::uint32_t> best_choices(const StateSpace& space, Code& code, const ExprPtr& question,
                                                       const EvaluatorOptions& options);
 

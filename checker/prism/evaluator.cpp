@@ -1,4 +1,4 @@
-// Expressions: pointwise over the states. See evaluator.hpp.
+// Evaluates expressions pointwise over the states. See evaluator.hpp.
 #include "checker/prism/evaluator.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ markov::StateSet Evaluator::initial() const {
     return result;
 }
 
-/// Whether it holds a question, or a label that is none of the model's formulas.
+/// Whether it contains a query, or a label that is not defined by a formula of the model.
 bool Evaluator::asks(const ExprPtr& expr) {
     if (const auto known = asks_.find(expr.get()); known != asks_.end()) return known->second;
     bool result =
@@ -98,7 +98,7 @@ StateVector Evaluator::state_by_state(Code::Root root) {
     return result;
 }
 
-/// The error of a value that is used and not there.
+/// Throws the error of a missing value that is used.
 void Evaluator::used(const NoValue& missing) const {
     const std::string state = space_.text(static_cast<markov::State>(missing.state()));
     if (!missing.why().open.empty()) throw Undecided(fmt::format("in the state {}: {}", state, missing.why().open));

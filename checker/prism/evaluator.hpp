@@ -23,19 +23,19 @@ namespace automata {
 struct Product;
 }
 
-/// A question that cannot be decided: the message says why.
+/// Thrown if a query cannot be decided; the message contains the reason.
 class Undecided : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A path formula as `left U right`, or as what that is not. The bound on the steps stays that of the formula.
+/// A path formula as `left U right`, or as the negation of one. The step bound is that of the formula.
 struct Reachability {
     markov::StateSet left, right;
     bool negated = false;
 };
 
-/// Of P and R: a lower bound asks for the least value, an upper one for the greatest.
+/// For P and R: a lower bound needs the minimum, an upper bound the maximum.
 [[nodiscard]] markov::Direction direction_of(const Query& query);
 
 struct EvaluatorOptions {
@@ -44,19 +44,19 @@ struct EvaluatorOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// Labels have been replaced in the expressions, but for "deadlock" and "init". Throws EvaluationError, Undecided,
-/// markov::Unsupported, LimitReached.
+/// Labels in the expressions must have been replaced, except for "deadlock" and "init". Throws EvaluationError,
+/// Undecided, markov::Unsupported, LimitReached.
 class Evaluator {
 public:
     Evaluator(const StateSpace& space, Code& code, const EvaluatorOptions& options);
 
-    /// Where an expression has no value, as 0/0, that is an error if the value is used.
+    /// If an expression has no value, such as 0/0, this is an error only if the value is used.
     [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
-    /// With a filter's states where it has one; else the initial states.
+    /// For the states of the filter if there is one; otherwise for the initial states.
     [[nodiscard]] Result answer(const ExprPtr& expr);
-    /// Where it holds; throws Undecided where that is not known everywhere.
+    /// The states in which it holds; throws Undecided if this is unknown in some state.
     [[nodiscard]] markov::StateSet set(const ExprPtr& expr);
-    /// F, G, U, W or R of states. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U !b.
+    /// F, G, U, W or R of state formulas. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U !b.
     [[nodiscard]] Reachability reachability(const Expr& expr);
 
 private:
@@ -72,7 +72,7 @@ private:
     StateVector arithmetic(const Expr& expr);
     StateVector all_states(const Value& value) const;
 
-    // questions
+    // queries
     StateVector query(const Expr& expr);
     StateVector question(const Expr& expr, Direction direction);
     StateVector bounded(const Expr& expr, const StateVector& numbers, const Real& bound, Op relation) const;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_values = 100'000;
 
-/// Splits outside of parentheses.
+/// Splits at separators outside parentheses.
 std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts(1);
     int depth = 0;

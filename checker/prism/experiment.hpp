@@ -1,4 +1,4 @@
-// Values for the constants that a model or its properties leave open: one each, or a range to try.
+// Values for the constants that a model or its properties do not define: one for each, or a range.
 #pragma once
 
 #include <stdexcept>
@@ -10,27 +10,27 @@
 
 namespace robochart::prism {
 
-/// What was given for a constant is no value for it.
+/// Thrown if the given value of a constant is invalid.
 class BadValue : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A constant with the values it takes, at least one.
+/// A constant with its values, at least one.
 struct Series {
     std::string name;
     std::vector<Value> values;
 };
 
-/// Reads "N=4:6,T=0:10:100,p=1/3": single values, low:high, low:step:high; each side an expression without names.
-/// Only constants in `open` are known. Throws BadValue.
+/// Reads "N=4:6,T=0:10:100,p=1/3": single values, low:high, low:step:high; each bound is an expression without names.
+/// Only the constants in `open` are allowed. Throws BadValue.
 [[nodiscard]] std::vector<Series> read_series(const std::string& text, const std::vector<Constant>& open);
 
-/// The constants without a value of their own.
+/// The constants without a definition.
 [[nodiscard]] std::vector<Constant> open_constants(const std::vector<Constant>& constants);
 
-/// Every combination of the values; the last series changes fastest. One empty combination where there is no series.
-/// Throws BadValue where there are too many.
+/// Every combination of the values; the last series varies fastest. One empty combination if there is no series. Throws
+/// BadValue if there are too many.
 [[nodiscard]] std::vector<Values> combinations(const std::vector<Series>& series);
 
 }  // namespace robochart::prism

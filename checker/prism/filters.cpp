@@ -1,4 +1,4 @@
-// Filters, and what a property answers without one. See evaluator.hpp.
+// Filters, and the result of a property without one. See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Least and greatest of the numbers in some states.
+/// The least and the greatest number in a set of states.
 std::pair<Real, Real> extremes(const StateVector& values, const markov::StateSet& states) {
     std::optional<std::pair<Real, Real>> result;
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -36,7 +36,7 @@ std::size_t count(const markov::StateSet& states) {
 
 }  // namespace
 
-/// Boolean: all of them; numbers: the one, or the range.
+/// Booleans: the conjunction over all states; numbers: the value, or the range.
 Result Evaluator::over(const StateVector& values, const StateSet& states) const {
     Result result;
     result.type = values.type;
@@ -76,7 +76,7 @@ Result Evaluator::answer(const ExprPtr& expr) {
 
 namespace {
 
-/// Where the value is the least or the greatest. Unknown where enclosures overlap, unless no other state can have it.
+/// The states with the least or the greatest value. Unknown if enclosures overlap, unless no other state can have it.
 StateVector at_extreme(const StateVector& values, const markov::StateSet& states, bool least) {
     const auto [low, high] = extremes(values, states);
     StateVector result;
@@ -112,7 +112,7 @@ Result Evaluator::extreme_states(const Expr& expr) {
     return result;
 }
 
-/// In an expression a filter has one value everywhere.
+/// As an expression, a filter has the same value in all states.
 StateVector Evaluator::filter(const Expr& expr) {
     if (asks_for_states(expr)) {
         const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);

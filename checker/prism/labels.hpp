@@ -1,4 +1,4 @@
-// Labels in the expressions of properties.
+// Resolves labels in the expressions of properties.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace robochart::prism {
 
-/// Replaces labels by what they stand for, and names of properties by the properties; "deadlock" and "init" stay.
+/// Replaces labels by their definitions, and names of properties by the properties; "deadlock" and "init" stay.
 class LabelResolver {
 public:
     LabelResolver(const CheckedModel& model, const CheckedProperties& properties);

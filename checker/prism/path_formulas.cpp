@@ -1,4 +1,4 @@
-// Path formulas with others inside: the model is multiplied with an automaton of the formula. See evaluator.hpp.
+// Nested path formulas: builds the product of the model with an automaton of the formula. See evaluator.hpp.
 #include <algorithm>
 
 #include "checker/markov/operators/exact.hpp"
@@ -8,7 +8,7 @@
 
 namespace robochart::prism {
 
-/// Translates expressions into formulas; what is said of states becomes atoms.
+/// Translates expressions to formulas; state formulas become atoms.
 class Evaluator::PathReader {
 public:
     PathReader(Evaluator& evaluator, automata::Formulas& formulas) : evaluator_(evaluator), formulas_(formulas) {}
@@ -82,7 +82,7 @@ StateVector Evaluator::nested_path(const ExprPtr& expr, Direction direction) {
     automata::Formulas formulas;
     PathReader reader(*this, formulas);
     const automata::FormulaId formula = reader(expr);
-    // The least probability of a formula is what the greatest of its opposite leaves.
+    // The least probability of a formula is 1 minus the greatest probability of its negation.
     const bool opposite = direction == Direction::minimum && !formulas[formula].co_safe;
     const Direction wanted = opposite ? Direction::maximum : direction;
     try {

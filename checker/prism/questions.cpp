@@ -81,7 +81,7 @@ StateVector Evaluator::bounded(const Expr& expr, const StateVector& numbers, con
     const Enclosure limit = bound.bounds();
     const bool lower = relation == Op::greater || relation == Op::greater_equal;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        // Far from the bound doubles decide, without fractions.
+        // Far from the bound, doubles decide without fractions.
         if (numbers.reals.empty() && (numbers.numbers[i].high < limit.low || numbers.numbers[i].low > limit.high)) {
             const bool above = numbers.numbers[i].low > limit.high;
             result.truths.push_back(above == lower ? Truth::yes : Truth::no);
@@ -97,7 +97,7 @@ StateVector Evaluator::bounded(const Expr& expr, const StateVector& numbers, con
     return result;
 }
 
-/// Bounds 0 and 1 of reachability are questions about the graph.
+/// Bounds 0 and 1 of reachability are decided on the graph.
 std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction direction, const Real& bound,
                                                   Op relation) {
     const Expr& body = *expr.parts[0];
@@ -107,7 +107,7 @@ std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction di
     if (body.op != Op::until && body.op != Op::eventually && body.op != Op::globally) return std::nullopt;
     for (const ExprPtr& part : body.parts)
         if (is_path(*part)) return std::nullopt;
-    // G a holds with probability 1 (0) where F !a does so with 0 (1), in the other direction.
+    // G a has probability 1 (0) exactly if F !a has probability 0 (1), in the other direction.
     const bool always = body.op == Op::globally;
     const StateSet right = always ? inverse(set(body.parts[0])) : set(body.parts.back());
     const StateSet left = body.op == Op::until ? set(body.parts[0]) : StateSet(right.size(), true);
@@ -115,7 +115,7 @@ std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction di
     const bool ask_zero = zero != always;
     const StateSet extreme = ask_zero ? (least ? prob0e(graph(), left, right) : prob0a(graph(), left, right))
                                       : (least ? prob1a(graph(), left, right) : prob1e(graph(), left, right));
-    // `extreme` is where the probability equals the bound.
+    // `extreme` contains the states in which the probability equals the bound.
     StateVector result;
     for (const bool equal : extreme) {
         const bool holds = relation == Op::less_equal      ? equal || one
@@ -214,8 +214,8 @@ StateVector Evaluator::until(const StateSet& left, const StateSet& right, const 
     return solved(bounded_until(chain_, left, right, from, to, direction, precision()));
 }
 
-/// G F a (`always` false) and F G a: the greatest probability is that of reaching end components in which it is so; the
-/// least is that of the opposite.
+/// G F a (`always` false) and F G a: the greatest probability is that of reaching end components that satisfy it; the
+/// least is 1 minus the greatest probability of the negation.
 StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Direction direction) {
     const StateSet states = set(operand);
     const StateSet everywhere(states.size(), true);
@@ -230,7 +230,7 @@ StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Dire
     return complement(until(everywhere, components, nullptr, Direction::maximum));
 }
 
-/// The states of end components within a set that have a state in the other.
+/// The states of end components within one set that contain a state of the other.
 markov::StateSet Evaluator::maximal_components(const StateSet& within, const StateSet& touched) {
     StateSet result(within.size());
     const markov::SubModel part{within, std::vector<bool>(chain_.choices(), true)};

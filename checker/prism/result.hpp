@@ -1,4 +1,4 @@
-// The answer to a property.
+// The result of a property.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,20 @@ namespace robochart::prism {
 
 struct Result {
     enum class Kind : std::uint8_t {
-        truth,   ///< it holds, or not
+        truth,   ///< it holds or does not hold
         number,  ///< `low` is the value, or an enclosure of it
         range,   ///< from `low` to `high`, over several states
-        states,  ///< those of `printed`, which have the least or the greatest value
-        unknown  ///< `reason` says why
+        states,  ///< the states in `printed`, which have the least or the greatest value
+        unknown  ///< `reason` contains the cause
     };
     Kind kind = Kind::unknown;
     bool truth = false;
-    Type type = Type::boolean;  ///< of numbers: integer or real
+    Type type = Type::boolean;  ///< for numbers: integer or real
     Real low, high;
-    std::string where;   ///< of what does not hold: a state in which it does not
-    std::string reason;  ///< of unknown; of numbers: why an enclosure is wider than asked for, "" where none is
-    std::vector<std::pair<std::string, std::string>> printed;  ///< by filters: states with values
-    std::optional<Estimate> estimate;  ///< of samples: the number is their mean, and nothing is certain
+    std::string where;   ///< for a false result: a state in which it does not hold
+    std::string reason;  ///< for unknown results; for numbers: why an enclosure is wider than requested, otherwise ""
+    std::vector<std::pair<std::string, std::string>> printed;  ///< for filters: states with values
+    std::optional<Estimate> estimate;  ///< for samples: the number is their mean, and the result is not certain
 };
 
 }  // namespace robochart::prism

@@ -9,7 +9,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Models of that many states are solved with fractions where enclosures do not decide.
+/// Models with at most this many states are solved with fractions if enclosures do not decide.
 constexpr std::size_t few_states = 300;
 
 }  // namespace

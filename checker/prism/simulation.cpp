@@ -24,11 +24,11 @@ using Kind = Method::Kind;
 constexpr std::uint64_t usual_samples = 1000;
 constexpr double usual_alpha = 0.01;
 constexpr double usual_indifference = 0.05;
-/// An interval is not looked at before: the variance of fewer samples says little, and may be 0 by chance.
+/// Intervals are not used before this number: the variance of fewer samples is unreliable, and may be 0 by chance.
 constexpr std::uint64_t least_samples = 1000;
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
 
-/// As many samples as the method says beforehand; `any_number` where it says so on the way.
+/// The number of samples that the method determines in advance; `any_number` if it decides during sampling.
 std::uint64_t samples_of(const Method& method) {
     if (method.kind == Kind::sprt) return any_number;
     if (method.samples || !method.width) return method.samples.value_or(usual_samples);
@@ -62,7 +62,7 @@ public:
     void report(diagnostics::Diagnostics& diagnostics) const { sampler_.report(diagnostics); }
 
 private:
-    /// Throws Unsampled where the path does not say.
+    /// Takes a sample; throws Unsampled if the path is undecided.
     double take() {
         const Sample sample = sampler_.next();
         if (!sample.decided)
@@ -79,14 +79,14 @@ private:
 
     [[nodiscard]] double alpha() const { return method_.confidence.value_or(usual_alpha); }
 
-    /// How many deviations the interval is wide, on each side.
+    /// Half the width of the interval in standard deviations.
     [[nodiscard]] double quantile(double alpha) const {
         if (method_.kind == Kind::aci) return statistics::normal_quantile(alpha / 2);
         return values_.count() < 2 ? std::numeric_limits<double>::infinity()
                                    : statistics::student_quantile(alpha / 2, values_.count() - 1);
     }
 
-    /// N >= v t^2 / w^2. Student's quantile is above the normal one, which is known.
+    /// N >= v t^2 / w^2. Student's quantile is greater than the normal one, which is known.
     [[nodiscard]] bool narrow_enough() const {
         const double error = values_.standard_error();
         return values_.count() >= least_samples && normal_ * error <= *method_.width &&
@@ -119,7 +119,8 @@ private:
             result.width = given ? *method_.width : statistics::hoeffding_epsilon(count, result.alpha);
             if (given) result.alpha = statistics::hoeffding_delta(count, *method_.width);
         } else if (values_.count() < 2) {
-            result.width = std::numeric_limits<double>::infinity();  // of a deviation one sample says nothing
+            // one sample gives no information about the deviation
+            result.width = std::numeric_limits<double>::infinity();
         } else if (given) {
             result.width = method_.width;
             result.alpha = error > 0 ? std::clamp(2 * tail(*method_.width / error), least_alpha, 1.0) : least_alpha;
@@ -128,7 +129,7 @@ private:
         }
     }
 
-    /// The probability to be so many deviations above.
+    /// The probability of a value that is so many standard deviations above the mean.
     [[nodiscard]] double tail(double deviations) const {
         return method_.kind == Kind::aci ? statistics::normal_tail(deviations)
                                          : statistics::student_tail(deviations, values_.count() - 1);
@@ -157,8 +158,9 @@ private:
         return result;
     }
 
-    /// A path on which the formula holds shows that the probability is not 0, one on which it does not, that it is not
-    /// 1, and one that never arrives, that the reward is infinite. Everything else is for the intervals to decide.
+    /// A path on which the formula holds shows that the probability is not 0, one on which it does not hold that it is
+    /// not 1, and one that never reaches the target that the reward is infinite. All other results depend on the
+    /// intervals.
     Result decided() const {
         const double bound = bound_->bounds().middle();
         if (endless_) return truth(true);

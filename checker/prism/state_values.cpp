@@ -45,7 +45,7 @@ Truth related(const Real& a, Op relation, const Real& b) {
             default:
                 return truth(*order == 0);
         }
-    // Bounds that only touch decide some relations: [0.4, 0.5] <= 0.5.
+    // Enclosures with a common bound decide some relations: [0.4, 0.5] <= 0.5.
     const Enclosure left = a.bounds();
     const Enclosure right = b.bounds();
     const bool at_most = left.high <= right.low;

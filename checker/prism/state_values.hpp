@@ -1,4 +1,4 @@
-// A value for every state: truth values of which some may be unknown, or numbers. A state may have none.
+// A value for every state: booleans, some of which may be unknown, or numbers. A state may have no value.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@
 
 namespace robochart::prism {
 
-/// Known true, known false, neither, or without a value.
+/// Known true, known false, unknown, or without a value.
 enum class Truth : std::uint8_t { no, yes, unknown, undefined };
 
 [[nodiscard]] Truth negated(Truth truth);
 [[nodiscard]] Truth both(Truth a, Truth b);
 
-/// Why an expression has no value in a state, or (`open`) why it is not known whether it has one.
+/// Why an expression has no value in a state, or (`open`) why it is unknown whether it has one.
 struct Undefined {
     EvaluationError error;
-    std::string open;  ///< "": it has none
+    std::string open;  ///< "": it certainly has none
 };
 using UndefinedPtr = std::shared_ptr<const Undefined>;
 
-/// The value of a state is used, and it has none.
+/// Thrown if the missing value of a state is used.
 class NoValue : public std::exception {
 public:
     NoValue(std::size_t state, UndefinedPtr why) : state_(state), why_(std::move(why)) {}
@@ -44,10 +44,10 @@ private:
 class StateVector {
 public:
     Type type = Type::boolean;
-    std::vector<Truth> truths;       ///< of booleans
-    std::vector<Enclosure> numbers;  ///< unless they are exact
-    std::vector<Real> reals;         ///< exact numbers, and infinity
-    std::string reason;              ///< why something is unknown, or wider than asked for
+    std::vector<Truth> truths;       ///< for booleans
+    std::vector<Enclosure> numbers;  ///< for numbers that are not exact
+    std::vector<Real> reals;         ///< for exact numbers, and infinity
+    std::string reason;              ///< why something is unknown, or wider than requested
     /// States without a value. Their truth is Truth::undefined.
     std::map<std::size_t, UndefinedPtr> undefined;
 
@@ -57,22 +57,22 @@ public:
         require(state);
         return reals.empty() ? Real(numbers[state]) : reals[state];
     }
-    /// Throws NoValue where the state has none.
+    /// Throws NoValue if the state has none.
     void require(std::size_t state) const {
         if (const UndefinedPtr why = undefined_in(state)) throw NoValue(state, why);
     }
-    /// Null where the state has a value.
+    /// Null if the state has a value.
     [[nodiscard]] UndefinedPtr undefined_in(std::size_t state) const {
         if (undefined.empty()) return nullptr;
         const auto found = undefined.find(state);
         return found == undefined.end() ? nullptr : found->second;
     }
-    /// The next state has no value.
+    /// Adds a state without a value.
     void add_undefined(UndefinedPtr why);
     static StateVector of(const markov::StateSet& set);
 };
 
-/// Applies a relation, `less` to `greater_equal`, `equal` or `unequal`; unknown where enclosures overlap.
+/// Applies a relation, `less` to `greater_equal`, `equal` or `unequal`; unknown if enclosures overlap.
 [[nodiscard]] Truth related(const Real& a, Op relation, const Real& b);
 
 }  // namespace robochart::prism

@@ -1,5 +1,5 @@
-// Questions with bounds in models in which bounds count time units (markov::Model::counted), not steps: they are asked
-// of the model with the count as a part of its states (markov/operators/layers.hpp). See evaluator.hpp.
+// Queries with bounds in models in which bounds count time units (markov::Model::counted), not steps. They are
+// evaluated in the model whose states include the count (markov/operators/layers.hpp). See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 
 namespace robochart::prism {
 
-/// The right side within the bounds, the left side all the time before.
+/// The right side holds within the bounds, and the left side at all times before.
 StateVector Evaluator::timed_until(const StateSet& left, const StateSet& right, const StepBound& steps,
                                    Direction direction) {
-    constexpr std::uint64_t most_states = 200'000'000;  // in all layers
+    constexpr std::uint64_t most_states = 200'000'000;  // in all layers together
     const StepRange range = step_range(steps, code_);
     const bool upper = range.to && range.from == 0 && !options_.exact;
     if (upper && *range.to > most_states / std::max<std::size_t>(1, chain_.states()))
@@ -40,9 +40,10 @@ StateVector Evaluator::layered_until(const StateSet& left, const StateSet& right
     return result;
 }
 
-/// Within more units than can be counted: at least what fewer units give, at most what all time gives, whoever chooses.
+/// For bounds with more units than can be unfolded: bounded below by the value for fewer units, and above by the value
+/// without a bound, for all schedulers.
 StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, Direction direction) {
-    constexpr std::uint64_t few_states = 2'000'000;  // in all layers
+    constexpr std::uint64_t few_states = 2'000'000;  // in all layers together
     const std::uint64_t units = std::max<std::uint64_t>(1, few_states / std::max<std::size_t>(1, chain_.states()));
     StateVector result = layered_until(left, right, {0, units}, direction);
     const StateVector ever = solved(markov::until(chain_, left, right, direction, precision()));
@@ -56,7 +57,7 @@ StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, D
     return result;
 }
 
-/// What is earned until so many time units have passed, the last of them included.
+/// The reward earned until the given number of time units has passed, including the last unit.
 StateVector Evaluator::timed_reward(const markov::Rewards& rewards, std::uint64_t units, Direction direction) {
     if (units == 0) return all_states({Type::real, 0, Real(std::int64_t{0})});
     const markov::Layers layers = markov::layers(chain_, units - 1, false, options_.budget);

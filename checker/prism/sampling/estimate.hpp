@@ -1,4 +1,4 @@
-// What samples say of a value.
+// The estimate of a value from samples.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,12 @@ struct Estimate {
     Method::Kind method = Method::Kind::ci;
     std::uint64_t samples = 0;
     double mean = 0;
-    double alpha = 0;  ///< each interval misses the value with probability at most this (ci and aci: about this)
-    std::optional<double> width;                   ///< half of the method's interval around the mean; sprt has none
-    std::optional<std::uint64_t> hits;             ///< of a probability: paths on which the formula holds
-    std::optional<statistics::Interval> binomial;  ///< of a probability: the interval of Clopper and Pearson
-    double mean_steps = 0;                         ///< how long the paths were
+    double alpha = 0;             ///< the maximal probability that an interval does not contain the value (ci and aci:
+                                  ///< approximately)
+    std::optional<double> width;  ///< half of the method's interval around the mean; no value for sprt
+    std::optional<std::uint64_t> hits;             ///< for a probability: number of paths on which the formula holds
+    std::optional<statistics::Interval> binomial;  ///< for a probability: the Clopper-Pearson interval
+    double mean_steps = 0;                         ///< mean length of the paths
     std::uint64_t least_steps = 0, most_steps = 0;
 };
 

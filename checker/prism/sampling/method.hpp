@@ -1,4 +1,4 @@
-// How many paths are sampled, and what is concluded from them: PRISM's four methods, with its parameters.
+// The number of paths to sample and the conclusions from them: PRISM's four methods, with its parameters.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace robochart::prism {
 
-/// No method, or one with other parameters.
+/// Thrown for an unknown method or wrong parameters.
 class BadMethod : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Of `width`, `confidence` and `samples` two are given and the third follows; what is missing of two has its default.
+/// Of `width`, `confidence` and `samples`, two are given and the third follows; a missing one of two has its default.
 struct Method {
     enum class Kind : std::uint8_t {
         ci,    ///< confidence interval: mean +- `width`, by Student's distribution
@@ -25,11 +25,11 @@ struct Method {
         sprt   ///< sequential probability ratio test: decides a bound on a probability
     };
     Kind kind = Kind::ci;
-    std::optional<std::uint64_t> samples;  ///< 1,000 unless the others are given; sprt takes what it needs
+    std::optional<std::uint64_t> samples;  ///< 1,000 unless the other two are given; sprt takes as many as it needs
     std::optional<double>
-        width;  ///< half of the interval; epsilon of apmc; of sprt the indifference, 0.05 unless given
-    std::optional<double> confidence;  ///< the probability that it is wrong: alpha, delta of apmc; 0.01 unless given
-    std::uint64_t path = 10'000;       ///< steps of a path at most
+        width;  ///< half of the interval; epsilon for apmc; for sprt the indifference, 0.05 by default
+    std::optional<double> confidence;  ///< the probability of an error: alpha, or delta for apmc; 0.01 by default
+    std::uint64_t path = 10'000;       ///< maximal number of steps of a path
 };
 
 /// Reads "ci", "apmc,width=0.01,confidence=0.05", "sprt,width=0.01", "aci,samples=5000,path=100000". Throws BadMethod.
@@ -40,7 +40,7 @@ struct Method {
 struct SamplingOptions {
     Method method;
     std::uint64_t seed = 0;
-    unsigned threads = 0;  ///< 0: one a core. The samples are the same for any number
+    unsigned threads = 0;  ///< 0: one for each core. The samples do not depend on it
     diagnostics::Budget* budget = nullptr;
 };
 

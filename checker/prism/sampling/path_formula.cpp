@@ -7,7 +7,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Labels that are left become names of truth values. Throws Unsampled where a question stands in it.
+/// Other labels become names of booleans. Throws Unsampled if the expression contains a query.
 ExprPtr state_expression(const ExprPtr& expr) {
     if (expr->op == Op::label)
         return make_expr(Op::name, expr->span, {},
@@ -112,7 +112,7 @@ void PathFormula::observe(Until& until, StateValues values) const {
         until.holds = false;
 }
 
-/// What has not come in all states that will come again never comes.
+/// Something that has not happened in any of the repeated states never happens.
 void PathFormula::repeats(std::uint64_t period) {
     for (Until& each : untils_)
         if (!each.holds && seen_ >= each.begin + each.steps.from + period) each.holds = false;

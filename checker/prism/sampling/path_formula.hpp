@@ -1,4 +1,4 @@
-// A path formula, decided along one path: state by state, until what has been seen says whether it holds.
+// A path formula, decided along one path: state by state, until the states seen determine whether it holds.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,26 @@
 
 namespace robochart::prism {
 
-/// X, F, G, U, W and R of states, with bounds on the steps, behind any number of X, and !, &, |, =>, <=> over them. All
-/// of it is made of `left U right` from some state of the path on: F a is true U a, G a is !F !a, a W b is
-/// !((a & !b) U (!a & !b)), a R b is !(!a U !b); a alone is F<=0 a.
+/// Supported: X, F, G, U, W and R of state formulas, with bounds on the steps, under any number of X, and !, &, |, =>,
+/// <=> over them. All are reduced to `left U right` from some state of the path: F a is true U a, G a is !F !a, a W b
+/// is !((a & !b) U (!a & !b)), a R b is !(!a U !b); a state formula a is F<=0 a.
 class PathFormula {
 public:
-    /// Labels are replaced, but for "deadlock" and "init". Throws Unsampled, EvaluationError.
+    /// Labels must have been replaced, except for "deadlock" and "init". Throws Unsampled, EvaluationError.
     PathFormula(const ExprPtr& formula, Code& code);
 
-    /// Forgets what was seen.
+    /// Starts a new path.
     void restart();
-    /// The next state of the path. Throws EvaluationError.
+    /// Processes the next state of the path. Throws EvaluationError.
     void observe(StateValues state);
-    /// The last states that were seen come again and again: so many.
+    /// The last `period` states repeat forever.
     void repeats(std::uint64_t period);
-    /// Whether it holds, once that is known.
+    /// Whether the formula holds; no value if this is not known yet.
     [[nodiscard]] std::optional<bool> holds() const { return holds(root_); }
 
 private:
     struct Until {
-        std::uint64_t begin = 0;  ///< the state that the formula is about
+        std::uint64_t begin = 0;  ///< index of the state at which the formula is evaluated
         Code::Root left = 0, right = 0;
         StepRange steps;
         std::optional<bool> holds;
@@ -37,7 +37,7 @@ private:
     enum class Kind : std::uint8_t { until, negation, conjunction, equivalence };
     struct Node {
         Kind kind = Kind::until;
-        std::size_t a = 0, b = 0;  ///< nodes; of an until its place in `untils_`
+        std::size_t a = 0, b = 0;  ///< nodes; for an until its index in `untils_`
     };
 
     std::size_t node(Kind kind, std::size_t a, std::size_t b = 0);
@@ -53,7 +53,7 @@ private:
     std::vector<Until> untils_;
     std::vector<Node> nodes_;
     std::size_t root_ = 0;
-    std::uint64_t seen_ = 0;  ///< states
+    std::uint64_t seen_ = 0;  ///< number of states
 };
 
 }  // namespace robochart::prism

@@ -47,7 +47,7 @@ Sample PathQuestion::ask(const Draws& draws, std::uint64_t most_steps, diagnosti
     }
 }
 
-/// What the path answers in the state where it is, if that is known.
+/// The answer of the path in its current state, if it is known.
 std::optional<double> PathQuestion::answer() {
     if (kind_ == Op::cumulative) return walk_.length() == steps_ ? std::optional(earned_) : std::nullopt;
     if (kind_ == Op::instantaneous)

@@ -1,4 +1,4 @@
-// What P and R ask of one path.
+// Evaluates P and R queries on one path.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace robochart::prism {
 
-/// The answer of one path.
+/// The result of one path.
 struct Sample {
-    bool decided = false;     ///< within the steps that a path may have
-    double value = 0;         ///< whether a formula holds, as 1 or 0; what was earned, which may be infinite
-    std::uint64_t steps = 0;  ///< after which that was known
+    bool decided = false;     ///< decided within the maximal number of steps
+    double value = 0;         ///< for a formula 1 or 0; otherwise the reward, which may be infinite
+    std::uint64_t steps = 0;  ///< number of steps after which the value was known
 };
 
 class PathQuestion {
 public:
-    /// `question` is P [ path ], or R [ F state ], [ C<=k ], [ I=k ]; labels are replaced, but for "deadlock" and
-    /// "init". `walk` goes through the model of the code. Throws Unsampled, EvaluationError.
+    /// `question` is P [ path ], or R [ F state ], [ C<=k ], [ I=k ]. Labels must have been replaced, except for
+    /// "deadlock" and "init". `walk` is over the model of the code. Throws Unsampled, EvaluationError.
     PathQuestion(const Expr& question, const Instance& instance, Code& code, Walk& walk);
 
-    /// Follows a path, at most so many steps. Throws EvaluationError, LimitReached.
+    /// Follows a path for at most `most_steps` steps. Throws EvaluationError, LimitReached.
     [[nodiscard]] Sample ask(const Draws& draws, std::uint64_t most_steps, diagnostics::Budget* budget);
 
 private:
@@ -32,9 +32,9 @@ private:
     const Instance& instance_;
     Walk& walk_;
     Op kind_;                             ///< probability, eventually, cumulative, instantaneous
-    std::optional<PathFormula> formula_;  ///< of the first two
-    std::optional<PathRewards> rewards_;  ///< of the last three
-    std::uint64_t steps_ = 0;             ///< of the last two
+    std::optional<PathFormula> formula_;  ///< for the first two
+    std::optional<PathRewards> rewards_;  ///< for the last three
+    std::uint64_t steps_ = 0;             ///< for the last two
     double earned_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a path earns, item by item of a reward structure.
+// The reward of a path, item by item of a reward structure.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace robochart::prism {
 
-/// The items that match add up.
+/// The rewards of matching items are added.
 class PathRewards {
 public:
-    /// `structure` outlives it. Throws EvaluationError.
+    /// `structure` must outlive the object. Throws EvaluationError.
     PathRewards(const RewardStructure& structure, const std::vector<std::string>& actions, Code& code);
 
-    // Throw EvaluationError.
-    /// For being in a state.
+    // Both throw EvaluationError.
+    /// The reward of being in a state.
     [[nodiscard]] double of_state(StateValues state) const { return sum(of_states_, state); }
-    /// For leaving a state with an action.
+    /// The reward of leaving a state with an action.
     [[nodiscard]] double of_step(StateValues state, std::uint32_t action) const {
         return sum(by_action_[action], state);
     }
@@ -27,7 +27,7 @@ private:
     struct Item {
         Code::Root guard, value;
         bool fixed;
-        double amount;  ///< where it is fixed
+        double amount;  ///< if it is constant
     };
 
     [[nodiscard]] double amount(Code::Root value, StateValues state) const;

@@ -9,7 +9,7 @@ namespace robochart::prism {
 
 RandomPath random_path(const Instance& instance, std::uint64_t seed, std::uint64_t number, std::uint64_t steps,
                        diagnostics::Budget* budget) {
-    diagnostics::Diagnostics unused;  // of commands that read alike in every path
+    diagnostics::Diagnostics unused;  // discarded: warnings about commands are the same for every path
     Code code = instance.code();
     const std::size_t variables = instance.layout().fields().size();
     RandomPath result;

@@ -1,4 +1,4 @@
-// One random path of a dtmc, kept state by state.
+// One random path of a dtmc, stored state by state.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@ namespace robochart::prism {
 struct RandomPath {
     struct Step {
         std::string action;                ///< "": none
-        std::vector<std::string> modules;  ///< that act, by their names
-        std::vector<std::int32_t> values;  ///< of the variables behind the step, in the order of the layout
+        std::vector<std::string> modules;  ///< names of the modules that act
+        std::vector<std::int32_t> values;  ///< values of the variables after the step, in the order of the layout
     };
     std::vector<std::int32_t> initial;
     std::vector<Step> steps;
-    bool deadlock = false;  ///< nothing is possible at its end
+    bool deadlock = false;  ///< its last state is a deadlock
 };
 
-/// The path of this number, as samples of that seed follow it: `steps` at most, and to a deadlock. The model is a dtmc
-/// with one initial state. Throws Unsampled, EvaluationError, LimitReached.
+/// The path with this number, as followed by samples with that seed: at most `steps` steps, ending at a deadlock. The
+/// model must be a dtmc with one initial state. Throws Unsampled, EvaluationError, LimitReached.
 [[nodiscard]] RandomPath random_path(const Instance& instance, std::uint64_t seed, std::uint64_t number,
                                      std::uint64_t steps, diagnostics::Budget* budget);
 

@@ -14,7 +14,7 @@ constexpr std::uint64_t greatest_block = 8192;
 
 }  // namespace
 
-/// What a thread works with.
+/// The data of one thread.
 struct Sampler::Worker {
     Worker(const Instance& instance, const Expr& asked, const Values& constants, diagnostics::Budget* budget)
         : code(instance.code(constants)),
@@ -42,13 +42,13 @@ Sample Sampler::next() {
     return block_[taken_++];
 }
 
-/// Blocks grow, so that few samples are made in vain.
+/// Blocks grow, so that few samples are computed but not used.
 void Sampler::fill() {
     finished_ += block_.size();
     taken_ = 0;
     const std::uint64_t size = std::clamp<std::uint64_t>(finished_, first_block, greatest_block);
     block_.assign(std::min(size, most_ - finished_), {});
-    // Nobody asks for samples behind one that is open.
+    // Samples after an undecided one are not used.
     std::atomic<std::size_t> open = block_.size();
     diagnostics::in_parallel(
         block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {

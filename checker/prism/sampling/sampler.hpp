@@ -1,4 +1,4 @@
-// The samples of a question, one after the other, made by several threads.
+// The samples of a query in order, computed by several threads.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace robochart::prism {
 
-/// Sample i is what path i answers: it depends on the seed and on i alone. They are made in blocks ahead of what is
-/// asked for; the sizes of these do not depend on the number of threads either.
+/// Sample i is the result of path i: it depends only on the seed and on i. Samples are computed in advance in blocks,
+/// whose sizes do not depend on the number of threads either.
 class Sampler {
 public:
-    /// `question` as for PathQuestion; `instance` outlives it. `constants` are those of the properties. At most `most`
-    /// samples are made. Throws Unsampled, EvaluationError.
+    /// `question` is as for PathQuestion; `instance` must outlive the object. `constants` are those of the properties.
+    /// At most `most` samples are computed. Throws Unsampled, EvaluationError.
     Sampler(const Instance& instance, const Expr& question, const Values& constants, std::uint64_t most,
             const SamplingOptions& options);
     ~Sampler();
@@ -23,7 +23,7 @@ public:
 
     /// Throws EvaluationError, LimitReached.
     [[nodiscard]] Sample next();
-    /// Warnings of all threads, each once.
+    /// Reports the warnings of all threads, each once.
     void report(diagnostics::Diagnostics& diagnostics) const;
 
 private:
@@ -34,8 +34,8 @@ private:
     const std::uint64_t most_;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Sample> block_;
-    std::size_t taken_ = 0;       ///< of the block
-    std::uint64_t finished_ = 0;  ///< samples of blocks before
+    std::size_t taken_ = 0;       ///< samples taken from the block
+    std::uint64_t finished_ = 0;  ///< number of samples in previous blocks
 };
 
 }  // namespace robochart::prism

@@ -1,11 +1,11 @@
-// Why a question is not answered by samples.
+// Why samples cannot answer a query.
 #pragma once
 
 #include <stdexcept>
 
 namespace robochart::prism {
 
-/// The message says why.
+/// The message contains the reason.
 class Unsampled : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

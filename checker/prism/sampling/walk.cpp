@@ -44,7 +44,7 @@ void Walk::begin(const Draws& draws) {
     arrive();
 }
 
-/// Finds out what can happen next, also for the label "deadlock".
+/// Finds the combinations that are possible next, also for the label "deadlock".
 void Walk::arrive() {
     try {
         left_out_.refuse(values_.data());
@@ -69,7 +69,7 @@ std::uint64_t Walk::combinations(const CommandTable::Act& act) const {
     return count;
 }
 
-/// One of the combinations.
+/// Draws one of the combinations.
 std::optional<std::uint32_t> Walk::choose() {
     forced_ = enabled_ <= 1;
     chosen_.clear();
@@ -99,7 +99,7 @@ std::vector<std::string> Walk::movers() const {
     return result;
 }
 
-/// Right-hand sides read the old state: all are evaluated before the first is written.
+/// Right-hand sides read the old state, so all are evaluated before the first write.
 void Walk::step() {
     try {
         for (const std::uint32_t command : chosen_) commands_.evaluate_effects(command, values_.data());

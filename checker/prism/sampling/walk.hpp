@@ -1,4 +1,4 @@
-// One random path of a dtmc, state by state, without exploring anything else.
+// One random path of a dtmc, state by state, without exploring other states.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,36 @@
 
 namespace robochart::prism {
 
-/// The values of the variables in the initial state of a dtmc that paths are sampled from. Throws Unsampled where it is
-/// no dtmc, or there are several; EvaluationError, LimitReached.
+/// The values of the variables in the initial state of a dtmc. Throws Unsampled if the model is not a dtmc or has
+/// several initial states; EvaluationError, LimitReached.
 [[nodiscard]] std::vector<std::int32_t> sampled_from(const Instance& instance, Code& code, diagnostics::Budget* budget);
 
-/// A path: all combinations of enabled commands of a state are equally likely, as docs/probability.md, "Semantics", has
-/// it. Probabilities are taken as doubles, so that a draw errs by at most 2^-52.
+/// A path. All combinations of enabled commands of a state are equally likely, as in docs/probability.md, "Semantics".
+/// Probabilities are rounded to doubles, so that a draw has an error of at most 2^-52.
 class Walk {
 public:
-    /// All of them outlive it. Warnings go to `diagnostics`. `initial`: the values of the variables.
+    /// All arguments must outlive the object. Warnings are reported to `diagnostics`. `initial`: the values of the
+    /// variables.
     Walk(const Instance& instance, Code& code, std::vector<std::int32_t> initial,
          diagnostics::Diagnostics& diagnostics);
 
-    // Throw EvaluationError.
-    /// Back to the initial state, with other draws.
+    // These throw EvaluationError.
+    /// Returns to the initial state, with new random numbers.
     void begin(const Draws& draws);
-    /// Draws which commands act next: their action, as an index into `actions`; nothing in a deadlock.
+    /// Draws the commands that act next; returns their action as an index into `actions`, or no value in a deadlock.
     std::optional<std::uint32_t> choose();
-    /// They act: on to the next state. A deadlock stays where it is.
+    /// Executes the drawn commands. A deadlock state does not change.
     void step();
 
-    /// The modules whose commands were drawn, by their names.
+    /// The names of the modules whose commands were drawn.
     [[nodiscard]] std::vector<std::string> movers() const;
 
-    /// The values of the state, with those behind them that Instance::code has names for.
+    /// The values of the state, followed by the booleans that Instance::code names.
     [[nodiscard]] StateValues state() const { return values_.data(); }
-    /// How many steps were made.
+    /// The number of steps so far.
     [[nodiscard]] std::uint64_t length() const { return length_; }
     [[nodiscard]] const std::vector<std::string>& actions() const { return commands_.actions(); }
-    /// Where the path is known to have no more choice, so that it repeats its last states for ever: how many.
+    /// The number of states that repeat forever, if it is known that the path has no more choices.
     [[nodiscard]] std::optional<std::uint64_t> period() const { return period_; }
 
 private:
@@ -51,7 +52,7 @@ private:
 
     const Instance& instance_;
     NumberTable numbers_;
-    std::vector<double> doubles_;  ///< of `numbers_`
+    std::vector<double> doubles_;  ///< rounded from `numbers_`
     CommandTable commands_;
     LeftOut left_out_;
     const std::vector<std::int32_t> initial_;
@@ -59,12 +60,12 @@ private:
     Draws draws_{0, 0};
     std::vector<std::int32_t> values_;
     std::uint64_t length_ = 0;
-    std::uint64_t enabled_ = 0;               ///< combinations
-    const CommandTable::Act* act_ = nullptr;  ///< what was drawn; null: nothing
-    std::vector<std::uint32_t> chosen_;       ///< commands
-    bool forced_ = true;                      ///< the last step was the only one possible
-    // Brent, An improved Monte Carlo factorization algorithm, BIT 20, 1980: a state to compare with, renewed after
-    // twice as many steps each time.
+    std::uint64_t enabled_ = 0;               ///< number of enabled combinations
+    const CommandTable::Act* act_ = nullptr;  ///< the drawn synchronisation; null: none
+    std::vector<std::uint32_t> chosen_;       ///< the drawn commands
+    bool forced_ = true;                      ///< the last step was the only possible one
+    // Brent, An improved Monte Carlo factorization algorithm, BIT 20, 1980: a state for comparison, replaced each time
+    // after twice as many steps.
     std::vector<std::int32_t> anchor_;
     std::uint64_t anchored_at_ = 0, patience_ = 1;
     std::optional<std::uint64_t> period_;

@@ -24,8 +24,8 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Longest first. `<-`, `||` and `|[` are read as two tokens each: `x<-1` compares. The last few are in no construct
-/// that is read; the parser says so where they stand.
+/// Longest first. `<-`, `||` and `|[` are read as two tokens each: `x<-1` is a comparison. The last symbols belong to
+/// unsupported constructs; the parser reports them.
 constexpr std::array<std::string_view, 34> symbols{"<=>", "..", "->", "=>", "<=", ">=", "!=", ";", ":", ",", "(", ")",
                                                    "[",   "]",  "{",  "}",  "=",  "<",  ">",  "+", "-", "*", "/", "^",
                                                    "&",   "|",  "!",  "?",  "'",  ".",  "@",  "$", "%", "~"};
@@ -82,8 +82,8 @@ private:
         push(Tok::word, begin);
     }
 
-    /// `0` or digits without a leading zero are integers; `01` is a decimal number, as PRISM reads it. Digits before
-    /// `..` are an integer.
+    /// `0` or digits without a leading zero are integers; `01` is a decimal number, as in PRISM. Digits before `..` are
+    /// an integer.
     void number() {
         const std::size_t begin = at_;
         while (is_digit(peek())) ++at_;
@@ -137,7 +137,7 @@ private:
         diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
     }
 
-    /// `#...#` is a text that PRISM's preprocessor, or a tool that fills holes, would have replaced.
+    /// `#...#` is text for PRISM's preprocessor, or for a tool that fills holes.
     void preprocessor() {
         const std::size_t begin = at_++;
         const std::size_t end = text_.find_first_of("#\n", at_);

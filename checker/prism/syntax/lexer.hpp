@@ -1,4 +1,4 @@
-// PRISM text to tokens. Words are tokens of one kind: whether one is reserved, the parser asks.
+// Converts PRISM text to tokens. All words have one token kind; the parser checks whether a word is reserved.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ enum class Tok : std::uint8_t { end, word, integer, real, quoted, symbol };
 struct Token {
     Tok kind = Tok::end;
     diagnostics::Span span;
-    std::string_view text;     ///< the text covered; of a quoted name, what stands between the quotes
+    std::string_view text;     ///< the covered text; for a quoted name, the text inside the quotes
     bool line_begins = false;  ///< the first token of its line
 };
 
-/// All tokens of a text; the last is `end`. Broken pieces are reported and left out.
+/// All tokens of a text; the last one is `end`. Malformed tokens are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
 
-/// A word of the language, which names nothing.
+/// Whether the word is reserved and cannot be a name.
 [[nodiscard]] bool is_reserved(std::string_view word);
 
 }  // namespace robochart::prism

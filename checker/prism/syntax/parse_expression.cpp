@@ -15,7 +15,7 @@ struct Infix {
     int level;
 };
 
-/// Those that group to the left, by level, loosest first. `!` stands between levels 2 and 3.
+/// Left-associative operators by level, lowest precedence first. `!` is between levels 2 and 3.
 constexpr std::array<Infix, 13> infixes{{
     {"<=>", Op::iff, 0},
     {"|", Op::disjunction, 1},
@@ -65,8 +65,8 @@ ExprPtr Parser::infix(Op op, ExprPtr left, ExprPtr right) {
     return node(op, from, {std::move(left), std::move(right)});
 }
 
-/// `a U<=3 b`; these do not chain. Outside of brackets `R` begins the next property, which no semicolon has to
-/// separate.
+/// `a U<=3 b`; these operators do not chain. Outside brackets, `R` begins the next property, because semicolons between
+/// properties are optional.
 ExprPtr Parser::expression() {
     const Depth depth(*this);
     ExprPtr left = temporal();
@@ -99,8 +99,8 @@ ExprPtr Parser::temporal() {
     return checked(std::move(expr), token.span);
 }
 
-/// `a & F b`, which PRISM reads in parentheses only. Two readings of a text are a mistake: in `a & F b & c` and in
-/// `F a & F b` nothing says where an operand ends.
+/// `a & F b`, which PRISM accepts only in parentheses. An ambiguous text is an error: in `a & F b & c` and in `F a & F
+/// b` the end of the operand is unclear.
 ExprPtr Parser::temporal_operand() {
     const Depth depth(*this);
     const Token& token = take();
@@ -116,7 +116,7 @@ ExprPtr Parser::temporal_operand() {
     return checked(std::move(expr), token.span);
 }
 
-/// `<=t <t >=t >t =t [a,b]`; t is a literal, a name, or in parentheses.
+/// `<=t <t >=t >t =t [a,b]`; t is a literal, a name, or an expression in parentheses.
 std::shared_ptr<const StepBound> Parser::steps() {
     if (at("^")) refuse("bounds on rewards (F^{...})", peek().span);
     auto result = std::make_shared<StepBound>();
@@ -216,7 +216,7 @@ ExprPtr Parser::primary() {
         expect(")");
         return inner;
     }
-    if (at("!")) return negation();  // as an operand of arithmetic: the types say what is wrong
+    if (at("!")) return negation();  // as an operand of arithmetic, which the type checker reports
     if (at("<") && at("<", 1)) refuse("strategies of coalitions (<<...>>)", token.span);
     fail("an expression");
 }
@@ -245,7 +245,7 @@ ExprPtr Parser::word() {
     return node(Op::name, token.span, {}, std::string(token.text));
 }
 
-/// Behind the opening parenthesis.
+/// Called after the opening parenthesis.
 ExprPtr Parser::call(std::string function, Span from) {
     const Within parentheses(*this, in_brackets);
     std::vector<ExprPtr> arguments;

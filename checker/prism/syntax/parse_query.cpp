@@ -89,7 +89,7 @@ ExprPtr Parser::reward_body() {
     return expression();
 }
 
-/// `P=? [ path {states}{min}{max} ]`, as older versions wrote filters.
+/// `P=? [ path {states}{min}{max} ]`, the form of filters in older versions.
 ExprPtr Parser::old_filter(ExprPtr question, Span from) {
     const Within braces(*this, in_brackets);
     ExprPtr states;

@@ -1,4 +1,4 @@
-// Tokens, and what files are made of. See parser.hpp.
+// Tokens, and the items of files. See parser.hpp.
 #include "checker/prism/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ std::string found(const Token& token) {
     return fmt::format("'{}'", text);
 }
 
-/// Kinds of models that are not read, by the word that asks for them; "": none of these.
+/// The name of an unsupported kind of model, by its keyword; "" for other words.
 std::string_view other_kind(std::string_view word) {
     if (word == "ctmc" || word == "stochastic") return "continuous-time Markov chains (ctmc)";
     if (word == "pta" || word == "popta") return "probabilistic timed automata (pta, popta)";
@@ -124,7 +124,7 @@ ModelFile Parser::model() {
     ModelFile file;
     while (!at_end()) {
         diagnostics_.poll();
-        // A module or rewards whose head is wrong is left out whole.
+        // A module or rewards structure with a wrong head is skipped as a whole.
         const std::string_view end = at("module") ? "endmodule" : at("rewards") ? "endrewards" : "";
         const std::size_t errors = diagnostics_.errors();
         guarded([&] { item(file); }, {"const", "formula", "global", "init", "label", "module", "rewards", "system"});
@@ -261,7 +261,7 @@ std::vector<Renaming> Parser::renamings(std::string_view between, std::string_vi
     std::vector<Renaming> result;
     while (!at(end)) {
         Renaming renaming;
-        // Functions may be renamed, which are reserved words.
+        // Functions may be renamed, although their names are reserved words.
         const auto side = [&] {
             const bool function = at("min") || at("max");
             if (!function) return identifier("a name");
@@ -382,7 +382,7 @@ CompositionPtr Parser::make(Composition composition) {
     return std::make_shared<const Composition>(std::move(composition));
 }
 
-/// `a || b`, `a ||| b`, `a |[x,y]| b`; they bind alike, to the left.
+/// `a || b`, `a ||| b`, `a |[x,y]| b`; equal precedence, left-associative.
 CompositionPtr Parser::parallel() {
     CompositionPtr left = composed();
     while (accept("|")) {
@@ -453,7 +453,7 @@ PropertyFile Parser::properties() {
                     expect(":");
                 }
                 property.expression = expression();
-                // Semicolons may be left out at the end of a line.
+                // Semicolons are optional at the end of a line.
                 if (!accept(";") && !at_end() && !peek().line_begins) fail("';'");
                 file.properties.push_back(std::move(property));
             },

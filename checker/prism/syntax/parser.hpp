@@ -1,5 +1,5 @@
-// Recursive-descent reader of PRISM. Operators by precedence, loosest first:
-// U W R, then ? : and => (both to the right), <=>, |, &, !, = !=, < <= > >=, + -, * /, ^ (to the right), unary minus.
+// Recursive-descent parser for PRISM. Operators from the lowest precedence: U W R, then ? : and => (both
+// right-associative), <=>, |, &, !, = !=, < <= > >=, + -, * /, ^ (right-associative), unary minus.
 #pragma once
 
 #include <initializer_list>
@@ -13,10 +13,10 @@
 
 namespace robochart::prism {
 
-/// Reads tokens; after a mistake it reports one finding and goes on behind it.
+/// Parses tokens; after an error it reports one finding and continues after it.
 class Parser {
 public:
-    /// Deepest recursion while reading.
+    /// Maximal depth of recursion.
     static constexpr unsigned max_depth = 800;
 
     Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
@@ -24,12 +24,12 @@ public:
 
     [[nodiscard]] ModelFile model();
     [[nodiscard]] PropertyFile properties();
-    /// The whole text is one expression; null, with findings, where it is none.
+    /// The expression if the whole text is one; null, with findings, otherwise.
     [[nodiscard]] ExprPtr lone_expression();
 
 private:
     struct SyntaxError {};
-    /// Counts the levels of recursion while it lives.
+    /// Counts the levels of recursion during its lifetime.
     class Depth {
     public:
         explicit Depth(Parser& parser) : parser_(parser) { parser.deeper(); }
@@ -50,14 +50,15 @@ private:
     bool accept(std::string_view text);
     Span expect(std::string_view text);
     Name identifier(std::string_view what);
-    /// Modules and actions are in no expression, so that letters such as R, which ask there, can be their names.
+    /// Names of modules and actions cannot occur in expressions, so letters such as R, which begin queries there, are
+    /// allowed as names.
     Name letter_or_identifier(std::string_view what);
     Name quoted(std::string_view what);
     [[nodiscard]] Span since(Span from) const;
     [[noreturn]] void fail(std::string_view expected);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments);
     [[noreturn]] void refuse(std::string_view what, Span span);
-    /// Runs a piece of the reader; after a mistake goes on behind the next `;` or at a word that begins an item.
+    /// Runs a part of the parser; after an error it continues after the next `;` or at a word that begins an item.
     template <class Piece>
     void guarded(const Piece& piece, std::initializer_list<std::string_view> stops);
     void skip(std::initializer_list<std::string_view> stops);
@@ -86,7 +87,7 @@ private:
     static CompositionPtr make(Composition composition);
 
     // expressions
-    ExprPtr expression();  ///< path operators included
+    ExprPtr expression();  ///< including path operators
     ExprPtr temporal();
     ExprPtr temporal_operand();
     [[nodiscard]] bool at_prefix_operator() const { return at("X") || at("F") || at("G"); }
@@ -105,7 +106,7 @@ private:
     ExprPtr node(Op op, Span from, std::vector<ExprPtr> parts, std::string text = {});
     ExprPtr checked(Expr expr, Span from);
 
-    // questions
+    // queries
     [[nodiscard]] bool at_query() const;
     ExprPtr query();
     void reward_index(Query& query);
@@ -116,14 +117,14 @@ private:
     ExprPtr for_paths(Op op);
     std::shared_ptr<const StepBound> steps();
 
-    /// Where in an expression the reader is.
+    /// The context in which the parser reads an expression.
     struct Surroundings {
-        bool enclosed = false;  ///< in brackets: `R` is the path operator, not the next question
-        bool operand = false;   ///< in the operand of a path operator, outside of inner brackets
-        bool joined = false;    ///< that operand has a connective
+        bool enclosed = false;  ///< in brackets, where `R` is the path operator and not the next query
+        bool operand = false;   ///< in the operand of a path operator, outside inner brackets
+        bool joined = false;    ///< that operand contains a connective
     };
     static constexpr Surroundings in_brackets{true, false, false};
-    /// Sets the surroundings while it lives.
+    /// Sets the context during its lifetime.
     class Within {
     public:
         Within(Parser& parser, Surroundings inside) : parser_(parser), outside_(parser.surroundings_) {

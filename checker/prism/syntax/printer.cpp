@@ -1,4 +1,4 @@
-// See printer.hpp. Parentheses stand where the tree needs them.
+// See printer.hpp. Prints parentheses only where the tree needs them.
 #include "checker/prism/syntax/printer.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace {
 
 struct Spelling {
     std::string_view symbol;
-    int level;  ///< the tighter, the greater
+    int level;  ///< precedence; greater is tighter
     bool right = false;
 };
 
@@ -103,7 +103,7 @@ std::string unary(std::string_view symbol, const Expr& expr) {
     return fmt::format("{}{} {}", symbol, steps, text_of(expr.parts[0], bare ? temporal_level : level));
 }
 
-/// With the level that the text has.
+/// The text and its precedence.
 std::pair<std::string, int> written(const Expr& expr) {
     switch (expr.op) {
         case Op::boolean:
@@ -158,7 +158,7 @@ std::pair<std::string, int> written(const Expr& expr) {
     return {fmt::format("{}{}{}{}", left, how.symbol, steps, right), how.level};
 }
 
-/// In a place that takes what binds at least as tightly as `level`.
+/// The text for a place that requires at least the precedence `level`; in parentheses if necessary.
 std::string text_of(const ExprPtr& expr, int level) {
     auto [text, own] = written(*expr);
     return own < level ? "(" + text + ")" : text;

@@ -1,4 +1,4 @@
-// Trees as PRISM's text. Reading it back gives an equal tree.
+// Prints trees as PRISM text. Parsing the text gives an equal tree.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// PRISM files read into trees.
+// Parses PRISM files into trees.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace robochart::prism {
 
-/// A model. Where findings are errors, what could be read is there.
+/// A model. If there are errors, the result contains the parts that could be parsed.
 [[nodiscard]] ModelFile read_model(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 /// A properties file.
 [[nodiscard]] PropertyFile read_properties(const diagnostics::SourceManager&, diagnostics::SourceId,
                                            diagnostics::Diagnostics&);
-/// An expression alone, as a constant's value on the command line; null, with findings, where it is none.
+/// A single expression, such as a constant's value on the command line; null, with findings, if it is malformed.
 [[nodiscard]] ExprPtr read_expression(const diagnostics::SourceManager&, diagnostics::SourceId,
                                       diagnostics::Diagnostics&);
 

@@ -1,4 +1,4 @@
-// The language of PRISM as a tree: models and properties share one expression language. Plain data; the reader makes
+// The language of PRISM as a tree: models and properties share one expression language. Plain data; the parser builds
 // it (reader.hpp), the printer writes it (printer.hpp).
 #pragma once
 
@@ -23,7 +23,7 @@ enum class Type : std::uint8_t { boolean, integer, real };
 /// "int", "double", "bool".
 [[nodiscard]] const char* type_name(Type type);
 
-/// What an expression is. `Expr::parts` are its operands in the order of the text, unless said otherwise.
+/// The kind of an expression. `Expr::parts` are its operands in the order of the text, unless documented otherwise.
 enum class Op : std::uint8_t {
     // clang-format off
     boolean,      ///< text: "true" or "false"
@@ -35,14 +35,14 @@ enum class Op : std::uint8_t {
     equal, unequal, less, less_equal, greater, greater_equal,
     add, subtract, multiply, divide, power, minus,
     call,         ///< text: the function
-    probability, steady, reward,  ///< P, S, R: parts[0] is the body, `query` the rest
+    probability, steady, reward,  ///< P, S, R: parts[0] is the body, `query` contains the rest
     forall_paths, exists_path,    ///< A, E
-    filter,       ///< text: the operator; parts: the expression, then the states where given
+    filter,       ///< text: the operator; parts: the expression, then the states if given
     next, eventually, globally, until, weak_until, release,  ///< X F G U W R
     cumulative,   ///< C<=parts[0]
     total,        ///< C
     instantaneous,  ///< I=parts[0]
-    long_run,     ///< S, of a reward
+    long_run,     ///< S in a reward query
     // clang-format on
 };
 
@@ -51,20 +51,20 @@ using ExprPtr = std::shared_ptr<const Expr>;
 
 enum class Optimum : std::uint8_t { none, minimum, maximum };
 
-/// What P, S and R say before their brackets.
+/// The part of P, S and R queries before the brackets.
 struct Query {
-    Op relation = Op::equal;  ///< to the bound; `equal` without a bound is `=?`
-    ExprPtr bound;            ///< null: the value is asked for
+    Op relation = Op::equal;  ///< relation to the bound; `equal` without a bound is `=?`
+    ExprPtr bound;            ///< null: the query asks for the value
     Optimum optimum = Optimum::none;
     Name reward;           ///< R{"name"}
     ExprPtr reward_index;  ///< R{2}
 };
 
-/// The steps of a path operator: `<=t`, `[a,b]`. A null side is open.
+/// The steps of a path operator: `<=t`, `[a,b]`. A null side is unbounded.
 struct StepBound {
     ExprPtr low, high;
     bool low_strict = false, high_strict = false;
-    bool single = false;  ///< `=t`: low and high are the same
+    bool single = false;  ///< `=t`: low and high are equal
 };
 
 /// An expression of a model or a property.
@@ -75,31 +75,31 @@ struct Expr {
     std::vector<ExprPtr> parts;
     std::shared_ptr<const Query> query;
     std::shared_ptr<const StepBound> steps;
-    std::uint32_t height = 1;  ///< of the tree
-    std::uint64_t size = 1;    ///< nodes as text would have them; shared ones count each time
+    std::uint32_t height = 1;  ///< height of the tree
+    std::uint64_t size = 1;    ///< number of nodes; shared nodes count each time
 };
 
-/// Greatest height of a tree, also after formulas are expanded.
+/// Maximal height of a tree, also after the expansion of formulas.
 inline constexpr std::uint32_t max_height = 4000;
-/// Greatest size of a tree, also after formulas are expanded.
+/// Maximal size of a tree, also after the expansion of formulas.
 inline constexpr std::uint64_t max_size = 5'000'000;
 
-/// Sets height and size from the parts.
+/// Computes height and size from the parts.
 [[nodiscard]] ExprPtr make_expr(Expr expr);
 /// An operation on operands, at their place.
 [[nodiscard]] ExprPtr make_expr(Op op, Span span, std::vector<ExprPtr> parts, std::string text = {});
-/// Same operators, names and literals; places do not matter.
+/// Whether both have the same operators, names and literals, ignoring places.
 [[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
 
-/// X F G U W R.
+/// Whether it is one of X F G U W R.
 [[nodiscard]] bool is_temporal(Op op);
-/// Whether path operators stand in it, outside of inner questions.
+/// Whether it contains path operators outside inner queries.
 [[nodiscard]] bool is_path(const Expr& expr);
 
 struct Constant {
     Type type = Type::integer;
     Name name;
-    ExprPtr value;  ///< null: left open
+    ExprPtr value;  ///< null: no definition
 };
 
 /// A formula or a label.
@@ -112,7 +112,7 @@ struct Variable {
     Name name;
     Type type = Type::integer;
     ExprPtr low, high;  ///< null: bool, or an unbounded int
-    ExprPtr initial;    ///< null: as usual
+    ExprPtr initial;    ///< null: the default
 };
 
 struct Assignment {
@@ -182,8 +182,8 @@ struct ModelFile {
     std::vector<Module> modules;
     std::vector<RewardStructure> rewards;
     ExprPtr initial;        ///< init ... endinit; null: none
-    CompositionPtr system;  ///< null: all modules on their common actions
-    Span end;               ///< of the text
+    CompositionPtr system;  ///< null: all modules synchronise on their common actions
+    Span end;               ///< end of the text
 };
 
 struct Property {
