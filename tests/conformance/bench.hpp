@@ -1,5 +1,5 @@
-// A model of text taken to the point where controllers can be checked against it: read, lowered, made finite, its
-// timed script loaded, its schedulability known.
+// Prepares a model given as text for checks of controllers: parses and lowers it, instantiates it, loads its timed
+// script, and checks its schedulability.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace robochart::conformance::test {
 
-/// A folder of its own below the system's temporary one, with a model in it, for as long as the object lives.
+/// A folder below the system's temporary folder, with a model in it; the destructor removes it.
 class TemporaryFolder {
 public:
     explicit TemporaryFolder(const std::string& model = "");
@@ -26,14 +26,14 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// Writes a file there.
+    /// Writes a file into the folder.
     void write(const std::string& name, const std::string& text) const;
 
 private:
     std::string path_;
 };
 
-/// Reads a project: an absolute path, or one below the source folder.
+/// Loads a project from an absolute path, or from a path relative to the source folder.
 struct Model {
     explicit Model(const std::string& folder, const ir::InstantiationOptions& options = {});
 
@@ -54,19 +54,19 @@ class Bench {
 public:
     Bench(Model& model, ir::ComponentRef component);
 
-    /// Generates, compiles and checks one controller; schedulability is not asked again.
+    /// Generates, compiles and checks one controller; does not repeat the check of schedulability.
     [[nodiscard]] Result check(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
     [[nodiscard]] std::unique_ptr<SharedObject> compiled(cpp_emit::Fault fault, std::uint32_t site);
-    /// The same for a controller that was compiled elsewhere.
+    /// Checks a controller that was compiled elsewhere.
     [[nodiscard]] Result check(const rc_interface& code, Relation relation = Relation::failures_divergences);
-    /// Schedulability for the interface of the generated code.
+    /// Checks schedulability for the interface of the generated code.
     [[nodiscard]] Result schedulability();
     [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault);
-    /// From now on the code asks where the model leaves a choice, and every answer is explored.
+    /// Generates code that asks its platform at each choice of the model; the checks explore every answer.
     void explore_choices() { choices_ = true; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::ExprPtr process() const { return component_process(script_.definitions, component_); }
-    /// The alphabet of the generated code over the session's events.
+    /// The alphabet of the generated code, over the events of the session.
     [[nodiscard]] Interface interface();
     [[nodiscard]] cspm::Session& session() { return *session_; }
     [[nodiscard]] lts::TransitionSystem& system() { return *system_; }

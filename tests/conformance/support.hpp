@@ -1,4 +1,4 @@
-// What the tests of conformance share: models written as graphs, and controllers written by hand.
+// Common parts of the conformance tests: models written as graphs, and controllers written by hand.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace robochart::conformance::test {
 
-/// A model as a list of edges; event "tau" and "tick" are the invisible action and termination. State 0 first.
+/// An edge of a model; "tau" and "tick" are the invisible event and termination. State 0 is the initial state.
 struct Edge {
     unsigned from;
     std::string event;
@@ -39,13 +39,13 @@ private:
 
 /// The model of objects/turner.cpp, component "T". `waits`: each operation takes one time unit.
 [[nodiscard]] std::vector<Edge> turner_model(bool waits = true);
-/// Its interface with the component's prefix.
+/// The interface of turner.cpp; its names have the component's prefix.
 [[nodiscard]] Interface turner_interface();
 
 /// Compiles objects/NAME.cpp with -DFAULT=fault.
 [[nodiscard]] std::unique_ptr<SharedObject> hand_made(const std::string& name, int fault, std::string& error);
 
-/// Compiles generated code as `conform` does, with warnings off: seeded faults may leave things unused.
+/// Compiles generated code as `conform` does, but without warnings, because a seeded fault may make variables unused.
 [[nodiscard]] std::unique_ptr<SharedObject> build(const cpp_emit::Emission& code, std::string& error);
 
 }  // namespace robochart::conformance::test

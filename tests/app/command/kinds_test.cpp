@@ -193,7 +193,7 @@ TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     EXPECT_THAT(changed("const pace=-1"), HasSubstr("error[RC-L04]"));
 }
 
-/// `--const` goes before the log where both mean the same constants; what is given twice is refused.
+/// `--const` overrides the log for the same constant. A constant that is given twice is rejected.
 TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
     const Folder folder({{"leader.rct", leader},
                          {"three.trace", "robochart-trace 1\ncomponent lead::Leader\n" + std::string(4000, '\n') +

@@ -1,5 +1,6 @@
-// Tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp): they follow what an implementation does, fail
-// with a forbidden continuation where the exhaustive check finds a difference, and pass where it finds none.
+// Adaptive tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp). They follow the behaviour of the
+// implementation. They must fail with a forbidden continuation if the exhaustive check finds a difference, and pass if
+// it finds none.
 #include "cpp_emit/runtime/adaptive.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ using cpp_emit::Fault;
 using ::testing::HasSubstr;
 using Verdict = AdaptiveVerdict::Kind;
 
-/// Generated code as an implementation in words.
+/// Generated code behind the textual API of an implementation.
 class Generated {
 public:
     Generated(const rc_interface& code, const ChoiceAutomaton& machine, const AllowedCycles& graph,
@@ -64,7 +65,7 @@ private:
     std::map<process::Event, std::string> words_;
 };
 
-/// Every mutant at every place: the tests fail if and only if the exhaustive check finds a difference.
+/// Checks every mutant at every place: the tests fail if and only if the exhaustive check finds a difference.
 void kill(const std::string& folder, const std::vector<Fault>& faults, bool choices) {
     test::Model project(folder);
     const ir::ComponentRef component = project.system.modules.empty() ? project.machine("M") : project.module();
@@ -117,7 +118,7 @@ TEST(AdaptiveTests, KillTheMutantsOfAggregation) {
 
 // ------------------------------------------------------------ verdicts, by hand
 
-/// One state, no inputs to speak of: every cycle a or b.
+/// One state and no inputs: every cycle outputs a or b.
 AllowedCycles a_or_b(std::size_t extra) {
     AllowedCycles graph;
     std::istringstream text(
@@ -146,7 +147,8 @@ TEST(AdaptiveTests, WhateverTheModelAllowsPasses) {
     EXPECT_EQ(turns.states, 2U);
 }
 
-/// The claim is exact: a fault that takes five states is found where four more than the one found are tested for.
+/// The bound is exact: the implementation has five states and appears to have one, so the fault is found with four
+/// extra states.
 TEST(AdaptiveTests, AFaultFarAwayNeedsMoreStates) {
     const auto fifth = [](int cycle, int) { return cycle == 5 ? "c!" : "a!"; };
     const auto few = tested(a_or_b(0), fifth);
@@ -161,7 +163,7 @@ TEST(AdaptiveTests, WhatCannotBeDecidedIsInconclusive) {
     const auto moody = tested(a_or_b(2), [](int cycle, int run) { return cycle == 2 && run > 2 ? "b!0.5" : "a!"; });
     EXPECT_EQ(moody.kind, Verdict::inconclusive);
     EXPECT_THAT(moody.reason, HasSubstr("not deterministic"));
-    // It counts: there is no end of its states.
+    // An implementation that counts has infinitely many states.
     const auto counter = [](int cycle, int) {
         for (int next = 1, step = 1; next <= cycle; next += ++step)
             if (next == cycle) return "b!0.5";
@@ -172,7 +174,7 @@ TEST(AdaptiveTests, WhatCannotBeDecidedIsInconclusive) {
     EXPECT_THAT(endless.reason, HasSubstr("more than 2000 cycles"));
 }
 
-/// The model may end or go on; an implementation may do one of them.
+/// The model may terminate or continue; an implementation may do either.
 TEST(AdaptiveTests, TerminationIsAChoiceToo) {
     AllowedCycles graph;
     std::istringstream text("robochart-graph 1\nextra 1\ninput 0\ninput 1 stop?\nstate 0\n0 0\n1 0\n1 over off!\n");

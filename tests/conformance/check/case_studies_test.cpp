@@ -1,4 +1,4 @@
-// The two case studies through the whole check, and variants of them that cannot be scheduled.
+// The two case studies through the whole check, and variants of them that are not schedulable.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,21 +52,21 @@ TEST(CaseStudies, NestedConforms) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// Machines alone: shared variables may be written from outside.
+// In machines alone, the environment may write shared variables.
 TEST(CaseStudies, NestedMachineConforms) {
     test::Model model("tests/conformance/models/nested");
     const Result result = conform_component(model, model.machine("Nested"));
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// There is a register for every shared variable that is read.
+// There is a register for every shared variable that the machine reads.
 TEST(CaseStudies, SwarmTaxisMachineConforms) {
     test::Model model("corpus/swarm_taxis");
     const Result result = conform_component(model, model.machine("SwarmTaxisFSM"));
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// With few reals, to keep the number of valuations small.
+// The carrier of reals is small, to keep the number of valuations small.
 TEST(CaseStudies, SwarmTaxisControllerConforms) {
     ir::InstantiationOptions few;
     few.ranges = {{"nat", {0, 0}}, {"int", {0, 0}}, {"real", {0, 0}}};
@@ -84,7 +84,7 @@ TEST(CaseStudies, ControllersConform) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// Code and model advance by two time units a cycle; the operations' wait of one ends within the cycle.
+// Code and model advance by two time units per cycle; the operations' wait of one time unit ends within the cycle.
 TEST(CaseStudies, AggregationConformsInCyclesOfTwo) {
     Options options;
     options.cycle_length = 2;
@@ -101,7 +101,7 @@ void expect_twice(const Result& result, const std::vector<std::string>& inputs, 
     EXPECT_THAT(result.register_cycles->cycles[0].inputs, ::testing::UnorderedElementsAreArray(inputs));
 }
 
-// R4: without their waits the operations set a speed twice as soon as a robot is seen in the first cycle.
+// R4: without their waits, the operations set a speed twice if a robot is seen in the first cycle.
 TEST(CaseStudies, AggregationWithoutWaitsSetsASpeedTwice) {
     const Result result =
         conform_module(test::changed_copy("corpus/aggregation/aggregation.rct", "; wait(1)", "").path());
@@ -109,7 +109,7 @@ TEST(CaseStudies, AggregationWithoutWaitsSetsASpeedTwice) {
     EXPECT_THAT(result.register_cycles->cycles[0].outputs, ElementsAre("angularSpeed = -0.75", "linearSpeed = -10.88"));
 }
 
-// The machine alone calls operations of which it does not know that they take time.
+// In the machine alone, the called operations are platform calls that take no time.
 TEST(CaseStudies, AggregationMachineAloneCallsAnOperationTwice) {
     test::Model model("corpus/aggregation");
     const Result result = conform_component(model, model.machine("AggregationFSM"));

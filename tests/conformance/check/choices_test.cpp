@@ -1,5 +1,5 @@
-// Choices that the model leaves (reference API A6): by default the code takes the first; with `--all-choices` every
-// answer that it could give is explored, and all of them are runs of the model.
+// Choices that the model leaves open (reference API A6). By default the code takes the first alternative. With
+// `--all-choices` the check explores every alternative, and all of them must be runs of the model.
 #include <gtest/gtest.h>
 
 #include "tests/conformance/bench.hpp"
@@ -7,7 +7,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// Its first choices are t1 and j1.
+/// The code takes t1 and j1 by default.
 const char* const either = "tests/conformance/models/either";
 
 TEST(Choices, TheFirstIsOneOfAll) {
@@ -22,8 +22,8 @@ TEST(Choices, TheFirstIsOneOfAll) {
     EXPECT_EQ(all.code_states, 4U);  // and Right, by t2 and j1
 }
 
-/// Wrong targets: of t0, t4 they show at once; of t2, j1, t5 where the second choice is made; of t1 and j2 they lead
-/// where the other choice leads, which is allowed.
+/// A wrong target of t0 or t4 shows by default. A wrong target of t2, j1 or t5 shows only if the second alternative is
+/// explored. With a wrong target, t1 and j2 lead to the target of their alternative, which the model allows.
 TEST(Choices, FaultsBehindOtherChoicesAreFound) {
     test::Model model(either);
     test::Bench bench(model, model.machine("M"));
@@ -40,7 +40,7 @@ TEST(Choices, FaultsBehindOtherChoicesAreFound) {
     EXPECT_EQ(found(), 5U);
 }
 
-/// A wait of one or two units: the code waits one; all answers are allowed.
+/// A wait of one or two units: by default the code waits one unit; the model allows both.
 TEST(Choices, TheLengthOfAWait) {
     test::Model model(test::TemporaryFolder(R"(
 stm S {

@@ -1,5 +1,5 @@
-// The checker itself under test: right controllers are found to conform, each wrong one to differ at the cycle,
-// with the inputs and the expectation that follow from the model by hand.
+// Tests of the checker: correct controllers must conform. Each faulty one must differ, at the cycle and with the inputs
+// and the expected event that follow from the model by hand.
 #include "conformance/check/conformance_check.hpp"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,8 @@ TEST(Judge, RightControllerConforms) {
     EXPECT_GT(result.product.states, 0U);
 }
 
-// seeWall and speed = 2 must drive at 2; at speed = -2 the defect is hidden, because the model may ignore the speed.
+// With seeWall and speed = 2, the model must drive at 2. With speed = -2 the defect is hidden, because the model may
+// ignore the speed.
 TEST(Judge, WrongArgument) {
     const Result result = judge_turner(1);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -60,7 +61,7 @@ TEST(Judge, InputKeptForTheNextCycle) {
     EXPECT_EQ(result.expected, "end of cycle");
 }
 
-// R5: a wait ends the activity of the cycle.
+// R5: no further action follows a wait in the same cycle.
 TEST(Judge, WaitDropped) {
     const Result result = judge_turner(3);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -68,7 +69,7 @@ TEST(Judge, WaitDropped) {
     EXPECT_THAT(result.cycles[0].outputs, ElementsAre("Drive(2)", "Turn()"));
 }
 
-// R3: maximal progress makes a missing output a forbidden tock.
+// R3: if an output is missing, the end of the cycle is a tock that maximal progress forbids.
 TEST(Judge, OutputLost) {
     const Result result = judge_turner(4);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -108,7 +109,7 @@ TEST(Judge, MemoryOutsideTheState) {
     EXPECT_THAT(result.reason, HasSubstr("two results"));
 }
 
-// A state with a growing byte that means nothing: right, but not canonical.
+// The state contains a counter without meaning: the code is correct, but its states are not canonical.
 TEST(Judge, StateNotCanonical) {
     const Result result = judge_turner(9);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
@@ -143,8 +144,8 @@ TEST(Judge, TerminateEventIsHidden) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// R4: the same machine without its waits drives twice in a cycle with both inputs. It can be run in cycles, though not
-// in cycles that make each output once; the code, which waits for the next cycle, differs.
+// R4: with both inputs, the same machine without its waits drives twice in a cycle. It is schedulable, but not with
+// cycles that make each output at most once. The code waits for the next cycle, so it differs.
 TEST(Judge, OutputsAreASequence) {
     const Result result = judge_turner(0, test::turner_model(false));
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -167,15 +168,16 @@ TEST(Judge, WithWaitsEachOutputIsMadeOnceACycle) {
     EXPECT_TRUE(result.deadlines->holds);
 }
 
-// Outputs without end in one cycle: no τ loop, as each is seen, and no cycle either.
+// Infinitely many outputs in one cycle: this is no τ loop, because outputs are visible, but no control cycle exists
+// either.
 TEST(Judge, OutputsWithoutEndAreNotSchedulable) {
     const Result result = judge_turner(0, {{0, "T::DriveCall.2", 0}, {0, "tock", 0}});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable);
     EXPECT_THAT(result.reason, HasSubstr("infinitely much without time passing"));
 }
 
-// R7: where the model waits for an input with a deadline of 0, its time stops, and the code has to say so there and
-// nowhere else.
+// R7: if the model waits for an input with a deadline of 0, time stops in the model. The code must report a missed
+// deadline there and nowhere else.
 TEST(Judge, DeadlinesOnInputsAreReportedByTheCode) {
     const std::vector<Edge> waits{{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 1}};
     const Result silent = judge_turner(4, waits);
@@ -204,7 +206,7 @@ TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
     EXPECT_THAT(result.cycles[1].state, HasSubstr("s3"));
 }
 
-// R7: that some input is still taken, by another machine, is no excuse where time stops behind it all the same.
+// R7: another machine can still take an input, but time stops after it all the same.
 TEST(Judge, ATimelockBesideAnInputIsNotSchedulable) {
     const Result result =
         judge_turner(13, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 3}, {3, "T::seeWall.in", 2}});

@@ -1,5 +1,5 @@
-// The event API against the cycle, in all states and with all events: what is compared, and how a difference is
-// reported. The expected states follow from tests/conformance/models/reacts by hand.
+// The comparison of the event API with the cycle API in all states and with all events, and the report of a difference.
+// The expected states follow from tests/conformance/models/reacts by hand.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -13,7 +13,8 @@ using cpp_emit::Fault;
 
 const char* const reacts = "tests/conformance/models/reacts";
 
-/// A module with two events without values, code with five states: none and each event.
+/// The module has two events without values, and its code has five states. In each state, no event and each event are
+/// dispatched.
 TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.module());
@@ -24,8 +25,8 @@ TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
     EXPECT_FALSE(result.api_difference);
 }
 
-/// The first exits are those of A, for event `a`: `innerLeft = true`. One cycle leads to A, with `a` or
-/// with `v` of 1.
+/// The first exit actions are those of A for event `a`: `innerLeft = true`. One cycle with `a`, or with `v` of 1, leads
+/// to A.
 TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine("Reacts"));
@@ -45,7 +46,7 @@ TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
         << result.api_difference->dispatched.state;
 }
 
-/// Before the first cycle: `v` with 0 leads to Check, which is left without an event.
+/// Before the first cycle: `v` with 0 leads to Check, which has a transition without a trigger.
 TEST(EventApi, WhatIsStillEnabledIsReported) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine("Reacts"));
@@ -62,7 +63,8 @@ TEST(EventApi, WhatIsStillEnabledIsReported) {
     EXPECT_TRUE(reported);
 }
 
-/// Without inputs time passes only once what needs no event is done: Wait is left two time units after it was entered.
+/// Without inputs, time passes only after all enabled transitions without triggers are taken. Wait is left two time
+/// units after its entry.
 TEST(EventApi, PassIsACycleWithoutInputs) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine("Reacts"));
@@ -74,7 +76,7 @@ TEST(EventApi, PassIsACycleWithoutInputs) {
     EXPECT_NE(result.api_difference->cycle.state, result.api_difference->dispatched.state);
 }
 
-/// `x` is made twice, at once, in a cycle and behind a dispatch.
+/// `x` is output twice in the same instant, both in a cycle and after a dispatch.
 TEST(EventApi, AnOutputMadeTwiceIsMadeAtOnce) {
     const test::TemporaryFolder folder(R"(
 stm Twice {
@@ -91,12 +93,12 @@ stm Twice {
     test::Bench bench(model, model.machine("Twice"));
     const Result result = bench.check();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
-    EXPECT_EQ(result.dispatched, 2U * 3);  // the beginning, A, B; `go` or none
+    EXPECT_EQ(result.dispatched, 2U * 3);  // the initial state, A, B; `go` or no event
 }
 
-/// Where the code asks, both APIs ask the same and give the same for every answer: an API that takes the first
-/// alternative, here even by its table, is not that of code that asks. In Reacts `a` is for a transition of A and for
-/// one around it.
+/// If the code asks its platform at choices, both APIs must ask the same questions and behave equally for every answer.
+/// An API that takes the first alternative, even by its table, differs from code that asks. In Reacts, `a` triggers a
+/// transition of A and one of an enclosing state.
 TEST(EventApi, AsksWhatTheCycleAsks) {
     for (const auto& [folder, machine, event] :
          {std::tuple("tests/conformance/models/either", "M", "go"), std::tuple(reacts, "Reacts", "a")}) {

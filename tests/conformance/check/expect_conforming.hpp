@@ -1,4 +1,4 @@
-// What most tests of `conform` expect of a model.
+// The expectation that most tests of `conform` have in common.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,8 @@
 
 namespace robochart::conformance::test {
 
-/// The result for a component, whose code must conform; a failure shows the beginning of the reason, and all findings.
+/// Checks that the code of a component conforms, and returns the result. A failure shows the beginning of the reason
+/// and all findings.
 inline Result expect_conforming(Model& model, const ir::ComponentRef& component, const Options& options = {}) {
     diagnostics::Diagnostics found;
     Result result = conform(model.system, model.instantiation, component, options, model.sources, found);

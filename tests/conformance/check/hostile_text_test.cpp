@@ -1,5 +1,5 @@
-// Models and files with text that means something in the languages that the project writes: nothing of it is carried
-// out, what is generated compiles, and the verdict is that of the same model with harmless text.
+// Models and file names with text that has a meaning in the generated languages. The text must not be executed, the
+// generated code must compile, and the verdict must be that of the same model with harmless text.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In a literal of RoboChart: a backslash before quotes and backslashes, `\n` and `\t` for what ends a line.
+/// Escapes text for a RoboChart literal: quotes and backslashes get a backslash; line ends and tabs become `\n` and
+/// `\t`.
 std::string written(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -44,7 +45,7 @@ Outcome outcome_of(const test::TemporaryFolder& folder) {
     return test::expect_conforming(model, model.machine("S")).outcome;
 }
 
-/// A let whose value speaks of another variable of the name it binds.
+/// A let whose value refers to an outer variable with the same name as the bound variable.
 TEST(HiddenNames, OfLetsMeanTheOuterOneInTheValue) {
     const test::TemporaryFolder folder(
         "stm S { event e : nat event f : boolean var v : nat = 1\n initial i state A { }\n"
@@ -70,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Strings, HostileText,
                                            "\", \"", "\xc3\xa9\xff", "e!?. tock", "\t ", "$(touch x)`touch x`",
                                            "\"}; static_assert(false); constexpr const char* q[] = {\""));
 
-/// What the code would do if it were carried out: make a file.
+/// If the text were executed, it would create a file.
 TEST(HostileText, IsNotCarriedOut) {
     const test::TemporaryFolder folder;
     const std::string mark = folder.path() + "/carried_out";

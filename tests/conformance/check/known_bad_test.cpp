@@ -1,6 +1,6 @@
-// The checkers themselves under test: pairs known to be bad must be reported bad, whatever was checked before them, and
-// pairs known to be good must stay good. All controllers are loaded at once: with shared symbols (g++'s default for
-// inline variables) every comparison would say "equal".
+// Tests of the checkers: pairs that are known to be bad must be reported as bad after any earlier checks, and pairs
+// that are known to be good must stay good. All controllers are loaded at once: if they shared symbols (g++'s default
+// for inline variables), every comparison would report equality.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,7 +12,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// objects/turner.cpp: what each FAULT does shows in what is written, in the end of a cycle, or in termination.
+/// objects/turner.cpp: each of these values of FAULT changes an output, the end of a cycle, or termination.
 constexpr int bad[] = {1, 2, 3, 4, 5, 6, 7, 11};
 
 class Loaded {
@@ -54,7 +54,7 @@ TEST(KnownBad, PairsAreReportedBadInAnyOrder) {
     }
 }
 
-/// A model that allows less: what was right is wrong then.
+/// A model that allows less: a controller that was correct becomes faulty.
 TEST(KnownBad, ASmallerModelFindsTheRightControllerWrong) {
     Loaded loaded;
     auto edges = test::turner_model();

@@ -1,4 +1,5 @@
-// A limit may turn an answer into "inconclusive", never into another answer, whatever the walks, threads and memory.
+// A limit may turn an answer into "inconclusive", but never into another answer, for all numbers of walks and threads
+// and all amounts of memory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace {
 
 struct Subject {
     std::string folder;
-    std::string machine;  ///< "": the module, or the controller where there is none
+    std::string machine;  ///< "": the module, or the controller if there is no module
 };
 
 std::vector<Subject> subjects() {
@@ -25,7 +26,7 @@ std::vector<Subject> subjects() {
     return all;
 }
 
-/// Judges compiled code again and again.
+/// Judges the same compiled code repeatedly.
 class Limited {
 public:
     Limited(test::Model& model, const ir::ComponentRef& component, cpp_emit::Fault fault = cpp_emit::Fault::none,
@@ -91,7 +92,7 @@ TEST(Limits, NeverTurnAnAnswerIntoAnother) {
     }
 }
 
-/// Code that differs is found to differ, or not found.
+/// With a limit, the check of faulty code finds the difference or is inconclusive.
 TEST(Limits, NeverExcuseAFault) {
     test::Model model("corpus/aggregation");
     for (const cpp_emit::Fault fault : {cpp_emit::Fault::action_dropped, cpp_emit::Fault::entry_dropped})
@@ -106,7 +107,7 @@ Result unlimited_and_limited(const std::string& text, const std::string& machine
     return limited.judge({});
 }
 
-/// A trigger that is connected to nothing fires by itself: the model of Spin diverges, and so does its code.
+/// An unconnected trigger is always enabled: the model of Spin diverges, and so does its code.
 TEST(Limits, OfAModelThatDiverges) {
     const Result result = unlimited_and_limited(R"(
 interface Passes { event given : nat event taken : nat }
@@ -132,7 +133,7 @@ controller Both {
     EXPECT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
 }
 
-/// Outputs without end, which are seen one by one.
+/// Infinitely many visible outputs.
 TEST(Limits, OfAModelThatSendsWithoutEnd) {
     const Result result = unlimited_and_limited(R"(
 stm Sends {
@@ -149,7 +150,7 @@ stm Sends {
     EXPECT_EQ(result.cycles.back().inputs, std::vector<std::string>{"go"});
 }
 
-/// Many outputs in one cycle are no endless loop: the log grows, and the code's bound of steps is not reached.
+/// A cycle with many outputs is not an endless loop: the log grows, and the code stays below its bound of steps.
 TEST(Limits, OfACycleWithManyOutputs) {
     const test::TemporaryFolder folder(R"(
 stm Counts {
@@ -171,7 +172,7 @@ stm Counts {
     EXPECT_FALSE(result.register_cycles->holds);
 }
 
-/// Inputs in actions with a deadline: conformance up to where one is missed.
+/// Inputs in actions with a deadline: the code conforms up to a missed deadline.
 TEST(Limits, OfDeadlinesOnInputs) {
     const Result result = unlimited_and_limited(R"(
 stm Asks {
@@ -187,7 +188,7 @@ stm Asks {
     ASSERT_TRUE(result.deadlines && result.register_cycles);
     EXPECT_FALSE(result.register_cycles->holds);
     EXPECT_FALSE(result.deadlines->holds);
-    // The answer may come in the cycle of the question or in the next one, which is the last in time.
+    // The answer may come in the same cycle as the question or in the next one, which is the latest.
     ASSERT_EQ(result.deadlines->cycles.size(), 2U);
 }
 

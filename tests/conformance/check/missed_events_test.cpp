@@ -1,4 +1,5 @@
-// Events that are raised in vain: which, for how many cycles in a row, and where the machine is meanwhile.
+// Events that are raised without effect: which events, for how many consecutive cycles, and where the machine is during
+// these cycles.
 #include "conformance/check/missed_events.hpp"
 
 #include <gmock/gmock.h>
@@ -26,8 +27,8 @@ std::vector<MissedEvent> missed_in(const std::string& members, std::uint32_t cyc
     return result.missed;
 }
 
-// The cycle that takes f begins to wait for four units; three cycles lie within the wait, and the fourth, in which it
-// is over, takes e.
+// The cycle that takes f starts a wait of four units. The wait spans three more cycles; the fourth one, in which it is
+// over, takes e.
 TEST(MissedEvents, OfAnEntryActionThatWaits) {
     const auto missed = missed_in(R"(
         state B { entry wait(4) }
@@ -50,7 +51,7 @@ TEST(MissedEvents, NoneWhereAnActionEndsWithItsCycle) {
     EXPECT_EQ(missed_in(members).front().cycles, 1U);
 }
 
-// A, which t1 leaves, awaits f, and B, where it leads, awaits e: while its action runs, both are missed.
+// t1 leads from A, which waits for f, to B, which waits for e. While the action of t1 runs, both are missed.
 TEST(MissedEvents, OfAnActionOfATransition) {
     const auto missed = missed_in(R"(
         state B { }
@@ -66,7 +67,8 @@ TEST(MissedEvents, OfAnActionOfATransition) {
     }
 }
 
-// Actions follow each other in one cycle, for ever: what the state around them awaits is never taken.
+// Actions follow one another indefinitely, and each starts in the cycle in which the previous one ends. The event that
+// the state waits for is never taken.
 TEST(MissedEvents, WithoutBoundWhereActionsFollowEachOther) {
     const auto missed = missed_in(R"(
         state B { entry wait(2) }
@@ -94,8 +96,8 @@ TEST(MissedEvents, WhereNoConditionHolds) {
     EXPECT_THAT(missed[0].reasons.at(0).places, ElementsAre(HasSubstr("M::B")));
 }
 
-// f resets C in the cycle that enters B. The three cycles after it begin in the entry action (the last of them ends it,
-// and C is 3), the next one in B with C = 4; at 5 the condition holds.
+// f resets C in the cycle that enters B. The next three cycles start in the entry action (it ends in the last of them,
+// when C is 3). The cycle after them starts in B with C = 4. The condition holds at 5.
 TEST(MissedEvents, CountsBothReasonsInARow) {
     const auto missed = missed_in(R"(
         clock C
@@ -112,7 +114,8 @@ TEST(MissedEvents, CountsBothReasonsInARow) {
     EXPECT_EQ(missed[0].reasons[1].cycles, 1U);
 }
 
-// A during action stops no transition, a state without e awaits none, and a transition without condition takes it.
+// A during action disables no transition, a state without e does not wait for it, and a transition without a condition
+// takes it.
 TEST(MissedEvents, NoneWhereEachIsTakenOrNotAwaited) {
     EXPECT_THAT(missed_in(R"(
         var n : nat

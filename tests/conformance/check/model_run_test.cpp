@@ -1,5 +1,5 @@
-// Where generated code differs from its model, the run of the model as far as the code does the same: whichever search
-// has found the difference. And the runs behind what a model is besides.
+// If generated code differs from its model, the report shows the model's run up to the difference, for every kind of
+// search. The report also shows runs that explain notes on deadlines and repeated outputs.
 #include "conformance/check/model_run.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ Result with_fault(const std::string& text, cpp_emit::Fault fault, std::uint64_t 
     return conform(model.system, model.instantiation, model.machine("M"), options, model.sources, found);
 }
 
-/// What happens, but for what is entered and left.
+/// The events of a run, without entries and exits of states.
 std::vector<std::string> texts(const runs::Run& run) {
     std::vector<std::string> result;
     for (const runs::Step& step : run.steps)
@@ -45,7 +45,7 @@ std::vector<std::string> offered(const runs::Run& run) {
     return result;
 }
 
-// The code ends the cycle in which the model brakes, three time units behind `go`: walks may have waited before it.
+// The code ends the cycle in which the model brakes, three time units after `go`. A walk may wait before `go`.
 TEST(ModelRun, GoesAsFarAsTheCodeDoes) {
     const Result searched = with_fault(late_brake, cpp_emit::Fault::call_dropped);
     ASSERT_EQ(searched.outcome, Outcome::differs);
@@ -65,7 +65,7 @@ TEST(ModelRun, GoesAsFarAsTheCodeDoes) {
     EXPECT_THAT(offered(*walked.explanation.run), ElementsAre("call Brake"));
 }
 
-// The code brakes twice: what it has done once more than the model is not part of the run.
+// The code brakes twice: its second call is not part of the model's run.
 TEST(ModelRun, EndsInFrontOfWhatTheModelDoesNotAllow) {
     const Result result = with_fault(late_brake, cpp_emit::Fault::output_repeated);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -93,7 +93,7 @@ TEST(ModelRun, IsFoundForPartialReadings) {
     }
 }
 
-// x is written twice in the cycle of `go`; the run ends in front of the second time.
+// x is output twice in the cycle of `go`; the run ends before the second output.
 TEST(ModelRun, ShowsWhereAnOutputIsMadeTwice) {
     const Result result = with_fault(R"(stm M { event go event x : nat initial i state Idle { }
 state B { entry x!1 ; x!2 } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",
@@ -103,7 +103,7 @@ state B { entry x!1 ; x!2 } transition t0 { from i to Idle } transition t1 { fro
     EXPECT_THAT(offered(*result.register_cycles->run), ::testing::Contains("output x with 2"));
 }
 
-// A time unit behind `go` the answer is due, and time stops.
+// The answer is due one time unit after `go`, and then time stops.
 TEST(ModelRun, ShowsWhereADeadlineMayBeMissed) {
     const Result result = with_fault(R"(stm M { event go event answer : nat var x : nat initial i state Idle { }
 state B { entry (answer?x) <{1} } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",

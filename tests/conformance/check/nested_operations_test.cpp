@@ -1,5 +1,5 @@
-// Operations that call operations: what one requires is what its caller means by the name (semantics 3.8), which may be
-// the caller's own variable or clock, the machine's, or what the caller itself requires.
+// Operations that call operations. A variable that an operation requires is the one with that name in its caller's
+// scope (semantics 3.8): the caller's own variable or clock, the machine's, or one that the caller itself requires.
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
@@ -34,7 +34,8 @@ TEST(NestedOperations, AVariableOfTheCallingOperation) {
                       shows + " }\n");
 }
 
-/// The machine's and the operation's variable of that name are two, and the inner operation works on each in its turn.
+/// The machine and the operation have different variables with the same name. The inner operation accesses each of them
+/// in turn.
 TEST(NestedOperations, CallersThatMeanDifferentVariables) {
     expect_conforming(interfaces +
                       "operation inner() { requires Level event o : nat initial i final f\n"
@@ -78,7 +79,7 @@ TEST(NestedOperations, AClockOfTheCallingOperation) {
                       shows + " }\n");
 }
 
-/// The clock is read in the inner operation only, and the machine has one of that name too.
+/// Only the inner operation reads the clock, and the machine has a clock with the same name.
 TEST(NestedOperations, AClockThatOnlyTheInnerOperationReads) {
     expect_conforming(
         interfaces +
@@ -93,7 +94,8 @@ TEST(NestedOperations, AClockThatOnlyTheInnerOperationReads) {
         shows + " }\n");
 }
 
-/// While the caller's during action runs the operation, so does its own exit or transition: one variable for all.
+/// The caller's during action runs the operation at the same time as its exit action or transition: all share one
+/// variable.
 TEST(NestedOperations, CalledByDuringActionsOfTheCallingOperation) {
     expect_conforming(
         interfaces +
@@ -109,7 +111,7 @@ TEST(NestedOperations, CalledByDuringActionsOfTheCallingOperation) {
         shows + " connection K on go to S on go }\n");
 }
 
-/// What is sent to and taken from another machine comes from and goes to the caller's variable.
+/// The value sent to another machine comes from the caller's variable, and a received value goes to it.
 TEST(NestedOperations, TheirVariablesInARendezvous) {
     expect_conforming(
         interfaces +
@@ -143,7 +145,8 @@ TEST(NestedOperations, TheirVariablesInPreconditionsGuardsWaitsAndDeadlines) {
                       shows + " connection K on go to S on go }\n");
 }
 
-/// Two machines run the same operations, one of which calls the inner one itself: a state for each.
+/// Two machines run the same operations, and one of them also calls the inner operation directly: each has its own
+/// state.
 TEST(NestedOperations, InSeveralMachines) {
     expect_conforming(interfaces +
                       "operation inner() { requires Level requires Pace event o : nat initial i final f state W { }\n"
@@ -160,7 +163,8 @@ TEST(NestedOperations, InSeveralMachines) {
                       shows + " connection R on o to K on o2 }\n");
 }
 
-/// A controller's shared variable that no operation reads: those of that name that are read are their callers' own.
+/// No operation reads the controller's shared variable. The variables with its name that they read belong to their
+/// callers.
 TEST(NestedOperations, AnOperationsVariableIsNotTheSharedOneOfItsName) {
     expect_conforming(interfaces +
                       "operation inner() { requires Level event o : nat initial i final f\n"

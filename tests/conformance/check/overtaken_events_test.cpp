@@ -1,4 +1,5 @@
-// Events of outer states that come second in a cycle: after which events, or after what is due, and where.
+// Events of outer states that are processed second in a cycle: after an event of an inner state or after a timeout, and
+// in which state.
 #include "conformance/check/overtaken_events.hpp"
 
 #include <gmock/gmock.h>
@@ -14,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Of a robot with an emergency stop around a composite state with these members.
+/// The overtaken events of a robot with an emergency stop around a composite state with these members.
 std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
     const test::TemporaryFolder folder(
         "interface Motion { go() halt() brake() }\n"
@@ -31,7 +32,7 @@ std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
     return result.overtaken;
 }
 
-// With both events the code halts and then brakes; with `stop` alone it brakes.
+// With both events the code halts and then brakes; with only `stop` it brakes.
 TEST(OvertakenEvents, OfAnOuterStateAfterThoseOfAnInnerOne) {
     const auto overtaken = overtaken_in(R"(
         state Driving { }
@@ -46,7 +47,7 @@ TEST(OvertakenEvents, OfAnOuterStateAfterThoseOfAnInnerOne) {
     EXPECT_THAT(overtaken[0].places, ElementsAre(HasSubstr("Driving ("), HasSubstr("Held (")));
 }
 
-// Two units after it was entered Driving is left by itself: in that cycle `stop` comes after.
+// Driving has a timeout two units after its entry: in that cycle `stop` is processed second.
 TEST(OvertakenEvents, AfterATimeoutThatIsDue) {
     const auto overtaken = overtaken_in(R"(
         state Driving { }
@@ -59,8 +60,7 @@ TEST(OvertakenEvents, AfterATimeoutThatIsDue) {
     EXPECT_THAT(overtaken[0].by, IsEmpty());
 }
 
-// The exit action halts whichever way the state is left, so it does not show that `obstacle` came first; the brake
-// does.
+// The exit action halts in both cases, so it does not show that `obstacle` was processed first; the brake does.
 TEST(OvertakenEvents, AreNotShownByAnExitActionThatBothShare) {
     EXPECT_THAT(overtaken_in(R"(
         state Driving { exit halt() }
@@ -70,7 +70,7 @@ TEST(OvertakenEvents, AreNotShownByAnExitActionThatBothShare) {
                 IsEmpty());
 }
 
-// There the inner transition is silent: nobody can tell.
+// Here the inner transition makes no output, so the order is not observable.
 TEST(OvertakenEvents, AreNotShownByTransitionsWithoutOutputs) {
     EXPECT_THAT(overtaken_in(R"(
         state Driving { }

@@ -1,4 +1,5 @@
-// The search over partial readings comes to what the search over all valuations comes to, and reaches what that cannot.
+// The search over partial readings has the same result as the search over all valuations, and scales to models for
+// which the latter is infeasible.
 #include "conformance/check/partial_readings.hpp"
 
 #include <fmt/format.h>
@@ -12,13 +13,13 @@
 namespace robochart::conformance {
 namespace {
 
-/// Both searches of one component's code.
+/// Runs both searches on the code of one component.
 class Both {
 public:
     Both(const std::string& folder, const std::string& machine)
         : model_(folder), bench_(model_, machine.empty() ? model_.module() : model_.machine(machine)) {}
 
-    /// Nothing where the code does not compile.
+    /// Empty if the code does not compile.
     std::optional<std::pair<Result, Result>> judge(cpp_emit::Fault fault, std::uint32_t site) {
         const auto object = bench_.compiled(fault, site);
         if (!object) return std::nullopt;
@@ -62,9 +63,9 @@ TEST(PartialReadings, AgreeWithAllValuations) {
     EXPECT_GT(different, 12U);
 }
 
-/// Sixteen events, of which each state takes one: 65,536 valuations, and as many contents of registers that NF could
-/// hold in each of its states; but a cycle without its event goes nowhere, and one with it asks for the next event at
-/// most.
+/// Each state takes one of sixteen events. There are 65,536 valuations, and in each of its states NF could hold as many
+/// contents of registers. However, a cycle without the state's event changes nothing, and a cycle with it reads at most
+/// the next event.
 TEST(PartialReadings, ReachWhatAllValuationsCannot) {
     std::string text = "stm Ring {\n initial i transition t { from i to S0 }\n event x : nat\n";
     constexpr int states = 16;

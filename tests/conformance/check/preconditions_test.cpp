@@ -1,6 +1,6 @@
-// Preconditions of functions (semantics 3.5): wherever an expression stands the code asks what the model asks, and
-// waits where the model does. Each row conforms although the precondition is false in some of its runs, and does not
-// where code evaluates the expression without asking (Fault::function_precondition_dropped).
+// Preconditions of functions (semantics 3.5): for every position of an expression, the code checks the precondition as
+// the model does, and waits if the model waits. Each row conforms although the precondition is false in some of its
+// runs. Code that does not check the precondition (Fault::function_precondition_dropped) does not conform.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@ namespace {
 
 struct Position {
     const char* name;
-    const char* body;  ///< of the machine; %: the expression
+    const char* body;  ///< body of the machine; % stands for the expression
 };
 
-/// `x` is what came last; `go` leads on and `stop` back.
+/// `x` is the last received value; `go` leads from A to B, and `stop` back.
 const char* const two_states = "state A { } state B { } transition back { from B to A trigger stop }";
 
 const Position positions[] = {
@@ -72,10 +72,10 @@ std::ostream& operator<<(std::ostream& out, const Called& each) {
     return out << each.text;
 }
 
-/// Of the number x: x where x > 0, else outside its precondition.
+/// Functions of the number x that return x if x > 0; otherwise x is outside their precondition.
 const Called functions[] = {{"OfTheModel", "some(x)"}, {"OfAToolkit", "head(if x > 0 then <x> else <> end)"}};
 
-/// Where calls stand in an expression.
+/// Shapes of expressions that contain a call.
 const Called shapes[] = {{"Nested", "some(some(x))"},
                          {"InAPrecondition", "above(x)"},
                          {"InAnArgument", "some(head(if x > 0 then <x> else <> end))"},
@@ -120,7 +120,7 @@ std::string model_of(const std::string& body, const std::string& precondition = 
            "connection P on in1 to c on in1 (_async) connection c on tell to P on tell (_async) }\n";
 }
 
-/// The model's code conforms, and does not where one of its preconditions is not asked.
+/// Checks that the generated code conforms, and that it differs if one of its precondition checks is omitted.
 void expect_asked(const std::string& body) {
     const test::TemporaryFolder folder(model_of(body));
     test::Model model(folder.path());
@@ -158,7 +158,7 @@ const Position in_a_call[] = {
 INSTANTIATE_TEST_SUITE_P(OfEveryShape, Preconditions,
                          ::testing::Combine(::testing::ValuesIn(in_a_call), ::testing::ValuesIn(shapes)), row_name);
 
-// A function as a value has a pair wherever its precondition holds.
+// A function as a value contains a pair for each argument that satisfies its precondition.
 TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
     const test::TemporaryFolder folder(
         model_of(with("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
@@ -166,7 +166,7 @@ TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
     (void)test::expect_conforming(model, model.module());
 }
 
-// The value that a trigger brings is what the guard asks with, and a predicate of an input statement names it.
+// The guard uses the value that the trigger receives, and so does the predicate of an input statement.
 TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
     expect_asked(
         "state A { } state B { } transition t1 { from A to B trigger go }\n"
@@ -174,7 +174,7 @@ TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
     expect_asked("state A { } transition t1 { from A to A trigger go action in1[| some(y) >= 0 |]?y ; act(y) }");
 }
 
-// A deadline around a statement that waits for ever runs out: time stops in the model, so it cannot be run in cycles.
+// The deadline of a statement that waits forever expires: time stops in the model, so it is not schedulable.
 TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
     const test::TemporaryFolder folder(
         model_of(with("2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
@@ -185,7 +185,8 @@ TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
     EXPECT_NE(result.reason.find("neither go on nor let time pass"), std::string::npos) << result.reason;
 }
 
-// A violated precondition of an operation is reported; that of a function in it is asked first.
+// A violated precondition of an operation is reported. The code first checks the preconditions of functions that it
+// calls.
 TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
     for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"}) {
         const test::TemporaryFolder folder(
@@ -198,7 +199,8 @@ TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
     }
 }
 
-// What waits for ever in a during action is cut with the state: the smallest model that once went wrong.
+// A during action that waits forever is interrupted when its state is left. This is the smallest model that once
+// failed.
 TEST(PreconditionsOfFunctions, HoldUpADuringActionUntilItsStateIsLeft) {
     const test::TemporaryFolder folder(
         "interface Acts { act(n : nat) } function f() : nat { precondition false }\n"

@@ -1,4 +1,5 @@
-// Probabilistic junctions: a free choice in the semantics, drawn by the platform in the code; every way is explored.
+// Probabilistic junctions are a nondeterministic choice in the semantics. In the code the platform draws the
+// alternative; the check explores all alternatives.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -28,7 +29,7 @@ stm S {
 }
 )";
 
-/// The chances as the model may write them: quotients, constants, what is left of one.
+/// Probabilities in all the forms that models use: quotients, constants, the remainder to one.
 TEST(Probabilistic, ChancesAreExpressions) {
     const std::string model_text(text);
     const std::pair<const char*, const char*> chances[] = {
@@ -51,9 +52,10 @@ TEST(Probabilistic, EveryWayIsExplored) {
     test::Bench bench(model, model.machine("S"));
     const Result right = bench.check();
     EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;
-    EXPECT_GE(right.code_states, 3U);  // waiting, left and right
-    // The target of any transition is wrong, the less likely way of the junction included. Only `go` may lead to a
-    // state behind the junction at once: that is one of the ways.
+    EXPECT_GE(right.code_states, 3U);  // Waiting, Left and Right
+    // Every transition with a wrong target is detected, also the less probable one of the junction. The exception is
+    // `go`: with a wrong target it may lead directly to a state after the junction, which is one of the allowed
+    // alternatives.
     std::size_t found = 0;
     for (std::uint32_t site = 0; site < bench.sites(cpp_emit::Fault::wrong_target); ++site)
         found += bench.check(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;

@@ -1,5 +1,5 @@
-// Where the whole is too large: walks find seeded faults, tell them with small witnesses, and claim nothing where they
-// find none.
+// Random walks for components that are too large for exhaustive checks. They find seeded faults, report them with small
+// counterexamples, and claim nothing if they find none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ TEST(Walks, ClaimNothingOfACorrectController) {
     EXPECT_GE(result.code_states, 2U);
 }
 
-/// The faults of objects/turner.cpp that the exhaustive check finds (conformance_check_test.cpp) and that show in
-/// traces or refusals.
+/// The faults of objects/turner.cpp that the exhaustive check finds (conformance_check_test.cpp) and that are visible
+/// in traces or refusals.
 TEST(Walks, FindTheFaultsOfControllersWrittenByHand) {
     for (const int fault : {1, 2, 3, 4, 5}) {
         const Result result = walk_by_hand(fault);
@@ -45,7 +45,7 @@ TEST(Walks, FindTheFaultsOfControllersWrittenByHand) {
     }
 }
 
-/// Without waits one cycle may ask for DriveCall twice: seeRobot, seeWall and speed raised at once.
+/// Without waits, one cycle with seeRobot, seeWall and speed may call DriveCall twice.
 TEST(Walks, FindThatAModelIsNotSchedulable) {
     const Result result = walk_by_hand(0, false);
     EXPECT_NE(result.outcome, Outcome::conforms);
@@ -60,7 +60,7 @@ TEST(Walks, AreTheSameForTheSameSeed) {
     EXPECT_EQ(one.cycles.size(), two.cycles.size());
 }
 
-/// Through `conform`: a limit that the exhaustive check reaches at once.
+/// `conform` with a limit that the exhaustive check reaches immediately.
 TEST(Walks, FollowWhereALimitIsReached) {
     test::Model project("corpus/swarm_taxis");
     Options options;

@@ -1,4 +1,5 @@
-// What random models found: each once gave code that did not compile without a warning, or did what its model does not.
+// Models that random tests found. For each of them, the generated code once did not compile without warnings, or
+// differed from its model.
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
@@ -8,7 +9,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// The first module or, without one, the machine S conforms.
+/// Checks that the first module conforms or, if there is none, the machine S.
 void expect_conformance_of(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
@@ -84,7 +85,7 @@ TEST(Regressions, AValueFromABufferThatNobodyReadsIsDropped) {
         "module M { robotic platform P { } cref b = B cref c = C connection b on o to c on e ( _async ) }\n");
 }
 
-/// In the instant in which T is reset its guard has just been false.
+/// The guard was false immediately before T is reset.
 TEST(Regressions, ADeadlineBeginsAnewWhereAClockEndsItsGuard) {
     expect_conformance_of(machine("event g clock T",
                                   "state A { initial j state B { } transition u0 { from j to B }\n"
@@ -128,7 +129,7 @@ TEST(Regressions, ANegatedNaturalNumberIsAnInteger) {
     expect_conformance_of(machine("const k : nat = 2 var z : int", "state A { entry z = -k; move(z == -2) }"));
 }
 
-/// The operation's own variable is read inside alone, what is computed from it behind the call alone.
+/// The operation's own variable is read only inside the operation, and the result only after the call.
 TEST(Regressions, AnOperationComputesFromItsInitialValues) {
     expect_conformance_of(
         "interface V { var v : boolean } interface Ops { op() }\n"
@@ -140,7 +141,7 @@ TEST(Regressions, AnOperationComputesFromItsInitialValues) {
         "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
 }
 
-/// Both places lead to an entry; the second is of the row that the first leads to.
+/// Both forms of index select an entry; the second one selects it from a row.
 TEST(Regressions, EntriesOfMatricesAreAssigned) {
     expect_conformance_of(
         "stm S { event e : matrix(boolean, 2, 2) event out : matrix(boolean, 2, 2) var m : matrix(boolean, 2, 2)\n"
@@ -148,7 +149,7 @@ TEST(Regressions, EntriesOfMatricesAreAssigned) {
         "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n");
 }
 
-/// In CSPM a string is a sequence of characters, so the empty one is written as the empty sequence.
+/// In CSPM a string is a sequence of characters, so the empty string is printed as the empty sequence.
 TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
     expect_conformance_of(
         "stm S { event e : string event out : string var x : string initial i state A { } transition t0 { from i to A "
@@ -156,7 +157,7 @@ TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
-/// A machine S below a module whose platform provides what `shared` declares and sends e.
+/// A module whose platform provides the variables in `shared` and sends e, with a machine S.
 std::string with_platform(const std::string& shared, const std::string& before, const std::string& body) {
     return "record Spot { at : nat free : boolean }\n"
            "interface V { " +
@@ -171,7 +172,7 @@ std::string machine_alone(const std::string& shared, const std::string& body) {
         shared, "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
 }
 
-/// The platform hears of the whole variable, so that the rest of it is needed.
+/// The platform receives the whole variable, so the other parts are needed too.
 TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
     expect_conformance_of(machine_alone(
         "var t : nat * boolean var s : Spot var q : Seq(boolean) = <true, true> var v : vector(boolean, 2)\n"
@@ -192,7 +193,7 @@ TEST(Regressions, APartIsWrittenWhereverActionsStand) {
         "transition t1 { from A to B trigger e?f action b[2] = false } transition t2 { from B to A trigger e?f }"));
 }
 
-/// What a deadline or a wait depends on may be read nowhere else.
+/// A variable may be read only by a deadline or a wait.
 TEST(Regressions, DurationsReadVariables) {
     for (const std::string type : {"nat", "int"}) {
         const std::string shared = "var d : " + type;
@@ -211,7 +212,7 @@ TEST(Regressions, DurationsReadVariables) {
     }
 }
 
-/// Conditionals, implications and sums in every place that C++ text is put together of them.
+/// Conditionals, implications and sums in every position in which C++ text is composed of them.
 TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
     expect_conformance_of(
         "record R { a : nat f : boolean }\n"
@@ -253,7 +254,7 @@ TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
         "transition t4 { from B to A action c = b; n = 1; q = <1> } }\n");
 }
 
-/// Text with commas that no parentheses enclose.
+/// Expressions that contain commas outside parentheses.
 TEST(Regressions, PreconditionsHoldAnyExpression) {
     expect_conformance_of(
         "interface Ops { op(n : nat) }\n"
@@ -265,7 +266,7 @@ TEST(Regressions, PreconditionsHoldAnyExpression) {
         "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
 }
 
-/// The code's names of values are the model's, also below packages of several names.
+/// The code names values as the model does, also in nested packages.
 TEST(Regressions, LiteralsOfNestedPackages) {
     expect_conformance_of(
         "package a::b::c\nenumeration Mode { one two(boolean) }\n"
@@ -273,12 +274,12 @@ TEST(Regressions, LiteralsOfNestedPackages) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
-/// A namespace inside another hides one outside.
+/// A nested namespace hides a namespace outside.
 TEST(Regressions, APackageInsideAnotherIsCalledLikeTheRuntime) {
     expect_conformance_of("package a::robochart\n" + machine("clock T", "state A { entry wait(1) ; move(x) }"));
 }
 
-/// States of operations are members that are called like them.
+/// The states of operations are members with the operations' names.
 TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
     const std::string body =
         " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
@@ -294,8 +295,8 @@ TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
         "module M { robotic platform P { } cref c = C }\n");
 }
 
-/// Types that only calls of toolkit functions make have names of their own: of two tuples without, one took the other's
-/// place.
+/// Types that occur only in calls of toolkit functions need distinct names. Without names, one of two tuple types
+/// replaced the other.
 TEST(Regressions, TuplesThatOnlyToolkitFunctionsNeed) {
     expect_conformance_of(
         "import relation_toolkit::*\n" +

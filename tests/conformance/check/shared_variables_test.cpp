@@ -1,5 +1,5 @@
-// Variables whose writes the environment propagates (semantics 3.7): of the machines of a controller alone, each has
-// its copy, which the others' writes reach only through the outside.
+// Variables whose writes the environment propagates (semantics 3.7). If a controller is checked alone, each of its
+// machines has a copy, and writes of other machines reach it only through the environment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ public:
         code.initial(state_.data());
     }
 
-    /// One cycle with the given value of an input, "" for none; the names of what it wrote.
+    /// Runs one cycle with the given value of an input ("": no input); returns the names of its outputs.
     std::vector<std::string> cycle(const std::string& input = "", const std::string& value = "") {
         for (std::uint32_t index = 0; index < code_.inputs; ++index) {
             const rc_input& each = code_.input[index];
@@ -86,7 +86,7 @@ TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
     const auto object = bench.compiled(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     Driven code(object->interface());
-    // What is written inside does not reach the reader, what comes from outside does.
+    // A write inside the component does not reach the reader; a write from the environment does.
     const std::vector<std::string> first = code.cycle();
     EXPECT_THAT(first, Contains(EndsWith("set_v")));
     EXPECT_THAT(first, Not(Contains(EndsWith("seen.out"))));
@@ -103,7 +103,7 @@ TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     EXPECT_THAT(Driven(object->interface()).cycle(), Contains(EndsWith("seen.out")));
 }
 
-/// Machines of a controller in a module whose platform provides `v` and the operations.
+/// Machines of a controller, in a module whose platform provides `v` and the operations.
 std::string with_platform(const std::string& controller) {
     return "interface D { var v : nat }\ninterface O { move() stop() }\ninterface P { op() }\n"
            "module M {\n"
@@ -117,9 +117,9 @@ struct HeldUp {
     const char* controller;
 };
 
-/// Nothing is propagated to a machine while one of its threads is in front of a call of the platform (semantics 3.7),
-/// and the memories in between take one write each: three writes in a row do not go before the call. Code that makes
-/// them first differs.
+/// Writes are not propagated to a machine while one of its threads waits to call the platform (semantics 3.7). Each
+/// memory in between stores one write, so the third of three consecutive writes has to wait for the call. Code that
+/// makes all three first differs.
 const HeldUp held_up[] = {
     {"a during action begins with the call", R"(stm A { requires D requires O initial i
         state S { initial j state T { during move() } transition tj { from j to T }

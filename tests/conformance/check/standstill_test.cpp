@@ -1,5 +1,5 @@
-// Models that cannot be run in control cycles: each cause has its rule, the elements of the model that are part of it,
-// and what would help.
+// Models that cannot run in control cycles: for each cause, the rule, the elements of the model that are involved, and
+// the suggested fix.
 #include "conformance/check/standstill.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A machine with the parts that all of them have.
+/// A machine with the parts that all models of this test share.
 std::string braking_machine(const std::string& declarations, const std::string& parts) {
     return "interface Brakes { Brake() }\nstm M {\n requires Brakes event go " + declarations +
            "\n initial i state Idle { }\n transition t0 { from i to Idle }\n" + parts + "\n}";
@@ -70,7 +70,7 @@ TEST(Standstill, OfOutputsWithoutEndNamesTheOutputToo) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 
-// What calls are taken for depends on the component: the operation may take time in the controller that defines it.
+// The meaning of a call depends on the component: in the controller that defines the operation, the call may take time.
 TEST(Standstill, OfCallsWithoutEndPointsOutThatTheyTakeNoTime) {
     const Result result =
         run_in_cycles(braking_machine("",
@@ -83,7 +83,7 @@ TEST(Standstill, OfCallsWithoutEndPointsOutThatTheyTakeNoTime) {
     EXPECT_THAT(result.explanation.remedy, HasSubstr("operations take no time here"));
 }
 
-// The wait begins with the deadline of 3 and lasts for 5: two more are lacking when it is over.
+// The wait starts together with the deadline of 3 and lasts for 5, so the deadline is too short by 2.
 TEST(Standstill, AtADeadlineSaysByHowMuchItIsTooShort) {
     const Result result = run_in_cycles(
         braking_machine("event x", "state B { entry (wait(5) ; x) <{3} } transition t1 { from Idle to B trigger go }"));
@@ -160,7 +160,7 @@ TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 
-/// What a model is besides has a rule where it is not so.
+/// A violated additional property, such as repeated outputs or missed deadlines, has a rule.
 TEST(Asides, HaveTheRuleThatSaysWhatTheyMeanForARobot) {
     const Result twice = run_in_cycles(
         braking_machine("event x : nat", "state B { entry x!1 ; x!2 } transition t1 { from Idle to B trigger go }"));

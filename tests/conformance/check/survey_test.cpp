@@ -1,5 +1,6 @@
-// Every component of the models at hand is generated, compiles and conforms, but those in the table below: they are
-// not schedulable, not generated, or not yet decided, for the reason named. A row that no longer holds fails the test.
+// The code of every component of the available models is generated, compiles and conforms, except for the components in
+// the table below. These are not schedulable, not generated, or not yet decided, for the reason stated. A row that is
+// no longer true fails the test.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,12 +25,12 @@ namespace fs = std::filesystem;
 struct Exception {
     const char* component;  ///< folder or file of the model, and the component
     Outcome outcome;
-    const char* why;  ///< found in the reason or in a diagnostic's code
+    const char* why;  ///< text in the reason or in a diagnostic's code
 };
 
 constexpr Exception exceptions[] = {
-    // Loops that take no time: no control cycle exists. In most of them an output is made again and again, which the
-    // platform, called, always takes; only a register that takes one a cycle would hold them up.
+    // Loops that take no time, so no control cycle exists. In most of them an output is repeated indefinitely. The
+    // platform always accepts its calls; only a register that accepts one output per cycle would stop the loop.
     {"example7.rct/contrl", Outcome::not_schedulable, "infinitely much"},
     {"example3.rct/stm4", Outcome::not_schedulable, "infinitely much"},
     {"AlphaAlgorithm/Communication", Outcome::not_schedulable, "infinitely much"},
@@ -37,14 +38,14 @@ constexpr Exception exceptions[] = {
     {"AlphaAlgorithm/AggregationSoftware", Outcome::not_schedulable, "infinitely much"},
     {"hvc/Watchdog", Outcome::not_schedulable, "infinitely much"},
     {"hvc/State_machine", Outcome::not_schedulable, "infinitely much"},
-    // Its function `ms` is defined in a csp block alone: waits take no time, and an input with a deadline of 0 is
-    // awaited again and again in one cycle.
+    // Only a csp block defines their function `ms`. The default makes waits take no time, so an input with a deadline
+    // of 0 is awaited repeatedly in one cycle.
     {"hvc/mod_sys", Outcome::not_schedulable, "neither go on"},
     {"hvc/ctrl0", Outcome::not_schedulable, "neither go on"},
     {"hvc/ctrl1", Outcome::not_schedulable, "neither go on"},
 };
 
-/// Models that are not read or have no semantics at all.
+/// Models that are rejected or have no semantics.
 const std::set<std::string> not_lowered = {"example9_empty_stm.rct"};
 
 std::string shared_folder() {
@@ -52,7 +53,7 @@ std::string shared_folder() {
     return given != nullptr ? given : tests::source_folder().string() + "/../shared";
 }
 
-/// The compiler and further flags of scripts/survey.sh.
+/// The compiler and additional flags, set by scripts/survey.sh.
 std::string from_environment(const char* name, const char* otherwise) {
     const char* given = std::getenv(name);
     return given != nullptr ? given : otherwise;
@@ -83,7 +84,7 @@ protected:
         EXPECT_EQ(diagnostics.ok(), not_lowered.count(name) == 0) << path;
         if (!diagnostics.ok()) return;
         ir::InstantiationOptions values;
-        if (name == "robotool-csp-2026") values.constants["av"] = "1";  // left open, and divided by
+        if (name == "robotool-csp-2026") values.constants["av"] = "1";  // a constant without a value, used as a divisor
         const ir::Instantiation instantiation = ir::instantiate(system, values, diagnostics);
         const auto each = [&](const auto& items, ir::ComponentKind kind, const auto& wanted) {
             for (std::uint32_t i = 0; i < items.size(); ++i)
@@ -92,7 +93,7 @@ protected:
         };
         const auto all = [](const auto&) { return true; };
         each(system.modules, ir::ComponentKind::module, all);
-        // Parts written inside others are looked at there.
+        // Components nested in others are checked as part of these.
         each(system.controllers, ir::ComponentKind::controller, [](const auto& c) { return c.path == c.name; });
         each(system.machines, ir::ComponentKind::machine, [](const ir::Machine& machine) {
             return machine.kind == ir::MachineKind::state_machine && machine.path == machine.name;
@@ -116,8 +117,8 @@ protected:
         judge(model + "/" + ref.path, result, said);
     }
 
-    /// The industrial controller's script and the larger case study are not for every run: their code is generated and
-    /// compiled. The script scripts/survey.sh has all of their components judged.
+    /// The industrial controller and the larger case study are too expensive for every run: their code is only
+    /// generated and compiled. scripts/survey.sh checks all of their components.
     void compile(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
                  const std::string& name) {
         diagnostics::Diagnostics found;

@@ -1,4 +1,4 @@
-// Every kind of expression over values with parts, in generated code as in the model: quantifiers, comprehensions,
+// Every kind of expression over composite values, in generated code as in the model: quantifiers, comprehensions,
 // lambdas, functions and relations as values, the toolkit libraries, ranges, strings, vectors and matrices.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 struct Case {
     const char* type;
-    const char* text;  ///< over x : nat, which is read anew for each
+    const char* text;  ///< over x : nat, which each evaluation receives anew
 };
 
 constexpr Case cases[] = {
@@ -103,7 +103,7 @@ constexpr Case cases[] = {
     {"boolean", "hasMax({x, 0.5})"},
 };
 
-/// A machine that answers `go?x` by the first expression, the next `go?x` by the second, and so on.
+/// A machine that answers the first `go?x` with the first expression, the next `go?x` with the second, and so on.
 std::string model(std::size_t first, std::size_t last) {
     std::map<std::string, std::string> events;
     std::string states, transitions = "transition begin { from i to s0 }\n";
@@ -140,7 +140,7 @@ TEST(Values, EveryExpressionIsThatOfTheModel) {
         expect_cases(c, std::min(c + at_once, std::size(cases)));
 }
 
-/// Every set of reals is received, the empty one too, which has no least and no greatest element.
+/// The machine receives every set of reals, including the empty set, which has no minimum or maximum.
 TEST(Values, LeastAndGreatestOfTheRealsReceived) {
     const test::TemporaryFolder folder(R"(
         import set_toolkit::*

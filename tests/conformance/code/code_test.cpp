@@ -1,5 +1,5 @@
-// What is done with compiled code besides judging it: compared with other code, stopped where it does not come back,
-// reported if it does not compile.
+// Operations on compiled code other than judging it: comparison with other code, a watchdog for code that does not
+// return, and the report of code that does not compile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using cpp_emit::Fault;
 using testing::HasSubstr;
 
-/// objects/turner.cpp: what each of these does shows (known_bad_test.cpp).
+/// objects/turner.cpp: each of these faults is visible (known_bad_test.cpp).
 constexpr int bad[] = {1, 2, 3, 4, 5, 6, 7, 11};
 
 TEST(CodeEquality, TellsFaultsFromTheOriginalAndNothingFromItself) {
@@ -40,7 +40,7 @@ TEST(CodeEquality, TellsFaultsFromTheOriginalAndNothingFromItself) {
     }
 }
 
-/// RoboTool's second generation: `while (tryTransitions())` over a loop that an input holds up in the model.
+/// RoboTool's second generation of code: `while (tryTransitions())` over a loop that waits for an input in the model.
 TEST(Watchdog, ALoopThatNeverEndsIsFoundAndNotWaitedFor) {
     test::Model model("tests/conformance/models/blink");
     test::Bench bench(model, model.machine("Blink"));
@@ -68,7 +68,7 @@ TEST(Watchdog, LeavesCodeThatReturnsAlone) {
     EXPECT_EQ(one.count, other.count);
 }
 
-/// Generated code that does not compile is the generator's fault, and `conform` shows the compiler's words.
+/// Generated code that does not compile is an error of the generator. `conform` shows the compiler's message.
 TEST(Uncompilable, IsReportedWithTheCompilersWords) {
     test::Model model("tests/conformance/models/nested");
     for (const auto& [fault, words] : {std::pair(Fault::undeclared_member, "no member named"),

@@ -10,8 +10,8 @@
 namespace robochart::conformance {
 namespace {
 
-/// The module of corpus/aggregation by semantics 3.8 to 3.10: the operations' assignments in order, then one time
-/// unit; the transitions wait for their inputs. Speeds are in hundredths.
+/// The module of corpus/aggregation by semantics 3.8 to 3.10: the operations' assignments in order, then one time unit;
+/// the transitions wait for their inputs. Speeds are in hundredths.
 std::vector<test::Edge> aggregation_model() {
     const std::string p = "aggregation::Aggregation::";
     return {

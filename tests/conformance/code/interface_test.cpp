@@ -1,4 +1,4 @@
-// Names of events on both sides.
+// Names of events in the code's interface and in the script.
 #include "conformance/code/interface.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Compiling and loading: what goes wrong is said in words.
+// Compiling and loading of code, and the messages for errors.
 #include "conformance/code/shared_object.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ TEST(SharedObject, CompilerErrorsAreQuoted) {
     EXPECT_THAT(error_of("int f( {"), HasSubstr("a.cpp:1"));
 }
 
-// clang has no unique symbols and does not know the option against them.
+// clang generates no unique symbols and rejects the option that disables them.
 TEST(SharedObject, ClangIsAnotherCompiler) {
     if (std::system("clang++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "clang++ is not installed";
     BuildOptions options;

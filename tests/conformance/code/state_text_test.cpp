@@ -1,5 +1,5 @@
-// States of the code as reports tell them: values with parts are there, in the words of logs (docs/traces.md), so that
-// states that print alike are alike.
+// States of the code as reports show them. They include composite values in the notation of logs (docs/traces.md), so
+// states with equal text are equal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ constexpr const char* matrix_model =
     "initial i state A { } transition t0 { from i to A }\n"
     "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n";
 
-/// Every type that has parts, in variables of one machine; what `go` does to them is to be reported. What it leaves has
-/// the values of semantics 3.6, truth values true and numbers 0.
+/// Variables of every composite type in one machine. The report must show the values that `go` assigns. Other variables
+/// have the initial values of semantics 3.6, where truth values are true and numbers are 0.
 constexpr const char* every_type =
     "enumeration Mode { slow fast } enumeration Colour { Red Put(boolean) }\n"
     "datatype Pose { far : real lit : boolean modes : Seq(Mode) }\n"
@@ -35,7 +35,7 @@ constexpr const char* every_type =
     "p.modes = <Mode::fast, Mode::slow>; q = <2, 0>; s = {true}; c = Colour::Put(true); d = Mode::fast;\n"
     "f = {(| true, false |)} as boolean -> boolean; t = \"so far\"; done } }\n";
 
-/// The states after so many cycles in which all inputs without values happen.
+/// The state after a number of cycles in which all inputs without values occur.
 std::string state_after(const rc_interface& code, int cycles) {
     std::vector<unsigned char> state(code.state_size);
     code.initial(state.data());
@@ -72,7 +72,7 @@ TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
     expect_the_words_of_every_type(state_after(object->interface(), 2));
 }
 
-/// A report of code that forgets to send `done`: its last state is that behind the other actions.
+/// A report of code that omits the output `done`: its last state is the one after the other actions.
 TEST(StateText, ReportsTellThem) {
     const test::TemporaryFolder folder(every_type);
     test::Model model(folder.path());
@@ -83,7 +83,7 @@ TEST(StateText, ReportsTellThem) {
     expect_the_words_of_every_type(result.cycles.back().state);
 }
 
-/// Several candidates in one translation unit, each with the trace header of its own.
+/// Several candidates in one translation unit, each with its own trace header.
 TEST(StateText, BatchesTellThemToo) {
     std::vector<std::unique_ptr<test::Model>> models;
     std::vector<std::unique_ptr<Candidate>> candidates;
@@ -105,7 +105,7 @@ TEST(StateText, BatchesTellThemToo) {
     }
 }
 
-/// Values waiting between two machines are reported like those of variables.
+/// Values in buffers between two machines are reported like values of variables.
 TEST(StateText, BuffersTellWhatTheyHold) {
     const test::TemporaryFolder folder(
         "datatype Pose { far : real lit : boolean }\n"
@@ -131,7 +131,7 @@ TEST(StateText, BuffersTellWhatTheyHold) {
     EXPECT_THAT(state + " ", HasSubstr("=0.5 "));
 }
 
-/// Texts that are longer than the first guess at their length are whole.
+/// Texts that are longer than the initial buffer are printed completely.
 TEST(StateText, LongStatesAreReportedWhole) {
     rc_interface code{};
     code.print = [](const void*, char* buffer, std::size_t size) {

@@ -1,4 +1,4 @@
-// What is read off the IR and the script about one component.
+// Facts about one component that are derived from the IR and the script.
 #include "conformance/model/component.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// Written by the operations, read by nothing.
+// Variables that operations write and that are never read.
 TEST(Component, UnreadVariablesOfAggregation) {
     test::Model model("corpus/aggregation");
     EXPECT_THAT(unread_variables(model.system, model.machine("AggregationFSM")),
@@ -24,7 +24,7 @@ TEST(Component, UnreadVariablesOfAggregation) {
     EXPECT_THAT(unread_variables(model.system, model.module()), IsEmpty());
 }
 
-// `illuminated` is read by an operation that the controller defines and the machine alone does not know.
+// `illuminated` is read by an operation that the controller defines. In the machine alone, this operation is unknown.
 TEST(Component, UnreadVariablesDependOnTheContext) {
     test::Model model("corpus/swarm_taxis");
     EXPECT_THAT(unread_variables(model.system, model.machine("SwarmTaxisFSM")),

@@ -1,4 +1,5 @@
-// The words of values in logs: every value of every type is read as what was written, and no two are written alike.
+// The notation of values in logs: reading inverts printing for every value of every type, and different values are
+// printed differently.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -38,7 +39,7 @@ stm M {
 }
 )";
 
-/// The C++ types of the model's variables hold all kinds of types.
+/// The C++ types of the model's variables cover all kinds of types.
 TEST(LoggedValues, EveryValueIsReadAsWritten) {
     const test::Model model(test::TemporaryFolder(text).path());
     ASSERT_EQ(model.system.machines.size(), 1U);

@@ -1,5 +1,6 @@
-// The normal form twice: as CSPM text and as NormalFormSystem. They are equivalent in failures-divergences, on random
-// models; and reading registers in one order loses nothing (docs/conformance.md, "One order of reading").
+// The normal form in its two representations, as CSPM text and as NormalFormSystem. They are equivalent in
+// failures-divergences on random models. Reading registers in one fixed order loses no behaviour (docs/conformance.md,
+// "One order of reading").
 #include "conformance/model/normal_form.hpp"
 
 #include <fmt/format.h>
@@ -121,7 +122,7 @@ TEST(NormalForm, TextAndSystemAgreeOnRandomModels) {
     }
 }
 
-/// Whether the event is possible in some state that can be reached.
+/// Whether some reachable state can perform the event.
 bool can_do(lts::TransitionSystem& system, process::Event event) {
     const lts::Exploration all = lts::explore(system, [](std::size_t) {});
     for (lts::StateIndex state = 0; state < all.graph.size(); ++state)
@@ -130,7 +131,8 @@ bool can_do(lts::TransitionSystem& system, process::Event event) {
     return false;
 }
 
-/// Outputs::once finds a second output of a cycle exactly where the text of the normal form has a trace with one.
+/// Outputs::once finds a repeated output in a cycle if and only if the CSPM text of the normal form has a trace with
+/// one.
 TEST(NormalForm, RepeatedOutputsAreThoseOfTheTraces) {
     unsigned repeating = 0;
     for (unsigned seed = 2000; seed < 2100; ++seed) {
@@ -156,7 +158,7 @@ TEST(NormalForm, RepeatedOutputsAreThoseOfTheTraces) {
     EXPECT_LT(repeating, 90U);
 }
 
-// Without termination: ORDER does not end.
+// Models without termination, because ORDER does not terminate.
 TEST(NormalForm, OneOrderOfReadingLosesNothing) {
     for (unsigned seed = 1000; seed < 1100; ++seed) {
         const std::string model = random_model(seed, false);
@@ -165,7 +167,7 @@ TEST(NormalForm, OneOrderOfReadingLosesNothing) {
     }
 }
 
-// The same on a case study: the text is what FDR would be given.
+// The same comparison on a case study; FDR would get this text.
 TEST(NormalForm, TextAndSystemAgreeOnAggregation) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.module());

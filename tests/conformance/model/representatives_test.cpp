@@ -1,5 +1,5 @@
-// Few values for all (docs/conformance.md): which types are represented and by what, and that faults are found with few
-// values where they are found with all.
+// Representative values (docs/conformance.md): the types for which a few values represent all, the values that are
+// chosen, and that faults found with all values are found with the representatives.
 #include "conformance/model/representatives.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ stm Forward {
 }
 )";
 
-/// Takes them out of others and puts them into others, of which it looks at the rest.
+/// Extracts records from other records and stores them in others; it tests the remaining fields.
 constexpr const char* unpack = R"(
 datatype Scan { a : real b : real c : real d : real e : real f : real }
 enumeration Kind { near far }
@@ -101,7 +101,7 @@ TEST(Representatives, AreNotUsedWhereAllCanBeExplored) {
     EXPECT_TRUE(representatives(model.system, model.instantiation, *component).types.empty());
 }
 
-/// A machine with a block of 15 reals, and what it does with it.
+/// A machine that receives a block of 15 reals, with an action or condition on it.
 std::string with_block(const std::string& action) {
     return "stm S { event block : matrix(real, 3, 5) event answer : matrix(real, 3, 5) var b : matrix(real, 3, 5)\n"
            "var c : matrix(real, 3, 5) initial i state A { } transition t0 { from i to A }\n"
@@ -119,7 +119,7 @@ TEST(Representatives, OnlyOfWhatNothingDependsOn) {
         EXPECT_TRUE(chosen(with_block(depends)).types.empty()) << depends;
 }
 
-/// Constants that variables begin with are among the values.
+/// The representatives include the constants to which variables are initialised.
 TEST(Representatives, HaveTheValuesFromTheStart) {
     const std::string text =
         "datatype R { a : real b : real c : real d : real e : real f : real }\n"
@@ -132,7 +132,7 @@ TEST(Representatives, HaveTheValuesFromTheStart) {
     EXPECT_EQ(few.types[0].values, 4U);
 }
 
-/// Numbers too, where a literal makes a carrier large.
+/// Numbers too are represented, if a literal makes their carrier large.
 TEST(Representatives, OfNumbers) {
     const std::string text =
         "stm S { event given1 : real event answer : real var v : real initial i state A { } transition t0 { from i to "
@@ -179,8 +179,8 @@ TEST(FewValues, FindTheFaultsThatAllFind) {
     EXPECT_GE(found, 5);
 }
 
-/// Which of two records is put out is left open, and the code may take either: with few values a wrong one could pass
-/// for a right one that is equal to it by chance.
+/// The model may output either of two records, and so may the code. With few values, a wrong record could by chance be
+/// equal to the right one.
 TEST(FewValues, DoNotStandForAllWhereTheModelChoosesBetweenValues) {
     const std::string text =
         "datatype R { a : real b : real c : real d : real e : real f : real }\n"

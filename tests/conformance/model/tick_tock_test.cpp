@@ -1,6 +1,6 @@
-// Refinement in tick-tock: pairs by hand on which failures-divergences and tick-tock differ, random pairs against model
-// shifting (Mestel, Roscoe: refusals as events of lower priority, decided as traces), and normal forms, where the two
-// relations agree (docs/conformance.md, "Tick-tock").
+// Refinement in tick-tock: hand-written pairs on which failures-divergences and tick-tock differ; random pairs compared
+// with model shifting (Mestel, Roscoe: refusals as events of lower priority, decided as traces); and normal forms, for
+// which the two relations agree (docs/conformance.md, "Tick-tock").
 #include "conformance/model/tick_tock.hpp"
 
 #include <fmt/format.h>
@@ -32,24 +32,26 @@ Answers ask(const std::vector<Edge>& specification, const std::vector<Edge>& imp
     return {refine::refines(s, i, refine::Model::failures_divergences, {}), tick_tock_refines(s, i, tock, {})};
 }
 
-/// b can be had after a time unit in which a was refused; after one in which a was offered there is nothing.
+/// After a time unit in which a was refused, b is offered forever. After a time unit in which a was offered and not
+/// taken, only time passes.
 const std::vector<Edge> late_offer = {{0, "tau", 1}, {0, "tau", 2},  {1, "tock", 3}, {2, "a", 5},   {2, "tock", 4},
                                       {3, "b", 3},   {3, "tock", 3}, {4, "tock", 4}, {5, "tock", 5}};
 
 TEST(TickTock, WhatWasRefusedBeforeTimePassedCounts) {
-    // It refuses a, lets time pass, and then refuses b: no run of the specification does that.
+    // It refuses a, lets time pass, and then refuses b: no run of the specification does this.
     const Answers answers = ask(late_offer, {{0, "tock", 1}, {1, "tock", 1}});
     EXPECT_EQ(answers.failures_divergences.outcome, refine::Outcome::holds);
     ASSERT_EQ(answers.tick_tock.outcome, refine::Outcome::fails);
     EXPECT_EQ(answers.tick_tock.counterexample->kind, refine::ViolationKind::refusal);
     EXPECT_EQ(answers.tick_tock.counterexample->steps.size(), 1U);
-    // Offering a instead, it may.
+    // If it offers a instead, it may refuse b after the time unit.
     const Answers offers = ask(late_offer, {{0, "tock", 1}, {0, "a", 1}, {1, "tock", 1}});
     EXPECT_EQ(offers.tick_tock.outcome, refine::Outcome::holds);
 }
 
 TEST(TickTock, ATockBehindARefusalThatNoStateHas) {
-    // The specification lets time pass only where it offers a; where it refuses a, time stops until b.
+    // The specification lets time pass only in the state that offers a. In the state that refuses a, time stops until
+    // b.
     const std::vector<Edge> specification = {{0, "tau", 1},  {0, "tau", 2}, {1, "a", 3},
                                              {1, "tock", 0}, {2, "b", 3},   {3, "tock", 3}};
     const Answers answers = ask(specification, {{0, "b", 1}, {0, "tock", 0}, {1, "tock", 1}});
@@ -64,7 +66,7 @@ TEST(TickTock, TimelocksAndMissingEventsAreFound) {
     EXPECT_EQ(ask(clock, {{0, "a", 0}, {0, "tock", 0}}).tick_tock.outcome, refine::Outcome::fails);
     EXPECT_EQ(ask({{0, "a", 1}, {0, "tock", 0}, {1, "tock", 1}}, clock).tick_tock.outcome, refine::Outcome::fails);
     EXPECT_EQ(ask(clock, clock).tick_tock.outcome, refine::Outcome::holds);
-    // Maximal progress: no time passes where something hidden can happen.
+    // Maximal progress: no time passes while a hidden event is possible.
     EXPECT_EQ(ask({{0, "a", 1}, {1, "tock", 1}}, {{0, "tau", 1}, {0, "tock", 3}, {1, "a", 2}, {2, "tock", 2}})
                   .tick_tock.outcome,
               refine::Outcome::holds);
@@ -85,7 +87,7 @@ then_time = ref?_ -> then_time [] tock -> events_first
 TT(P) = refusals(prioritise(P, <{}, {tock}>)) [| union(observed, {|ref|}) |] events_first
 )";
 
-/// A few states with random edges; no cycles of hidden events, since the model has nothing to say about them.
+/// A few states with random edges; no cycles of hidden events, because model shifting does not handle divergence.
 std::string random_process(const std::string& name, std::mt19937& random, std::vector<Edge>& edges) {
     const auto pick = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
     const std::vector<std::string> events{"a", "b", "tock", "tock", "tau"};
@@ -112,7 +114,8 @@ TEST(TickTock, AgreesWithModelShiftingOnRandomPairs) {
         std::mt19937 random(seed);
         std::vector<Edge> p, q;
         std::string text = shifting + random_process("P", random, p);
-        // Every other one is the specification with an edge less: random processes seldom refine each other.
+        // Every second process is the specification with one edge removed, because random processes seldom refine each
+        // other.
         text += random_process("Q", random, q);
         if (p.empty() || q.empty()) continue;
         diagnostics::SourceManager sources;

@@ -1,4 +1,4 @@
-// Cycles reported as a whole: the same results as event by event, runs and violations alike.
+// Reports of whole cycles must have the same results as event by event reports, for allowed runs and for violations.
 #include "conformance/monitor/cycle_cache.hpp"
 
 #include <gmock/gmock.h>
@@ -18,10 +18,10 @@ using cpp_emit::Port;
 
 struct Written {
     std::uint32_t output;
-    std::vector<double> arguments;  ///< whole ones of whole kinds
+    std::vector<double> arguments;  ///< integers for integer types
 };
 
-/// One component's tables, its ports, and two monitors: one given whole cycles, one events.
+/// One component's tables, its ports, and two monitors: one gets whole cycles, the other single events.
 class Pair {
 public:
     Pair(const MonitorTables& tables, std::vector<Port> inputs, std::vector<Port> outputs)
@@ -37,7 +37,7 @@ public:
         signals[input].value = raw(inputs_[input], 0, value);
     }
 
-    /// What a monitor says of a cycle, event by event.
+    /// Reports a cycle to a monitor event by event.
     void tell(Monitor& monitor, const std::vector<Written>& written) const {
         for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
             if (signals[i].present == 0)
@@ -60,7 +60,7 @@ public:
         monitor.end_of_cycle();
     }
 
-    /// Both are called; they must agree. The signals are gone afterwards.
+    /// Reports the cycle to both monitors and compares them. The signals are cleared afterwards.
     void cycle(const std::vector<Written>& written) {
         tell(single, written);
         rc_actions actions{};
@@ -140,8 +140,8 @@ private:
     std::unique_ptr<CyclicModel> model_;
 };
 
-/// Ten thousand cycles of swarm taxis: outcomes that its model allows (found by trying them on a copy) and some that it
-/// does not, headings that nobody has met before among them.
+/// Ten thousand cycles of swarm taxis: outputs that its model allows (found by trying them on a copy), and some that it
+/// forbids, among them headings that never occurred before.
 TEST(CycleCache, AreWhatTheirEventsAre) {
     const Made made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();
@@ -195,8 +195,8 @@ TEST(CycleCache, AreWhatTheirEventsAre) {
     EXPECT_GT(violated, 50);
 }
 
-/// By hand: one state; an input with the values -1 and 3, an output with two arguments of 0 and 1 each, of which (0, 1)
-/// and (1, 0) are allowed, and one of a real number, 0 or 0.5.
+/// Hand-written tables: one state; an input with the values -1 and 3; an output with two arguments from {0, 1}, for
+/// which (0, 1) and (1, 0) are allowed; and an output of a real number, 0 or 0.5.
 class ByHand : public ::testing::Test {
 protected:
     static constexpr std::uint16_t dead = Monitor::dead;
@@ -258,7 +258,7 @@ TEST_F(ByHand, TerminationIsNoCycle) {
     EXPECT_STREQ(pair.whole.event(), "termination");
 }
 
-/// More is done than is remembered of a cycle: event by event, all the same.
+/// Cycles with more outputs than the cache stores are processed event by event, with the same results.
 TEST_F(ByHand, LongCycles) {
     const std::vector<Written> often(40, Written{1, {0.5}});
     pair.cycle(often);

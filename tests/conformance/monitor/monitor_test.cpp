@@ -1,4 +1,5 @@
-// Monitors: their automaton is the normal form's, their header stands alone, and they say what logs say.
+// Monitors: their automaton is that of the normal form, their header is self-contained, and their verdicts agree with
+// those on logs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ TEST(Monitors, StopAtTheFirstEventThatIsNot) {
     cycle(wrong, false, true, {{angular, -5.02}, {linear, -10.88}});
     EXPECT_STREQ(wrong.event(), "linearSpeed");
     EXPECT_THAT(wrong.element(), HasSubstr("aggregation.rct:"));
-    // What comes behind changes nothing.
+    // Later cycles do not change the verdict.
     cycle(wrong, true, false, drives);
     EXPECT_STREQ(wrong.event(), "linearSpeed");
     wrong.reset();
@@ -77,8 +78,7 @@ TEST(Monitors, StopAtTheFirstEventThatIsNot) {
     EXPECT_EQ(wrong.verdict(), MonitorVerdict::allowed);
 }
 
-/// The speeds of this model are tested (preconditions), so one outside of the finite instantiation leaves everything
-/// open.
+/// Preconditions test the speeds of this model, so a speed outside the finite instantiation makes the verdict unknown.
 TEST(Monitors, SayWhereTheyKnowNothing) {
     const MonitoredModel made("corpus/aggregation");
     Monitor monitor(made.build->tables());
@@ -88,15 +88,15 @@ TEST(Monitors, SayWhereTheyKnowNothing) {
     EXPECT_EQ(monitor.verdict(), MonitorVerdict::unknown) << "for good";
 }
 
-/// Minimal: the two states of the machine, and the cycle's stages, no more than the automaton by hand. Each mode
-/// (start, S1, S2) has 2 reads that may matter and up to 2 writes: at most 3 x 6 states.
+/// The automaton is minimal: it has at most the states of the hand-written one, which combines the machine's states
+/// with the stages of a cycle. Each mode (start, S1, S2) has 2 relevant reads and up to 2 writes: at most 3 x 6 states.
 TEST(Monitors, AreSmall) {
     const MonitoredModel made("corpus/aggregation");
     EXPECT_LE(made.build->tables().states, 18U);
     EXPECT_LT(made.build->tables().states, made.build->nodes());
 }
 
-/// The generated header, alone with the one that ships with it, without exceptions, run-time types or warnings.
+/// The generated header and the shipped runtime header compile without exceptions, RTTI or warnings.
 TEST(Monitors, StandAlone) {
     const MonitoredModel made("corpus/aggregation");
     auto files = monitor_files(made.build->tables(), "Aggregation");
@@ -126,7 +126,8 @@ extern "C" __attribute__((visibility("default"))) int run(double first, double s
     EXPECT_THAT(files[0].text, HasSubstr("(aggregation.rct:")) << "no folders in generated text";
 }
 
-/// Headings are only passed on: any may be turned by, and another than was heard is found, but for few.
+/// Headings are only passed on: the robot may turn by any of them. A heading that differs from the received one is
+/// detected, with rare exceptions.
 TEST(Monitors, FollowValuesThatArePassedOn) {
     const MonitoredModel made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();

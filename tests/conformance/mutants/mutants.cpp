@@ -26,7 +26,7 @@ refine::Limits limits() {
     return limits;
 }
 
-/// Only what a batch is made of.
+/// Keeps only the files that a batch needs.
 void strip(cpp_emit::Emission& code) {
     std::erase_if(code.files, [&](const cpp_emit::OutputFile& file) {
         return !file.path.ends_with("_core.hpp") && !file.path.ends_with("_trace.hpp") && file.path != code.shim;
@@ -123,7 +123,7 @@ std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only) {
     return mutants;
 }
 
-/// Those that do not compile are killed by that.
+/// A mutant that does not compile counts as killed.
 void Study::drop_uncompilable(std::vector<Seeded*>& together) {
     std::vector<const cpp_emit::Emission*> codes;
     for (const Seeded* each : together) codes.push_back(&each->code);

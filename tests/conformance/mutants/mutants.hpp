@@ -1,5 +1,5 @@
-// Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches, each judged
-// and given an end. Killed, or shown equivalent by the checker, or a variant that the model allows.
+// Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches and judged.
+// Each mutant is killed, shown by the checker to be equivalent, or a variant that the model allows.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace robochart::conformance::test {
 enum class Fate {
     killed,
     equivalent,  ///< L(G') and L(G) are strongly bisimilar
-    variant,     ///< conforms, and does otherwise than the original
+    variant,     ///< conforms, and behaves differently from the original
     undecided,   ///< a limit was reached
 };
 
@@ -25,7 +25,7 @@ struct Mutant {
     std::uint32_t site = 0;
     Fate fate = Fate::undecided;
     std::string by;          ///< killed: what distinguished it from the model
-    std::size_t cycles = 0;  ///< killed, variant: of the shortest difference
+    std::size_t cycles = 0;  ///< killed, variant: number of cycles of the shortest difference
     std::string reported;    ///< the difference
 };
 
@@ -33,10 +33,10 @@ class Study {
 public:
     Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
 
-    /// What the unchanged code comes to: `conforms`, or the test is about something else.
+    /// The result for the unchanged code. It must be `conforms`, otherwise the analysis has no meaning.
     [[nodiscard]] Result original();
-    /// Every mutant whose code differs from the original's, at most `sites` of each kind, spread evenly; of the
-    /// event API only, or of all kinds.
+    /// Every mutant whose code differs from the original, at most `sites` of each kind, spread evenly.
+    /// `event_api_only`: only faults of the event API.
     [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_api_only = false);
 
 private:

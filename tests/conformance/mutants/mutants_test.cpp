@@ -1,7 +1,7 @@
-// Seeded faults of the generator in every construct it writes (cpp_emit/plan/fault.hpp; RoboTool's are among them):
-// each mutant is killed, or the checker shows it equivalent to the original, or it is a variant that the model allows,
-// for a reason written here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh); else one of
-// a kind in most models and three in those that were written for kinds of their own.
+// Seeded faults of the generator in every construct that it writes (cpp_emit/plan/fault.hpp; they include RoboTool's
+// faults). Each mutant is killed, shown by the checker to be equivalent to the original, or a variant that the model
+// allows for a reason listed here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh). By
+// default the test tries one place of each kind in most models, and three in models written for specific kinds.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,10 +19,11 @@ using cpp_emit::Fault;
 using test::Fate;
 using test::Mutant;
 
-/// Conforms and does otherwise than the original: what the model leaves open, decided the other way.
+/// A variant: it conforms and behaves differently from the original, because it resolves a choice of the model
+/// differently.
 struct Open {
     Fault fault;
-    const char* model;  ///< the only one where it may; null: all
+    const char* model;  ///< the only model in which it may occur; null: any model
     const char* why;
 };
 
@@ -41,7 +42,7 @@ constexpr Open open_choices[] = {
     {Fault::wrong_output, "choices", "behind one way of the probabilistic junction is what is behind the other"},
 };
 
-/// These only ever decide what the model leaves open, so nothing can kill them.
+/// Faults that only change how a choice of the model is resolved, so no test can kill them.
 bool decides_only(Fault fault) {
     return std::any_of(std::begin(open_choices), std::end(open_choices),
                        [&](const Open& open) { return open.fault == fault && open.model == nullptr; });
@@ -55,7 +56,7 @@ const char* reason(const std::string& model, const Mutant& mutant) {
 
 struct Count {
     std::size_t killed = 0, equivalent = 0, variants = 0;
-    std::vector<std::size_t> cycles;  ///< of the killed ones
+    std::vector<std::size_t> cycles;  ///< lengths of the counterexamples of killed mutants
 
     [[nodiscard]] std::size_t mutants() const { return killed + equivalent + variants; }
     void add(const Mutant& mutant) {
@@ -82,7 +83,7 @@ protected:
         test::Model model(folder, options);
         study(folder, test::Study(model, model.machine(machine)), sites);
     }
-    /// Faults of the event API only: the models show little of what a cycle does.
+    /// Tries only faults of the event API: these models contain little behaviour in a cycle.
     void try_events(const std::string& folder, const std::string& machine, cpp_emit::Strategy strategy) {
         test::Model model(folder);
         study(folder, test::Study(model, model.machine(machine), strategy), 3, true);
@@ -111,7 +112,7 @@ protected:
             fmt::print("variant: {}, {} at {}: {}\n", name, mutant.kind.name, mutant.site, mutant.reported);
     }
 
-    /// A checker that has gone blind kills nothing of some kind.
+    /// Fails if no mutant of some kind is killed, which would indicate a checker that misses this kind.
     void expect_kills_of_every_kind() const {
         for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
             const auto found = by_kind_.find(kind.fault);
@@ -159,7 +160,7 @@ TEST_F(Mutants, AreKilledOrEquivalentOrAllowed) {
     try_machine(models + "tower", "Tower", 1);
     try_machine(models + "timing", "Timing", 3);
     try_machine(models + "choices", "Choices", 1);
-    // The numbers that it reads are places in sequences of two elements.
+    // The numbers that the machine reads are indexes into sequences of two elements.
     ir::InstantiationOptions few;
     few.ranges = {{"nat", {0, 2}}, {"int", {-2, 2}}};
     try_machine(models + "words", "Words", 2, few);

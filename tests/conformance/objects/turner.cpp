@@ -1,5 +1,5 @@
-// A controller written by hand against explore_abi.h, for testing the explorer and the conformance check: drives
-// until it sees a robot, turns until it sees a wall. Each operation takes one cycle. FAULT selects a defect.
+// A controller written by hand for the API in explore_abi.h. It tests the explorer and the conformance check: the robot
+// drives until it sees a robot, and turns until it sees a wall. Each operation takes one cycle. FAULT selects a defect.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +17,7 @@ enum At : unsigned char { start, driving, turning };
 
 struct State {
     unsigned char at;
-    unsigned char extra;  // used by some faults, else 0
+    unsigned char extra;  // used by some faults, otherwise 0
 };
 
 const std::int64_t speeds[] = {-2, 2};
@@ -66,7 +66,7 @@ rc_result step(void* memory, const rc_register* registers, rc_log* log) {
     if (state.at == driving && state.extra != 0) robot = true;
 #elif FAULT == 8
     if (++steps_of_all % 7 == 0) robot = false;
-#elif FAULT == 9  // remembers without end
+#elif FAULT == 9  // an infinite number of states
     ++state.extra;
 #endif
     if (state.at == start) {
@@ -89,7 +89,7 @@ rc_result step(void* memory, const rc_register* registers, rc_log* log) {
         state.extra = 0;
 #endif
 #if FAULT == 4    // lost output
-#elif FAULT == 5  // an output too many
+#elif FAULT == 5  // an additional output
         write(log, 1, 0);
         write(log, 0, 2);
 #elif FAULT == 6

@@ -60,7 +60,8 @@ private:
         });
     }
 
-    /// What the operations that an operation calls require: has it that of its own, or from its caller in turn?
+    /// Records whether a variable that a called operation requires is the caller's own, or comes from the caller's
+    /// caller.
     void look_at_needs(const ir::Machine& caller) {
         for (const ir::OperationSignature& called : caller.operations)
             for (const ir::Machine& operation : system_.machines) {

@@ -1,4 +1,4 @@
-// What a model uses of the language: the measure for what the random models reach.
+// The language constructs that a model uses, to measure the coverage of the random models.
 #pragma once
 
 #include <set>
@@ -8,11 +8,11 @@
 
 namespace robochart::conformance::test {
 
-/// Words for the constructs of a module's machines, operations and connections: "during", "depth 3", "async".
+/// Names of the constructs in a module's machines, operations and connections: "during", "depth 3", "async".
 [[nodiscard]] std::set<std::string> constructs(const ir::System&);
-/// All that the random models must have.
+/// The constructs that random models of the core shape must cover.
 [[nodiscard]] std::set<std::string> claimed_constructs();
-/// The same of those of the widened shape.
+/// The constructs that random models of the widened shape must cover.
 [[nodiscard]] std::set<std::string> widened_constructs();
 
 }  // namespace robochart::conformance::test

@@ -43,7 +43,7 @@ std::string kind_of(const Result& result) {
     }
 }
 
-/// What differs; "" if nothing does.
+/// Describes the difference; "" if there is none.
 std::string difference(const Result& result) {
     if (!result.warnings.empty()) return fmt::format("{}", fmt::join(result.warnings, "\n"));
     if (result.outcome != Outcome::differs) return {};
@@ -61,7 +61,7 @@ std::string without_blank_lines(const std::string& text) {
     return out;
 }
 
-/// Disagreements of one kind: both do not compile, or both differ.
+/// The kind of a disagreement: the code does not compile, or it differs.
 std::string kind_of(const std::string& disagreement) {
     return disagreement.starts_with("error: ") ? "error" : disagreement.empty() ? "" : "differs";
 }
@@ -74,7 +74,7 @@ Options Campaign::options() const {
     options.flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
     if (const char* compiler = std::getenv("ROBOCHART_COMPILER")) options.compiler = compiler;
     options.limits.max_states = 30'000;
-    options.walks.cycles = 0;  // what is too large is counted
+    options.walks.cycles = 0;  // models that are too large are counted
     return options;
 }
 
@@ -107,7 +107,7 @@ void Campaign::finish() {
     if (!candidates_.empty()) judge(std::exchange(seeds_, {}), std::exchange(candidates_, {}));
 }
 
-/// Those that do not compile are noted and left out.
+/// Candidates that do not compile are recorded and excluded from the batch.
 void Campaign::judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates) {
     std::string error;
     const auto batch = Batch::build(std::move(candidates), options(), error);
@@ -128,7 +128,7 @@ void Campaign::judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_p
         ++tally_.outcomes["DOES NOT COMPILE"];
         tally_.disagreements.push_back({seeds[i], errors[i].empty() ? "error: " + error.substr(0, 300) : errors[i]});
     }
-    if (others.size() == seeds.size()) {  // the compiler names no candidate: one by one
+    if (others.size() == seeds.size()) {  // the compiler's message names no candidate: compile them one by one
         for (std::size_t i = 0; i < others.size(); ++i) {
             std::vector<std::unique_ptr<Candidate>> alone;
             alone.push_back(std::move(again[i]));

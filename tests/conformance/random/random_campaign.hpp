@@ -1,5 +1,5 @@
-// Random models through the generator: emitted, compiled in batches, explored over all inputs, compared with their
-// semantics; what differs is made small.
+// Runs random models through the generator: generates code, compiles it in batches, explores it over all inputs,
+// compares it with the semantics, and shrinks models that differ.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@
 
 namespace robochart::conformance::test {
 
-/// A model whose code does not do what its semantics says, or does not compile.
+/// A model whose code differs from its semantics or does not compile.
 struct Disagreement {
     std::uint64_t seed = 0;
     std::string what;  ///< the difference, or the compiler's first error
 };
 
-/// What happened to the models.
+/// Counts of the results.
 struct Tally {
     std::map<std::string, std::size_t> outcomes;
-    std::map<std::string, std::size_t> constructs;  ///< in models that conform
+    std::map<std::string, std::size_t> constructs;  ///< constructs in models that conform
     std::size_t models = 0, conforming = 0, cycles = 0;
     std::vector<Disagreement> disagreements;
 };
@@ -36,22 +36,23 @@ public:
     Campaign(ShapeOf shape_of, bool all_choices) : shape_of_(std::move(shape_of)), all_choices_(all_choices) {}
 
     void add(std::uint64_t seed);
-    /// Judges what was added since the last batch.
+    /// Judges the models that were added since the last batch.
     void finish();
     [[nodiscard]] const Tally& tally() const { return tally_; }
-    /// The model of the disagreement cut down for as long as it shows one of the same kind, with what it shows.
+    /// Shrinks the model while it still shows a disagreement of the same kind; returns the smallest one found, with its
+    /// disagreement.
     [[nodiscard]] std::string shrunk(const Disagreement& found, std::size_t budget) const;
 
 private:
-    /// A model on its way.
+    /// A model in the current batch.
     struct Prepared {
-        std::unique_ptr<Candidate> candidate;  ///< null: refused
+        std::unique_ptr<Candidate> candidate;  ///< null: the generator rejected it
         std::string refusal;
     };
 
     [[nodiscard]] Options options() const;
     [[nodiscard]] Prepared prepare(const random_models::Project& project) const;
-    /// The disagreement of one model; "" if there is none.
+    /// Describes the disagreement of one model; "" if there is none.
     [[nodiscard]] std::string disagreement(const random_models::Project& project) const;
     void judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates);
     void count(std::uint64_t seed, const Candidate& candidate, const Result& result);

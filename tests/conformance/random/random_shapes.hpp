@@ -1,4 +1,4 @@
-// Which random models the code of the generator is compared with.
+// The shapes of random models whose generated code is compared with the semantics.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,16 @@
 
 namespace robochart::conformance::test {
 
-/// Small systems of several kinds: deep ones, ones of several machines or controllers, ones without time. In most of
-/// them actions take time, without which few models can be run in cycles.
+/// Small systems of several kinds: deep ones, ones with several machines or controllers, untimed ones. In most of them
+/// actions take time, because otherwise few models are schedulable.
 [[nodiscard]] random_models::Shape core_shape(std::uint64_t seed);
-/// The same with other parts of the language, a few at a time: operations that call operations and take variables and
-/// clocks from their callers, names that are repeated, values of all types, ways of junctions that overlap, instances.
+/// The core shape with a few other language constructs at a time: operations that call operations and access variables
+/// and clocks of their callers, repeated names, values of all types, junctions with overlapping alternatives,
+/// instances.
 [[nodiscard]] random_models::Shape widened_shape(std::uint64_t seed);
-/// The same with functions of the model and of the toolkits, many of which have preconditions that can be false.
+/// The core shape with functions of the model and of the toolkits, many with preconditions that can be false.
 [[nodiscard]] random_models::Shape toolkits_shape(std::uint64_t seed);
-/// Widened ones with names and strings that mean something in CSPM, C++ and elsewhere.
+/// The widened shape with names and strings that have a meaning in CSPM, C++ and other languages.
 [[nodiscard]] random_models::Shape hostile_shape(std::uint64_t seed);
 
 }  // namespace robochart::conformance::test

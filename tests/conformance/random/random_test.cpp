@@ -1,6 +1,7 @@
-// Random models of the language's reactive core: emitted, compiled in batches, explored over all inputs, compared with
-// their semantics. No discrepancy is accepted. ROBOCHART_SEEDS=N and ROBOCHART_FIRST_SEED=N try others,
-// ROBOCHART_REPORT=FILE has a line for each count written there (scripts/random_conformance.sh).
+// Random models of the language's reactive core: generated, compiled in batches, explored over all inputs, compared
+// with their semantics. No discrepancy is accepted. ROBOCHART_SEEDS=N sets the number of models and
+// ROBOCHART_FIRST_SEED=N the first one. ROBOCHART_REPORT=FILE writes one line per count to FILE
+// (scripts/random_conformance.sh).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -29,7 +30,7 @@ struct NamedShape {
 constexpr std::array shapes = {NamedShape{"core", core_shape}, NamedShape{"widened", widened_shape},
                                NamedShape{"toolkits", toolkits_shape}, NamedShape{"hostile", hostile_shape}};
 
-/// Where a thousand models are tried; fewer do not have everything.
+/// Checks coverage only for campaigns of at least a thousand models; fewer models do not cover every construct.
 void expect_everything(const Tally& tally) {
     if (tally.models < 1000) return;
     for (const std::string& word : claimed_constructs())
@@ -55,8 +56,9 @@ void print(const Tally& tally) {
     fmt::print("models that conform and have: {}\n", used);
 }
 
-/// For a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement SEED what`;
-/// of a single model, which a person looks at, also a smaller one that disagrees; at the end `whole`.
+/// Writes lines for a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement
+/// SEED what`, and `whole` at the end. For a single model, which a person inspects, it also writes a shrunk model that
+/// disagrees.
 void write_report(const Campaign& campaign) {
     const char* path = std::getenv("ROBOCHART_REPORT");
     if (path == nullptr) return;
@@ -90,7 +92,7 @@ TEST(RandomModels, Conform) {
     expect_everything(campaign.tally());
 }
 
-/// The models that ROBOCHART_MODELS names (scripts/random_conformance.sh).
+/// The shape of models that ROBOCHART_MODELS names (scripts/random_conformance.sh).
 TEST(RandomModels, Campaign) {
     const char* named = std::getenv("ROBOCHART_MODELS");
     if (named == nullptr) GTEST_SKIP() << "ROBOCHART_MODELS is not set";
@@ -99,7 +101,8 @@ TEST(RandomModels, Campaign) {
     print(run(shape->of, false, tests::rounds(1000)).tally());
 }
 
-/// The widened shape makes what it is for, in models that are small enough: counted before any code is made.
+/// The widened shape generates all of its constructs in models that are small enough. They are counted without
+/// generating code.
 TEST(RandomModels, WidenedHaveEveryConstruct) {
     std::map<std::string, std::size_t> counts;
     constexpr std::size_t models = 1500;
@@ -112,7 +115,7 @@ TEST(RandomModels, WidenedHaveEveryConstruct) {
     for (const std::string& word : widened_constructs()) EXPECT_GE(counts[word], 3U) << word << " is made too seldom";
 }
 
-/// Calls that may be outside a precondition, of which the widened shape has those of the model's own functions only.
+/// Calls that may violate a precondition. The widened shape has such calls only for the model's own functions.
 TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     std::size_t found = 0;
     constexpr std::size_t models = 200;
@@ -125,7 +128,7 @@ TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     EXPECT_GE(found, 3U);
 }
 
-/// A few of each other shape; scripts/random_conformance.sh does many.
+/// A few models of each other shape; scripts/random_conformance.sh runs many.
 TEST(RandomModels, OfTheOtherShapesConform) {
     for (const NamedShape& shape : shapes) {
         if (shape.of == core_shape) continue;
@@ -135,7 +138,7 @@ TEST(RandomModels, OfTheOtherShapesConform) {
     }
 }
 
-/// Whatever the code answers where the model leaves a choice, it does what the model allows.
+/// For every answer at every choice, the code does what the model allows.
 TEST(RandomModels, ConformInAllChoices) {
     const Campaign campaign = run(core_shape, true, tests::rounds(50));
     EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";

@@ -1,4 +1,4 @@
-// Complete test suites: they kill every faulty controller of their fault domain, pass the right one, and are runs of
+// Complete test suites: they kill every faulty controller of their fault domain, pass the correct one, and are runs of
 // the model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 using cpp_emit::Fault;
 using ::testing::HasSubstr;
 
-/// Deterministic: no state has two enabled transitions at once.
+/// A deterministic model: no state has two transitions that are enabled at the same time.
 constexpr const char* pump = R"(
 interface Ops { go(level : nat) halt() }
 interface Events { event level : nat event stop }
@@ -40,7 +40,7 @@ stm M {
 }
 )";
 
-/// Values with parts come in and go out; an operation has two of them.
+/// Inputs and outputs are composite values; an operation has two composite arguments.
 constexpr const char* store = R"(
 enumeration Job { Fetch(boolean) Drop }
 datatype Pose { x : real near : boolean }
@@ -68,7 +68,7 @@ public:
         machine = cycle_automaton(*model, limits);
     }
 
-    /// Whether the compiled code writes in every run of the suite what the model writes.
+    /// Whether the compiled code makes the model's outputs in every run of the suite.
     bool passes(const rc_interface& code, const std::vector<TestWord>& suite) const {
         for (const TestWord& test : suite) {
             std::vector<unsigned char> image(code.state_size);
@@ -117,8 +117,8 @@ private:
     }
 };
 
-/// By hand: before the first cycle nothing was written; then the robot drives or turns. After the first cycle it drives
-/// as after any; what differs is the beginning. Four valuations of two signals.
+/// By hand: initially there was no output; then the robot drives or turns. It drives in the same way after the first
+/// cycle as after later ones, so only the initial state is additional. Two signals have four valuations.
 TEST(TestSuites, TheMachineOfAggregationIsSmall) {
     const Suites suites("corpus/aggregation");
     EXPECT_EQ(suites.machine.inputs.size(), 4U);
@@ -130,7 +130,7 @@ TEST(TestSuites, TheMachineOfAggregationIsSmall) {
     EXPECT_THROW((void)complete_suite(suites.machine, 1, 10), std::length_error);
 }
 
-/// The suite as a log: every run is a run of the model.
+/// The suite is written as a log: every run must be a run of the model.
 TEST(TestSuites, AreRunsOfTheModel) {
     const test::TemporaryFolder pumps(pump);
     const test::TemporaryFolder stores(store);
@@ -150,8 +150,8 @@ TEST(TestSuites, AreRunsOfTheModel) {
     }
 }
 
-/// Every mutant that the exhaustive check tells from the model and that has no more states than the fault domain is
-/// killed; the right code and equivalent mutants pass.
+/// Kills every mutant that the exhaustive check distinguishes from the model and that has at most as many states as the
+/// fault domain allows. The correct code and equivalent mutants pass.
 void kill(const std::string& folder, const std::vector<Fault>& faults) {
     Suites suites(folder);
     test::Bench bench(suites.project, suites.component);
@@ -191,7 +191,7 @@ TEST(TestSuites, KillTheMutantsOfAPump) {
           Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
 }
 
-/// Where two outputs may come in either order there is no one machine of cycles.
+/// If two outputs may come in either order, there is no deterministic machine of cycles.
 TEST(TestSuites, ModelsThatLeaveAChoiceAreRefused) {
     try {
         const Suites suites("tests/conformance/models/nested");
@@ -201,7 +201,7 @@ TEST(TestSuites, ModelsThatLeaveAChoiceAreRefused) {
     }
 }
 
-/// The GoogleTest that is written, against an implementation by hand: right, and with a fault.
+/// The generated GoogleTest is run with a correct and a faulty hand-written implementation.
 TEST(TestSuites, TheSourcesReplayTheSuite) {
     const Suites suites("corpus/aggregation");
     auto files = suite_sources("Aggregation");

@@ -1,5 +1,5 @@
-// Logs of runs against the model: what is accepted, what is rejected and how it is reported, what a partial log may
-// leave out, and what a log must look like. Expectations follow from the models by hand.
+// Logs of runs compared with the model: accepted logs, rejected logs and their reports, omissions in partial logs, and
+// the format of logs. The expectations follow from the models by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,8 @@ public:
         checker_ = std::make_unique<TraceChecker>(*model_, std::vector<std::string>{"M"}, limits_, project_.sources);
     }
 
-    /// The runs that are not accepted, as reported; `header` comes after the first lines.
+    /// Checks the runs of a log and stores the reports of those that are not accepted; `header` follows the first
+    /// lines.
     LogReport check(const std::string& runs, const std::string& header = "") {
         return whole("robochart-trace 1\ncomponent M\n" + header + runs);
     }
@@ -52,7 +53,7 @@ Replay aggregation() {
     return {"corpus/aggregation", "module"};
 }
 
-/// What was chosen by other constants than the header's is refused, not compared.
+/// If a header has other constants than the user's, the log is refused, not compared.
 TEST(Traces, AHeaderWithOtherConstantsIsRefused) {
     Replay replay("corpus/aggregation", "module");
     const std::string log = "robochart-trace 1\ncomponent M\nconst pace=3\nrun a\n";
@@ -81,7 +82,7 @@ TEST(Traces, WhatTheModelDoesIsAccepted) {
     EXPECT_EQ(report.cycles, 6U);
 }
 
-/// Maximal progress (R3): a cycle that ends without the output the model makes is none of its cycles.
+/// Maximal progress (R3): the model has no cycle that ends before it makes its output.
 TEST(Traces, AMissingOutputIsRejectedWhereTheCycleEnds) {
     Replay replay = aggregation();
     const LogReport report = replay.check(std::string(start) + "seeRobot? tock\ntock\n");
@@ -101,7 +102,8 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
     for (const auto& [cycle, what] : std::vector<std::pair<std::string, std::string>>{
              {"seeRobot? angularSpeed!-5.02 linearSpeed!-10.88 tock", "linearSpeed!-10.88"},  // wrong value
              {"seeRobot? linearSpeed!0 angularSpeed!-5.02 tock", "linearSpeed!0"},            // wrong order
-             {"seeWall? angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},        // without its cause
+             {"seeWall? angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},        // without the input that
+                                                                                              // causes it
              {"angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},
              {"seeRobot? angularSpeed!-5.02 linearSpeed!0 linearSpeed!0 tock", "linearSpeed!0"},  // once too often
              {"angularSpeed!-0.75 linearSpeed!-10.88 tock", "angularSpeed!-0.75"}}) {
@@ -135,13 +137,13 @@ TEST(Traces, WhatIsNotObservedMayHaveHappened) {
     EXPECT_EQ(replay.check(seen, "unobserved angularSpeed! seeRobot?\n").accepted, 1U);
     EXPECT_EQ(replay.check(seen, "unobserved angularSpeed!\n").rejected, 1U) << "nobody was seen";
     EXPECT_EQ(replay.check(seen, "unobserved seeRobot?\n").rejected, 1U) << "angularSpeed was not written";
-    // Still no run: the speeds alternate, whatever was seen.
+    // This is no run of the model for any inputs: the speeds alternate.
     EXPECT_EQ(replay
                   .check("run a\nlinearSpeed!-10.88 tock\nlinearSpeed!-10.88 tock\n",
                          "unobserved angularSpeed! seeRobot? seeWall?\n")
                   .rejected,
               1U);
-    // What is logged nevertheless contradicts the header.
+    // An event that the header declares as unobserved must not be logged.
     EXPECT_TRUE(replay.check("run a\nangularSpeed!-0.75 tock\n", "unobserved angularSpeed!\n").fault.has_value());
 }
 
@@ -158,8 +160,8 @@ TEST(Traces, ALogMayStartLateAndLoseCycles) {
     EXPECT_TRUE(replay.check(std::string(start) + "late\n").fault.has_value()) << "late is for the beginning";
 }
 
-/// Headings are passed on and never looked at (DataIndependence): those outside the finite instantiation are replaced
-/// by some inside.
+/// Headings are only passed on (DataIndependence): values outside the finite instantiation are replaced by values
+/// inside it.
 TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     Replay replay("corpus/swarm_taxis", "module");
     const std::string first = "run a\nMoveForward! CheckIlluminationStatus! tock\n";
@@ -170,7 +172,7 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     const LogReport good = replay.check(first + turn("-84.377682133819", "-84.377682133819"));
     EXPECT_EQ(good.accepted, 1U) << (replay.reported.empty() ? "" : replay.reported[0].what);
     EXPECT_EQ(good.replaced, 3U);
-    // Another value comes out: each run has its own stand-ins, and few of them hide the difference.
+    // The output differs from the input. Each run chooses its replacements at random, and few of them are equal.
     std::string many;
     for (int i = 0; i < 20; ++i) many += first + turn("-84.377682133819", "84.377682133819");
     EXPECT_GE(replay.check(many).rejected, 10U);
@@ -178,7 +180,7 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     EXPECT_EQ(replay.check(first + turn("0.1", "0.2")).rejected, 1U);
 }
 
-/// A value that is tested must be in the finite instantiation, or nothing is known from there on.
+/// A value that the model tests must be in the finite instantiation. Otherwise the rest of the run is undecided.
 TEST(Traces, ValuesThatMatterLeaveTheRunUndecided) {
     Replay replay(test::TemporaryFolder(R"(
 interface Ops { near() }
@@ -229,7 +231,7 @@ stm M {
 }
 )";
 
-/// Blanks, order and doubles in sets, names as in CSP: one value, several spellings.
+/// Blanks, the order and duplicates in sets, and names as in CSP: one value has several spellings.
 TEST(Traces, ValuesWithPartsAreReadByTheirType) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     for (const char* cycle :
@@ -243,8 +245,9 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
         EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").rejected, 1U) << cycle;
 }
 
-/// Reals are only passed on: other ones stand for some of the carrier, the same wherever they are part of. A sequence
-/// longer than the model's is outside whatever its numbers are, and so is a function that is not total.
+/// Reals are only passed on: a real outside the carrier is replaced by one of the carrier, consistently in all
+/// composite values that contain it. A sequence longer than the model's maximum is outside for any elements, and so is
+/// a partial function.
 TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     const std::string first = "run a\ntock\n";
@@ -260,7 +263,7 @@ TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     EXPECT_EQ(replay.check(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
 }
 
-/// A conversion of what a sequence has is an operation on its numbers.
+/// The conversion of a sequence's elements is an operation on numbers.
 TEST(Traces, PartsThatAreConvertedAreNotOnlyPassedOn) {
     Replay replay(test::TemporaryFolder(R"(
 interface Ops { follow(path : Seq(real)) }
@@ -317,7 +320,7 @@ std::string code_of(const LogReport& report) {
     return report.fault ? std::string(report.fault->fault.rule->code) : "";
 }
 
-/// Each rule of logs by its fault, and a log next to it that is in order.
+/// Each rule for logs with a faulty log and a similar correct one.
 TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
     Replay replay = aggregation();
     EXPECT_EQ(code_of(replay.whole("")), "RC-L01");
@@ -346,7 +349,7 @@ TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
     EXPECT_EQ(report.fault->fault.length, 9U);
 }
 
-/// RC-L03 says what the type has and points at the part that is none.
+/// RC-L03 describes the type and points to the part that does not belong to it.
 TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     for (const auto& [word, wanted, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
@@ -370,14 +373,14 @@ TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     }
 }
 
-/// A fault further on does not hide behind an early verdict.
+/// A fault in a later line is reported even if an earlier verdict is known.
 TEST(Traces, LogsAreReadToTheirEnd) {
     Replay replay = aggregation();
     const LogReport report = replay.check("run a\nlinearSpeed!0 tock\nseeNobody?\n");
     EXPECT_EQ(code_of(report), "RC-L02");
 }
 
-/// The interface read off the model is the one that the generated code states.
+/// The interface derived from the model is the one that the generated code declares.
 TEST(Traces, TheInterfaceOfTheModelIsThatOfTheCode) {
     for (const char* folder : {"corpus/aggregation", "corpus/swarm_taxis", "tests/conformance/models/nested",
                                "tests/conformance/models/team", "tests/conformance/models/parcels"}) {
