@@ -1,4 +1,4 @@
-// The paper's first case study at its three levels. Expected outputs are argued from the model text
+// The paper's first case study: machine, controller and module. The expected outputs are derived from the model text
 // (corpus/aggregation): reals are hundredths, one cycle is one time unit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST_F(Machine, ListsInputsAndOutputs) {
     const rc_interface& interface = controller_.interface();
     EXPECT_STREQ(interface.component, "AggregationFSM");
     EXPECT_EQ(interface.scale, 100);
-    ASSERT_EQ(interface.inputs, 2U);  // nothing reads the shared speeds, so they are no inputs
+    ASSERT_EQ(interface.inputs, 2U);  // the shared speeds are never read, so they are no inputs
     EXPECT_STREQ(interface.input[0].name, "seeWall.in");
     EXPECT_STREQ(interface.input[1].name, "seeRobot.in");
 }
@@ -64,7 +64,7 @@ protected:
 };
 
 TEST_F(Module, OperationWritesTheSpeedsAndTakesACycle) {
-    // semantics 3.8: the operation's own writes are seen, its call is not. The order is that of the entry action.
+    // semantics 3.8: the operation's own writes are visible, its call is not. The order is that of the entry action.
     EXPECT_THAT(controller_.cycle(), ElementsAre("set_angularSpeed(-75)", "set_linearSpeed(-1088)"));
     EXPECT_THAT(controller_.cycle({{"seeRobot.in", ""}}), ElementsAre("set_angularSpeed(-502)", "set_linearSpeed(0)"));
 }

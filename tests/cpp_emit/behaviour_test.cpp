@@ -1,5 +1,6 @@
-// What a control cycle does, construct by construct. Every expectation is argued from the rule it names
-// (semantics 3.3-3.10, codegen 5.2: R1-R8); models are as small as the rule allows. Output events tell what happened.
+// The behaviour of a control cycle, construct by construct. Every expectation is derived from the rule that it names
+// (semantics 3.3-3.10, codegen 5.2: R1-R8). The models are as small as the rule allows and report through output
+// events.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ public:
     Machine(const ir::System& system, const std::string& name) : Controller(system, component(system, name)) {}
 };
 
-/// An operation of the platform: it may be called several times in a cycle, as an output may not.
+/// An operation of the platform: unlike an output, it may be called several times in a cycle.
 const char* const tell = "interface Tell { x(value : nat) }\n";
 const char* const tell_int = "interface Tell { x(value : int) }\n";
 const char* const start = "initial i transition t0 { from i to A }\n";
@@ -97,7 +98,7 @@ TEST(Urgency, ALoopWithTimeDoesNot) {
 }
 
 TEST(Urgency, OutputsAreASequence) {
-    // docs/conformance.md, A2: any number in a cycle, in the order in which they are made.
+    // docs/conformance.md, A2: a cycle may make any number of outputs, in order.
     Machine m(std::string("event x : nat event y ") + start + "state A { entry x!1 ; x!2 ; y }");
     EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)", "x.out(2)", "y.out"));
     EXPECT_THAT(m.cycle(), IsEmpty());
@@ -317,7 +318,7 @@ TEST(Deadlines, OfAStatementAreMissedWhenItIsNotOverInTime) {
     awaiting.cycle();
     EXPECT_THAT(awaiting.cycle({{"a.in", "1"}}), ElementsAre("x.out"));
     for (int cycle = 1; cycle <= 4; ++cycle) awaiting.cycle();
-    EXPECT_EQ(awaiting.result(), RC_QUIESCENT);  // met, so it is over
+    EXPECT_EQ(awaiting.result(), RC_QUIESCENT);  // the deadline is met, so it has ended
     EXPECT_THAT(m.cycle(), ElementsAre("a.out", "x.out"));
     EXPECT_EQ(m.result(), RC_QUIESCENT);
 }
@@ -332,7 +333,7 @@ TEST(Deadlines, OfATransitionCountWhileItsGuardHolds) {
     m.cycle();
     EXPECT_EQ(m.result(), RC_DEADLINE);
     m.restore(at_two);
-    m.cycle({{"b.in", ""}});  // any transition out of A will do
+    m.cycle({{"b.in", ""}});  // any transition from A meets the deadline
     EXPECT_EQ(m.result(), RC_QUIESCENT);
     for (int cycle = 1; cycle <= 4; ++cycle) m.cycle();
     EXPECT_EQ(m.result(), RC_QUIESCENT);
@@ -351,7 +352,7 @@ TEST(Statements, BranchesMayTakeTime) {
 }
 
 TEST(Values, ArithmeticIsClippedToTheCarrier) {
-    // semantics 3.13: int is {-2..2} here, so 2 + 1 is its first operand.
+    // semantics 3.13: int is {-2..2} here, so 2 + 1 yields its first operand.
     Machine m(
         std::string("requires Tell var v : int = 2 ") + start + "state A { entry v = v + 1 ; x(v) ; v = v - 1 ; x(v) }",
         tell_int);
@@ -376,7 +377,7 @@ TEST(Values, EnumerationsAreNumbered) {
 }
 
 TEST(Values, SharedVariablesAreWrittenFromOutside) {
-    // semantics 3.7: the machine keeps a copy; its own writes are seen.
+    // semantics 3.7: the machine keeps a copy; its own writes are visible.
     Machine m(std::string("requires I event x : nat ") + start +
                   "state A {} state B { entry v = 0 } transition t1 { from A to B condition v == 2 action x!v }",
               "interface I { var v : nat }\n");
@@ -472,7 +473,7 @@ TEST(Operations, InADuringActionAreCutWithIt) {
     const auto running = m.image();
     EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)"));
     m.restore(running);
-    // During actions go first, so this one ends before the transition; a cycle earlier it would be cut.
+    // During actions run first, so this one ends before the transition; one cycle earlier it would be interrupted.
     EXPECT_THAT(m.cycle({{"e.in", ""}}), ElementsAre("x.out(2)"));
     EXPECT_EQ(m.state(), "state=B during_A=idle");
 }

@@ -1,5 +1,6 @@
-// Code that asks where the model leaves a choice (`emit cpp --choices`): a platform without `pick` gets the first, one
-// that repeats recorded answers gets those; without the option there is nothing to ask at.
+// Code that asks its platform at the choices of the model (`emit cpp --choices`). A platform without `pick` gets the
+// first alternative; a platform that replays recorded answers gets those. Without the option the code contains no
+// questions.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -74,7 +75,7 @@ int main() {
         "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp M.cpp -o main && ./main");
 }
 
-/// Without the option the first is all there is, whatever the platform could say.
+/// Without the option the code takes the first alternative and does not ask the platform.
 TEST(Choices, WithoutTheOptionNobodyIsAsked) {
     const ir::System system = testing::model(text);
     const Emission emission = testing::emit_ok(system, testing::component(system, "M"));
@@ -95,7 +96,7 @@ int main() {
     folder.run("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp -o main && ./main");
 }
 
-/// The classes: `pick` is a method to override.
+/// In the class API, `pick` is a virtual method.
 TEST(Choices, TheClassApiPicks) {
     const ir::System system = testing::model(text);
     Options options;
@@ -125,7 +126,7 @@ int main() {
                    trace + " -I . main.cpp M.cpp -o main && ./main");
 }
 
-/// The console program of a model, in a folder with the files that are written there.
+/// The console program of a model, in a folder with the files that it writes.
 class ChoicesConsole : public ::testing::Test {
 protected:
     void build(const char* model_text, bool choices = true) {
@@ -135,7 +136,7 @@ protected:
         folder_.write(testing::emit_ok(system, testing::component(system, "M"), options));
         folder_.run("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp M.cpp -o console");
     }
-    /// What is printed with these lines of input, to both streams.
+    /// Runs the program with these lines of input; returns its output and error output.
     std::string drive(const std::string& lines, const std::string& options = "", bool good = true) {
         std::ofstream(folder_.path() + "/lines") << lines;
         std::string output;
@@ -166,7 +167,7 @@ TEST_F(ChoicesConsole, TheWordsOfACycleAnswer) {
               "cycle 3\n  state A\n"
               "cycle 4\n  picks 1 of 0..2\n  middle()\n  state C\n"
               "cycle 5\n  state A\n"
-              "cycle 6\n  picks 0 of 0..2\n  left()\n  state B\n");  // not said: the first
+              "cycle 6\n  picks 0 of 0..2\n  left()\n  state B\n");  // no answer given: the first
     EXPECT_EQ(file("run.record"), recorded);
     EXPECT_EQ(drive("", "--replay run.record --record again.record"), output);
     EXPECT_EQ(file("again.record"), recorded);
@@ -179,7 +180,7 @@ TEST_F(ChoicesConsole, APersonIsAsked) {
     EXPECT_NE(output.find("  which of 0..2? "), std::string::npos);
     EXPECT_NE(output.find("not a choice: three of 0..2\n"), std::string::npos) << output;
     EXPECT_NE(output.find("not a choice: 3 of 0..2\n"), std::string::npos) << output;
-    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // the end of the input: the first
+    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // end of the input: the first
 }
 
 TEST_F(ChoicesConsole, WrongAnswersAreReported) {
@@ -194,7 +195,7 @@ TEST_F(ChoicesConsole, WrongAnswersAreReported) {
     EXPECT_NE(drive("\n", "--record /no/such/folder", false).find("cannot write /no/such/folder"), std::string::npos);
 }
 
-/// What is no record of this controller, and what did not happen, with its line.
+/// Invalid records of this controller, and records of something that did not happen: the message names the line.
 TEST_F(ChoicesConsole, RecordsThatDoNotFitAreReported) {
     build(text);
     EXPECT_EQ(drive("", "--replay missing", false), "missing: cannot be read\n");
@@ -229,8 +230,8 @@ stm M { requires O event pick : nat var n : nat initial i probabilistic p
     transition t4 { from B to F } transition t5 { from C to F } }
 )";
 
-/// Ways that are drawn are answered alike, without --choices too; an input called `pick` keeps its name. The controller
-/// may end before its record does.
+/// Alternatives that are drawn are answered in the same way, also without --choices. An input called `pick` keeps its
+/// name. The controller may terminate before its record ends.
 TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
     build(chances, false);
     const std::string output = drive("\npick=7 pick_=1\n", "--record run.record");
@@ -244,7 +245,7 @@ TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
               std::string::npos);
 }
 
-/// Where nothing is chosen the program is without all that.
+/// A program without choices has none of these options.
 TEST_F(ChoicesConsole, WithoutChoicesThereIsNothingToAnswer) {
     build(text, false);
     EXPECT_NE(drive("\ngo pick=2\n").find("not an input: pick=2\n"), std::string::npos);

@@ -1,5 +1,5 @@
-// The classes of the paper's mapping, used as a robot's author would: derive, override, raise events, step.
-// Each program tells by its exit code the first expectation that fails.
+// The classes of the paper's mapping, used as a robot's author would use them: derive, override, raise events, step.
+// The exit code of each program identifies the first expectation that fails.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -90,7 +90,8 @@ int main() {
 })");
 }
 
-/// The compiler names the operations of the platform that a class forgets; the model's own need not be there.
+/// The compiler reports the platform operations that a class does not override. Operations that the model defines need
+/// no override.
 TEST_F(GeneratedClasses, OperationsOfThePlatformHaveToBeOverridden) {
     run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
 #include <type_traits>
@@ -154,7 +155,8 @@ int main() {
 })");
 }
 
-/// What the comment of an event says of a machine whose entry action calls an operation with this statement.
+/// The comment of an event in the generated class, for a machine whose entry action calls an operation with this
+/// statement.
 std::string comment_of_event(const std::string& statement) {
     const ir::System system = testing::model(
         "package p interface O { go() wait_or_not() } operation wait_or_not() { requires O initial i final F "

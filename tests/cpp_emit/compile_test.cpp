@@ -1,5 +1,5 @@
-// Everything generated for the corpus compiles without warnings on both compilers, the controller also without
-// exceptions and run-time types; a scripted run of it is clean under AddressSanitizer and UBSan.
+// All code generated for the corpus compiles without warnings on both compilers, the controller also without exceptions
+// and RTTI. A scripted run of it is clean under AddressSanitizer and UBSan.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ TEST_P(Compiles, AndRunsCleanUnderSanitizers) {
 const char* const aggregation_script = "\\nseeRobot\\nseeRobot seeWall\\n\\nseeWall\\n";
 const char* const taxis_script =
     "\\nillumination=true\\nrobotDetected\\nheading=0.2\\n\\nturned\\nillumination=false\\n";
-// The machine alone does not use `turned`: Turn is the platform's.
+// The machine alone does not use `turned`: Turn belongs to the platform.
 const char* const machine_script = "\\nillumination=true\\nrobotDetected\\nheading=0.2\\n\\n";
 
 INSTANTIATE_TEST_SUITE_P(Corpus, Compiles,
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, Compiles,
                                            Case{"swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", taxis_script}),
                          [](const auto& test) { return test.param.component; });
 
-/// All constructs at once that leave something unused or empty: no inputs, an inner final node below a during action,
+/// Combines all constructs that leave an item unused or empty: no inputs, an inner final node below a during action,
 /// operations without body, declared types, names of C++.
 const char* const odd = R"(package new::p
 type Token
@@ -107,7 +107,7 @@ TEST(Compile, OddMachines) {
     }
 }
 
-/// Operations and functions with a parameter that is called as a variable of the class is.
+/// Operations and functions with a parameter that has the name of a class variable.
 TEST(Compile, ParametersMayBeCalledAsVariables) {
     const ir::System system = testing::model(
         "function far(speed : real) : boolean { }\n"
@@ -127,8 +127,8 @@ TEST(Compile, ParametersMayBeCalledAsVariables) {
     }
 }
 
-/// What a model compares is its own affair: comparisons that are always true or always false, of literals, constants,
-/// values with themselves and with what excludes one another.
+/// A model may contain comparisons that are always true or always false: of literals, of constants, of a value with
+/// itself, and of mutually exclusive values. They must compile without warnings.
 constexpr const char* settled[] = {"n == n",
                                    "n != n",
                                    "n < n",
@@ -225,7 +225,7 @@ TEST(Compile, ComparisonsThatAreSettled) {
         text +=
             fmt::format("transition c{} {{ from A to B trigger e[| n == 3 |]?n condition {} }}\n", number, condition);
         text += fmt::format("transition b{} {{ from B to A condition {}\n", number, condition);
-        if (condition.starts_with("since")) {  // in guards alone
+        if (condition.starts_with("since")) {  // allowed only in guards
             text += "}\n";
         } else {
             text += fmt::format("action c = ({}); if {} then c = b end }}\n", condition, condition);
@@ -245,7 +245,7 @@ TEST(Compile, ComparisonsThatAreSettled) {
     }
 }
 
-/// RoboTool's own models, where they are at hand.
+/// RoboTool's own models, if they are present.
 TEST(Compile, RoboToolsModels) {
     namespace fs = std::filesystem;
     const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";

@@ -1,6 +1,6 @@
-// The event API: from every state that a controller can reach, each event dispatched and then a cycle without
-// inputs do what one cycle with that event does; begin() and then a cycle without inputs what one without events does.
-// Both strategies, over all states and inputs of the compiled code.
+// The event API compared with the cycle API in every reachable state of a controller. Dispatching an event and then
+// running a cycle without inputs must equal one cycle with the event. begin() and then a cycle without inputs must
+// equal a cycle without events. The test runs both strategies over all states and inputs of the compiled code.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -14,7 +14,8 @@
 namespace robochart::cpp_emit {
 namespace {
 
-/// Compiled with the exploration interface, in whose unnamed namespace it looks. Prints how many steps were compared.
+/// Compiled together with the exploration interface, because it uses names from its unnamed namespace. Prints the
+/// number of compared steps.
 constexpr const char* driver = R"(
 #include <array>
 #include <cstdio>
@@ -100,7 +101,7 @@ int main() {
 struct Case {
     const char* model;
     const char* component;
-    bool direct;  ///< no program waits: there is a switch or a table
+    bool direct;  ///< no program waits: the code is a switch or a table
 };
 
 constexpr Case cases[] = {
@@ -148,8 +149,8 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                          ::testing::Combine(::testing::ValuesIn(cases),
                                             ::testing::Values(Strategy::nested_switch, Strategy::table)));
 
-/// Code that asks its platform does so in both APIs: `dispatch` runs as a cycle, and there is nothing for a strategy
-/// to decide. tests/conformance/check/dispatch_equivalence_test.cpp compares both APIs for every answer.
+/// Code that asks its platform does so in both APIs: `dispatch` runs as a cycle, and the strategy has no effect.
+/// tests/conformance/check/dispatch_equivalence_test.cpp compares both APIs for every answer.
 TEST(Strategies, CodeThatAsksRunsAsInACycle) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -169,7 +170,7 @@ TEST(Strategies, CodeThatAsksRunsAsInACycle) {
     }
 }
 
-/// The generator takes a table where the machine rests in five places or more.
+/// The generator uses a table if the machine has at least five stable points.
 TEST(Strategies, TheStrategyFollowsTheSize) {
     for (const auto& [name, table] : {std::pair("m2", false), std::pair("m4", true)}) {
         diagnostics::SourceManager sources;

@@ -1,5 +1,5 @@
-// Vectors and matrices of generated code beside Eigen's fixed-size types: a controller is driven with both, and what
-// it computes is what Eigen computes from the same inputs, step by step.
+// Vectors and matrices of generated code compared with Eigen's fixed-size types: both run on the same inputs, and the
+// test compares the results step by step.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,7 +13,7 @@ namespace {
 
 using testing::Folder;
 
-/// Sums, products of all kinds, entries read and written; a function that the platform computes.
+/// Sums, products of all kinds, entries that are read and written, and a function that the platform computes.
 const char* const text = R"(package p
 interface O {
     moved(at : vector(real, 3), turned : vector(real, 3), along : real, second : real)

@@ -1,6 +1,6 @@
 // The embedded profile: generated code compiled for a Cortex-M4 (Debian: gcc-arm-none-eabi and
-// libstdc++-arm-none-eabi-newlib) without exceptions and run-time types. Its objects ask for nothing that a
-// microcontroller may lack: no heap, no streams, no exceptions, nothing to construct before main, no data of their own.
+// libstdc++-arm-none-eabi-newlib) without exceptions and RTTI. Its objects need nothing that a microcontroller may
+// lack: no heap, no streams, no exceptions, no constructors before main, no static data.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -26,7 +26,7 @@ struct Sizes {
 
 class Embedded : public ::testing::Test {
 protected:
-    /// Without the packages the test is skipped, in continuous integration it fails.
+    /// Without the packages the test is skipped; in continuous integration it fails.
     bool available() {
         std::string ignored;
         return folder_.status("echo '#include <cstdint>' | arm-none-eabi-g++ -x c++ -fsyntax-only -", ignored) == 0;
@@ -37,7 +37,7 @@ protected:
         folder_.write(testing::emit_ok(system, testing::component(system, name), options));
     }
 
-    /// A control cycle over the lean core: the file that a robot's author would write.
+    /// Writes the file that a robot's author would write: a control cycle over the lean core.
     void write(const std::string& text) const { std::ofstream(folder_.path() + "/robot.cpp") << text; }
 
     Sizes compile(const std::string& source, const std::string& flags = "") const {
@@ -54,7 +54,8 @@ protected:
         return sizes;
     }
 
-    /// What the object asks for: the robot's own functions, arithmetic of the run-time library, memory set and copied.
+    /// Checks the undefined symbols of the object: only the robot's own functions, arithmetic of the run-time library,
+    /// memset and memcpy are allowed.
     void expect_bare() const {
         std::istringstream names(folder_.run("arm-none-eabi-nm -u object.o"));
         for (std::string mark, name; names >> mark >> name;) {
@@ -109,7 +110,7 @@ TEST_F(Embedded, TheLeanCoreOfAggregation) {
     EXPECT_LT(sizes.text, 2048U);
 }
 
-/// Types are a policy: the same text with reals of four bytes, for the unit that computes with them.
+/// Types are a policy: the same text with reals of four bytes, for the single-precision FPU.
 TEST_F(Embedded, WithRealsOfFourBytes) {
     ROBOCHART_NEEDS_ARM;
     emit("aggregation", "Aggregation");
@@ -149,7 +150,7 @@ extern "C" unsigned control_cycle(core::State<Types>* state, const core::Inputs<
     EXPECT_LT(sizes.text, 4096U);
 }
 
-/// The classes of the paper's mapping: MakeTransition and what belongs to it.
+/// The classes of the paper's mapping: MakeTransition and related methods.
 TEST_F(Embedded, TheClasses) {
     ROBOCHART_NEEDS_ARM;
     emit("swarm_taxis", "SwarmTaxis");

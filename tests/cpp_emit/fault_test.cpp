@@ -1,4 +1,5 @@
-// Every seeded fault changes what the controller does, at a place of its own, and nothing in production.
+// Every seeded fault changes the behaviour of the controller at its own place, and does not affect code generated
+// without a fault.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct Case {
     Fault fault;
     const char* name;
     const char* body;               ///< of machine M
-    std::vector<Registers> script;  ///< shows the difference
+    std::vector<Registers> script;  ///< inputs that show the difference
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& each) {
@@ -120,8 +121,8 @@ TEST_P(Faults, HaveOneTextForEachSite) {
                             [](const OutputFile& file) { return file.path == "M_core.hpp"; })
             ->text;
     };
-    // The event API of code with a fault of the cycle is that of all machines, so it is another fault's code,
-    // at a site that is not there either, that it has to be.
+    // Code with a fault in the cycle uses the event API of the general form. So the reference is the code of another
+    // fault, at a site that does not exist.
     Options other = options;
     other.fault = options.fault == Fault::wait_dropped ? Fault::wait_late : Fault::wait_dropped;
     EXPECT_EQ(core(beyond), core(testing::emit_ok(system_, ref, other)));
@@ -135,10 +136,10 @@ TEST_P(Faults, HaveOneTextForEachSite) {
 INSTANTIATE_TEST_SUITE_P(
     All, Faults,
     ::testing::Values(
-        // A false guard eats a = 1, which t2 would take.
+        // A false guard consumes a = 1, which t2 would take.
         Case{Fault::guard_after_consume, "guard_after_consume", guarded, {{}, {{"a.in", "1"}}}},
         Case{Fault::children_not_exited, "children_not_exited", nested, {{}, {{"c.in", ""}}, {{"a.in", ""}}}},
-        // After coming back the inner state must be P again, where c leads to Q silently.
+        // After the return the inner state must be P again, where c silently leads to Q.
         Case{Fault::composite_resumed,
              "composite_resumed",
              nested,
@@ -147,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{Fault::single_transition_step, "single_transition_step", chain, {{}}},
         Case{Fault::guard_negated, "guard_negated", guarded, {{}, {{"a.in", "2"}}}},
         Case{Fault::guard_dropped, "guard_dropped", guarded, {{}, {{"a.in", "1"}}}},
-        // Without the reset since(T) is 2 when B is settled in cycle 3.
+        // Without the reset, since(T) is 2 when B becomes stable in cycle 3.
         Case{Fault::clock_not_reset, "clock_not_reset", actions, three},
         Case{Fault::clock_off_by_one, "clock_off_by_one", actions, three},
         Case{Fault::wrong_target, "wrong_target", actions, three},
@@ -160,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{Fault::event_kept, "event_kept", two_inputs, {{{"a.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}}},
         Case{Fault::wait_dropped, "wait_dropped", actions, three},
         Case{Fault::output_repeated, "output_repeated", two_outputs, {{}, {}}},
-        // Behind the call of some(0) B would be left.
+        // After the call of some(0), B would be left.
         Case{Fault::function_precondition_dropped,
              "function_precondition_dropped",
              undefined,
@@ -174,7 +175,7 @@ struct Exchanged {
     const char* other;
 };
 
-// A name that no function has would be a fault that never occurs.
+// The fault exchanges names of functions. A name without a function would be a fault that never occurs.
 TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
     constexpr Exchanged pairs[] = {{"union({v}, {1}) == {}", "union_", "inter"},
                                    {"inter({v}, {1}) == {}", "inter", "union_"},

@@ -1,5 +1,5 @@
-// Seeded faults that the IR expresses: what a machine becomes, and that nothing else of it changes. The expected texts
-// follow from what all_faults() says of a kind and from the form of `--print ir`.
+// Seeded faults that can be expressed in the IR: the changed machine, and that all other parts stay the same. The
+// expected texts follow from the descriptions in all_faults() and from the form of `--print ir`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ TEST_F(FaultyModels, HaveTheFaultInTheirText) {
     struct Expected {
         Fault fault;
         std::uint32_t site;
-        const char* text;  ///< is not in that of the model
+        const char* text;  ///< a line that the original model does not have
     };
     const Expected all[] = {
         {Fault::guard_negated, 0, "not ((received > 9))"},

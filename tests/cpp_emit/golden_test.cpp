@@ -1,5 +1,5 @@
-// The layout of generated text, once, on a small machine (golden/door.rct): what a reader of the code gets to see.
-// After a wanted change of layout, read the new text and store it in golden/.
+// The layout of generated text, for one small machine (golden/door.rct), as a reader of the code sees it. After an
+// intended change of layout, read the new text and store it in golden/.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// docs/cpp.md: its programs are taken out, compiled with the generated code as C++17 and C++20, and print what stands
-// below them. The layout table is compared with states of every kind.
+// docs/cpp.md: the test extracts its programs, compiles them with the generated code as C++17 and C++20, and compares
+// their output with the page. The layout table is compared with states of every kind.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::Folder;
 
-/// The block of a language that follows a place of the page.
+/// The next block of a language after a position of the page.
 std::string block(const std::string& page, const std::string& language, std::size_t& from) {
     const std::string fence = "```" + language + "\n";
     const std::size_t begin = page.find(fence, from);
@@ -62,7 +62,7 @@ TEST(Guide, TheTraceHook) {
     run("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
 }
 
-/// A platform that lacks a method, or whose method may throw, is reported by its name in C++20.
+/// In C++20 the compiler names a method that a platform lacks or that may throw.
 TEST(Guide, ThePlatformIsAConcept) {
     const ir::System system = testing::corpus("aggregation");
     Folder folder;
@@ -91,7 +91,8 @@ int main() { auto state = core::init<Types>(); core::Inputs<Types> inputs; Lacki
     EXPECT_NE(output.find("the platform lacks a method"), std::string::npos) << output;
 }
 
-/// Records, sequences, several machines, buffers: every byte belongs to one row of the table, over both kinds of types.
+/// Records, sequences, several machines, buffers: every byte belongs to exactly one row of the table, for both kinds of
+/// types.
 TEST(Guide, TheLayoutCoversEveryState) {
     const ir::System system = testing::model(R"(package p
 enumeration Light { Red Green Blue }

@@ -1,4 +1,4 @@
-// Emits a component, compiles it as conformance does, loads it and drives it cycle by cycle.
+// Generates a component, compiles it as conformance does, loads it and drives it cycle by cycle.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace robochart::cpp_emit::testing {
 
-/// A folder below the system's temporary one, removed at the end.
+/// A folder below the system's temporary folder; the destructor removes it.
 class Folder {
 public:
     Folder();
@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return path_; }
     void write(const Emission&) const;
-    /// Runs a shell command in the folder; its output, "" if it printed nothing. Fails the test on a bad exit code.
+    /// Runs a shell command in the folder; returns its output. A nonzero exit code fails the test.
     std::string run(const std::string& command) const;
     [[nodiscard]] int status(const std::string& command, std::string& output) const;
 
@@ -41,9 +41,9 @@ public:
     Controller(const Controller&) = delete;
     Controller& operator=(const Controller&) = delete;
 
-    /// One cycle; what it wrote: "MoveClockwiseCall(-75,-1088)", "out.out(1)", "stop.out".
+    /// Runs one cycle; returns its outputs: "MoveClockwiseCall(-75,-1088)", "out.out(1)", "stop.out".
     std::vector<std::string> cycle(const Registers& = {});
-    /// Back to the initial state.
+    /// Returns to the initial state.
     void reset();
     [[nodiscard]] rc_result result() const { return result_; }
     [[nodiscard]] std::string state() const;
@@ -65,7 +65,7 @@ private:
 
 /// Reference to a machine, controller or module by name.
 [[nodiscard]] ir::ComponentRef component(const ir::System&, const std::string& name);
-/// Emission that must succeed, with notes at most.
+/// Generates code; findings other than notes fail the test.
 [[nodiscard]] Emission emit_ok(const ir::System&, const ir::ComponentRef&, const Options& = {},
                                const ir::InstantiationOptions& = {});
 

@@ -71,7 +71,7 @@ std::size_t emit_all(const std::string& project, const Folder& folder, const Opt
     const auto model = frontend::load_project(sources, project, diagnostics);
     if (!diagnostics.ok()) return 0;
     const ir::System system = ir::lower(*model, sources, diagnostics);
-    if (!diagnostics.ok()) return 0;  // what has no meaning is never generated
+    if (!diagnostics.ok()) return 0;  // invalid models are never generated
     const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
     std::size_t generated = 0;
     const auto emit_each = [&](const auto& items, ir::ComponentKind kind) {

@@ -1,5 +1,5 @@
-// Names of models in generated code: none is a keyword, a macro of the headers that are there, or a name that generated
-// code uses itself, in whatever place it stands; and what is generated with such names compiles.
+// Names of model elements in generated code: in no position is a name a keyword, a macro of an available header, or a
+// name that generated code uses itself. Code generated with such names compiles.
 #include "cpp_emit/plan/names.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::string contents(const std::string& path) {
     return text.str();
 }
 
-/// The headers of C, C++ and POSIX that scripts/reserved_names.sh asks.
+/// The headers of C, C++ and POSIX that scripts/reserved_names.sh includes.
 std::string all_headers() {
     std::istringstream lines(contents("scripts/reserved_names.sh"));
     std::string headers;
@@ -42,7 +42,7 @@ TEST(Names, NoMacroOfTheHeadersIsAName) {
     for (const char* compiler : {"g++", "clang++"}) {
         std::string macros;
         const std::string command = std::string(compiler) + " -std=gnu++17 -dM -E -x c++ all.hpp";
-        if (folder.status(command, macros) != 0) continue;  // a compiler that is not there
+        if (folder.status(command, macros) != 0) continue;  // the compiler is not installed
         std::istringstream lines(macros);
         std::size_t asked = 0;
         for (std::string define, name; lines >> define >> name; std::getline(lines, define)) {
@@ -75,10 +75,9 @@ TEST(Names, BoundVariablesStayApart) {
     EXPECT_EQ(bound_identifier("x"), "bound_x");
 }
 
-// ---- what generated code calls its own things
+// ---- names that generated code introduces
 
-/// The identifiers of C++ text outside of comments, literals and directives that stand for themselves: not behind "::",
-/// "." or "->".
+/// The unqualified identifiers of C++ text outside comments, literals and directives: not after "::", "." or "->".
 std::set<std::string> own_identifiers(const std::string& text) {
     std::set<std::string> found;
     std::string before;
@@ -111,7 +110,7 @@ std::set<std::string> own_identifiers(const std::string& text) {
     return found;
 }
 
-/// The marked models name every element with these letters.
+/// The marked models use these letters in the name of every element.
 bool of_the_model(std::string word) {
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
     return word.find("zq") != std::string::npos;
@@ -122,7 +121,7 @@ bool numbered(const std::string& word, const std::string& stem) {
                                                  [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// Functions outside of classes, which see no member: what they call their own things hides nothing.
+/// Functions outside classes do not see members, so their local names hide no member.
 const std::set<std::string> apart = {"left", "i",      "open",    "line", "lines", "number",    "seconds",
                                      "argc", "argv",   "message", "next", "main",  "nodiscard", "maybe_unused",
                                      "help", "helped", "out"};
@@ -133,8 +132,8 @@ void expect_listed(const Emission& emission) {
     for (const OutputFile& file : emission.files) {
         const bool code = file.path.ends_with(".hpp") || file.path.ends_with(".cpp");
         const bool shipped = file.path.find("robochart/") != std::string::npos;
-        // Of the projects for simulators robot.hpp alone sees members of the generated class; in a package of ROS 2
-        // src/ does, which takes names that the class leaves free (tests/cpp_emit/ros2/node_test.cpp).
+        // In projects for simulators only robot.hpp sees members of the generated class. In a package of ROS 2 src/
+        // does; it uses names that do not occur in the class (tests/cpp_emit/ros2/node_test.cpp).
         const bool project = file.path == "body.hpp" || file.path.starts_with("src/") ||
                              file.path == "controller.cpp" ||
                              (file.path == "main.cpp" && file.text.find("Enki") != std::string::npos);
@@ -167,7 +166,7 @@ TEST(Names, WhatGeneratedCodeCallsItsOwnThingsIsListed) {
     }
 }
 
-// ---- models with such names everywhere
+// ---- models with such names in every position
 
 std::string listed(const std::vector<std::string>& names, const std::string& before, const std::string& after) {
     std::string text;
@@ -175,9 +174,9 @@ std::string listed(const std::vector<std::string>& names, const std::string& bef
     return text;
 }
 
-/// Text of a project in which each of the names is a package's, a type's, a literal's, a field's, an interface's, a
-/// variable's, a clock's, an event's, an operation's, a parameter's, a function's, a state's, a transition's and a
-/// machine's; RoboChart's own words with the `^` that makes them names.
+/// The text of a project that uses each of the names for a package, a type, a literal, a field, an interface, a
+/// variable, a clock, an event, an operation, a parameter, a function, a state, a transition and a machine. Keywords of
+/// RoboChart get the `^` that makes them names.
 std::string everywhere(const std::string& package, const std::vector<std::string>& names) {
     std::string literals = listed(names, " ", "");
     std::string types, shown, states, uses;

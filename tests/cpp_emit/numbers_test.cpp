@@ -1,5 +1,5 @@
-// The numbers of runtime/finite.hpp compute what the semantics' evaluator does, for all pairs of small carriers;
-// deployment's division rounds like the model's.
+// The arithmetic of runtime/finite.hpp agrees with the evaluator of the semantics for all pairs of small carriers;
+// division in deployed code rounds like the model's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ ir::Instantiation instantiation() {
     return inst;
 }
 
-/// The value of `left kind right` according to the semantics; variables 0 and 1 have the operands.
+/// The value of `left kind right` according to the semantics; variables 0 and 1 contain the operands.
 std::int64_t expected(ir::ExprKind kind, ir::TypeId type, std::int64_t left, std::int64_t right) {
     static const ir::System system = ir::samples::aggregation();
     const auto operand = [&](std::uint32_t index) {
@@ -118,7 +118,7 @@ TEST(Numbers, DurationsAreNotNegative) {
     EXPECT_EQ(duration(INT64_MAX), static_cast<std::uint32_t>(INT32_MAX));
 }
 
-/// A type of 8 bits shows all pairs of operands.
+/// A type of 8 bits allows all pairs of operands to be tested.
 std::int8_t fitting(int exact, std::int8_t first) {
     return exact >= INT8_MIN && exact <= INT8_MAX ? static_cast<std::int8_t>(exact) : first;
 }
@@ -156,7 +156,7 @@ TEST(Numbers, DeploymentIsDefinedAtItsLimits) {
 }
 
 TEST(Numbers, DeploymentDividesLikeTheModel) {
-    EXPECT_EQ(divide(std::int64_t{-7}, std::int64_t{2}), -4);  // rounded down, CSPM's `/`
+    EXPECT_EQ(divide(std::int64_t{-7}, std::int64_t{2}), -4);  // rounded down, like CSPM's `/`
     EXPECT_EQ(modulus(std::int64_t{-7}, std::int64_t{2}), 1);
     EXPECT_EQ(modulus(std::int64_t{7}, std::int64_t{-2}), -1);
     EXPECT_EQ(divide(std::int64_t{5}, std::int64_t{0}), 5);

@@ -1,5 +1,5 @@
-// Preconditions of functions in generated code: what is asked, in which order, and where nothing needs asking. That the
-// code does what the model does is shown in tests/conformance/check/preconditions_test.cpp.
+// Preconditions of functions in generated code: which checks are generated, in which order, and which are unnecessary.
+// tests/conformance/check/preconditions_test.cpp shows that the code agrees with the model.
 #include <gtest/gtest.h>
 
 #include <algorithm>

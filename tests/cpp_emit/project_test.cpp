@@ -1,5 +1,5 @@
-// Projects of `emit cpp --target`: each is generated, configured, built without a warning and run as it stands. ROS 2
-// is not in Debian, so its package is built against tests/cpp_emit/ros2_stub; ARGoS where it is installed.
+// Projects of `emit cpp --target`: each is generated, configured, built without a warning and run without changes.
+// Debian has no ROS 2, so its package is built with tests/cpp_emit/ros2_stub; ARGoS is used if it is installed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,7 +66,7 @@ int main() {
         "cmake -S user -B user/build -DCMAKE_PREFIX_PATH=$PWD/prefix && cmake --build user/build && user/build/user");
 }
 
-/// Probabilistic junctions are drawn by the chances of their ways. 100,000 draws of 0.75 lie within five standard
+/// Probabilistic junctions draw alternatives with their probabilities. 100,000 draws of 0.75 are within five standard
 /// deviations, 0.00685, of it.
 TEST_F(Project, JunctionsAreDrawnByTheirChances) {
     emit(testing::model(R"(package p
@@ -119,14 +119,14 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
     EXPECT_NE(lines.find("cycle 1\n  MoveForward()\n  CheckIlluminationStatus()\n  state Forward"), std::string::npos)
         << lines;
     EXPECT_NE(lines.find("cycle 3\n  CalcAvoidanceHeading()"), std::string::npos) << lines;
-    // The first word that is no input is answered with those that there are.
+    // The first word that is not an input is answered with the list of inputs.
     EXPECT_NE(lines.find("not an input: nothing\nusage: SwarmTaxisFSM_console "), std::string::npos) << lines;
     EXPECT_NE(lines.find("  illumination=VALUE"), std::string::npos) << lines;
     const std::string help = folder_.run("build/SwarmTaxisFSM_console --help");
     EXPECT_NE(help.find("usage: "), std::string::npos) << help;
     EXPECT_NE(help.find("true or false\n"), std::string::npos) << help;
     EXPECT_NE(help.find("\n  robotDetected\n"), std::string::npos) << help;
-    // A cycle every tenth of a second, for one and a half; what is typed meanwhile is raised in the next one.
+    // One cycle every 0.1 s for 1.5 s; words typed in between are raised in the next cycle.
     const std::string timed = folder_.run(
         "for i in 1 2 3 4 5 6 7 8 9 10; do sleep 0.15; echo robotDetected; done | build/SwarmTaxisFSM_console 100");
     EXPECT_NE(timed.find("cycle 1\n  MoveForward()"), std::string::npos) << timed;
@@ -146,7 +146,7 @@ TEST(ProjectText, APackageIsWellFormed) {
     for (const OutputFile& file : emission.files)
         if (file.path == "package.xml") text = file.text;
     ASSERT_NE(text.find("<package format=\"3\">"), std::string::npos) << text;
-    // Every element is closed where it was opened; the order is that of REP 149.
+    // Every element is closed in the element that opened it; the order is that of REP 149.
     std::vector<std::string> open, order;
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
         const std::size_t end = text.find('>', at);
@@ -196,7 +196,7 @@ stm M { requires I uses E var s : Seq(nat) initial i
     EXPECT_NE(codes.find("the operation 'path'"), std::string::npos) << codes;
 }
 
-/// What an author writes into robot.hpp for aggregation.
+/// The text that an author writes into robot.hpp for aggregation.
 const char* const aggregation_robot = R"(#pragma once
 #include "AggregationFSM.hpp"
 #include "body.hpp"
@@ -215,7 +215,7 @@ bool enki_is_there(const Folder& folder) {
     return folder.status("echo '#include <enki/PhysicalEngine.h>' | c++ -x c++ -fsyntax-only -", ignored) == 0;
 }
 
-/// As generated, robots tell what they do and stand; filled in, twenty of them gather.
+/// As generated, robots report their actions and do not move; with robot.hpp filled in, twenty robots aggregate.
 TEST_F(Project, RobotsInEnki) {
     ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
     emit("aggregation", "Aggregation", Target::enki);
@@ -234,7 +234,8 @@ TEST_F(Project, RobotsInEnki) {
     double mean_x = 0, mean_y = 0, spread = 0;
     for (const auto& [x, y] : at) mean_x += x / 20, mean_y += y / 20;
     for (const auto& [x, y] : at) spread += std::hypot(x - mean_x, y - mean_y) / 20;
-    // Scattered over the arena robots are about 95 cm from their centroid; a cluster of twenty, 12 to 17 cm.
+    // Robots scattered over the arena are about 95 cm from their centroid; in a cluster of twenty they are 12 to 17 cm
+    // from it.
     EXPECT_LT(spread, 25);
 }
 
@@ -246,7 +247,7 @@ TEST_F(Project, RobotsOfOtherModelsInEnki) {
     EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;
 }
 
-/// RoboTool's own models, where they are at hand: classes and console programs of all modules.
+/// RoboTool's own models, if they are present: classes and console programs of all modules.
 TEST(ProjectText, RoboToolsModelsOnTheConsole) {
     namespace fs = std::filesystem;
     const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";
@@ -258,13 +259,13 @@ TEST(ProjectText, RoboToolsModelsOnTheConsole) {
     for (const fs::directory_entry& project : fs::directory_iterator(suite))
         generated += testing::emit_all(project.path().string(), folder, options);
     EXPECT_GE(generated, 45U);
-    // One translation unit each: most of the time goes into the standard library's headers.
+    // Each program is one translation unit, because most of the time is spent on the standard library's headers.
     folder.run("for d in *_" + std::to_string(static_cast<int>(ir::ComponentKind::module)) +
                "_*/; do (cd $d && cat main.cpp controller/*.cpp | c++ -std=c++17 -Wall -Wextra -Wpedantic "
                "-Wconversion -Werror -DROBOCHART_TRACE=1 -Icontroller -fsyntax-only -x c++ -) || exit 1; done");
 }
 
-/// ROBOCHART_ARGOS is where ARGoS is installed, as found when the project was configured.
+/// ROBOCHART_ARGOS is the installation folder of ARGoS, found when the project was configured.
 TEST_F(Project, APluginOfArgos) {
     const std::string prefix = ROBOCHART_ARGOS;
     if (prefix.empty()) GTEST_SKIP() << "ARGoS is not installed (-DARGoS_ROOT=PREFIX)";
@@ -274,12 +275,12 @@ TEST_F(Project, APluginOfArgos) {
     const std::string output =
         folder_.run("LD_LIBRARY_PATH=" + prefix + "/lib/argos3 " + prefix + "/bin/argos3 -n -z -c SwarmTaxisFSM.argos");
     EXPECT_NE(output.find("robot puck0: MoveForward"), std::string::npos) << output;
-    // Nobody answers: the state of Coherence waits for its heading.
+    // No other robot answers: the state of Coherence waits for its heading.
     EXPECT_NE(output.find("robot puck9: CalcCoherenceHeading"), std::string::npos) << output;
     folder_.run("grep -q '^MoveForward! CheckIlluminationStatus! tock$' puck9.trace");
 }
 
-/// Elements called like what the projects, the headers and generated code call their own.
+/// Elements whose names are also used by the projects, the headers and generated code.
 const char* const awkward = R"(package time
 enumeration Kind { BUFSIZ EOF left }
 interface Sensors { event value : Kind event inputs event step : nat }

@@ -1,4 +1,5 @@
-// What can't be generated is refused by name: each rule of cpp_emit/plan/rules.hpp by a model that breaks it alone.
+// Models that cannot be generated are rejected with a named rule: one model for each rule of cpp_emit/plan/rules.hpp
+// that violates only this rule.
 #include "cpp_emit/plan/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 using testing::component;
 
-/// Codes reported for a component.
+/// The codes reported for a component.
 std::vector<std::string> codes(const ir::System& system, const ir::ComponentRef& ref) {
     diagnostics::Diagnostics diagnostics;
     const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
@@ -65,8 +66,8 @@ TEST(Refusals, Expressions) {
     EXPECT_EQ(machine_codes("var n : nat = <1, 2>[3] state A { entry n = n }"), Codes{"RC-G05"});
 }
 
-// Where preconditions can be false: one that has to be asked to be asked, and what no source says, whether a deadline
-// runs whose length has no value.
+// Preconditions that can be false: two functions whose preconditions need each other, and a deadline whose value may
+// not exist, for which no source defines a meaning.
 TEST(Refusals, Preconditions) {
     const std::string functions =
         "function f(n : nat) : nat { precondition g(n) > 0 } function g(n : nat) : nat { precondition f(n) > 0 }\n"
@@ -109,7 +110,7 @@ TEST(Refusals, TriggersOutOfJunctions) {
 
 TEST(Refusals, Recursion) {
     ir::System system = ir::samples::aggregation();
-    // MoveClockwise calls itself instead of writing angularSpeed.
+    // MoveClockwise calls itself and does not write angularSpeed.
     auto& entry = system.machines[0].nodes[1].entry;
     ir::Stmt call = *system.machines[2].nodes[1].entry;
     ir::Stmt sequence = *entry;
@@ -117,7 +118,7 @@ TEST(Refusals, Recursion) {
     entry = std::make_shared<const ir::Stmt>(sequence);
     EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G10"});
     EXPECT_TRUE(testing::emit_ok(system, component(system, "AggregationFSM")).files.size() >
-                1);  // there it is the platform's
+                1);  // in this component it belongs to the platform
 }
 
 TEST(Refusals, ConditionsOnTheValueOfAnUnconnectedEvent) {
@@ -177,7 +178,7 @@ TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
               Codes{"RC-G13"});
 }
 
-/// 65,536 sets of four numbers' sets: not too many values, but they are long.
+/// 65,536 sets of sets of four numbers: the number of values is acceptable, but they are long.
 TEST(Refusals, ValuesOfManyPartsAreNotListed) {
     EXPECT_EQ(machine_codes("event out : Set(Set(nat)) var n : nat = 3 var s : Set(Set(nat)) state A { entry out!s }"),
               Codes{"RC-G13"});
@@ -206,7 +207,7 @@ TEST(Refusals, NeedNotBeExplored) {
 }
 
 TEST(Refusals, StatesThatGrowWithNestedOperations) {
-    // Each operation calls the one before it from two threads: 2^k frames of at least one byte.
+    // Each operation calls the previous one from two threads: 2^k frames of at least one byte.
     std::string text = "package p interface I { op0()";
     for (int k = 1; k <= 17; ++k) text += " op" + std::to_string(k) + "()";
     text +=

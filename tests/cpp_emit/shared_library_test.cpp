@@ -1,4 +1,4 @@
-// Programs that are run for the toolkit: their status, their words, and their end.
+// Programs that the toolkit runs: their exit status, their output, and how they end.
 #include "cpp_emit/load/shared_library.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST_F(Programs, TellHowTheyEnded) {
     EXPECT_NE(error_.find("cannot run no-such-program-here"), std::string::npos) << error_;
 }
 
-// One that is ended leaves its temporary files behind: they are where the caller cleans up.
+// A program that is ended leaves its temporary files in the folder that the caller removes.
 TEST_F(Programs, HaveTheirTemporaryFilesBesideTheirLog) {
     EXPECT_EQ(run_program({"sh", "-c", "printf %s \"$TMPDIR\"; test -n \"$PATH\""}, log(), error_), 0);
     std::string reported;
@@ -52,7 +52,7 @@ TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
     limits.interrupted = [&] { return reported() > 0; };
     diagnostics::Budget budget(limits);
     EXPECT_THROW(run_program({"sh", "-c", endless}, log(), error_, &budget), diagnostics::LimitReached);
-    // Nobody waits for the orphan here; gone or not yet collected, it does not run.
+    // No process waits for the orphan here. If it is gone or a zombie, it does not run.
     const auto runs = [&] {
         std::string skipped;
         std::string state;
@@ -76,7 +76,7 @@ TEST_F(Programs, CountWithTheMemoryOfTheRun) {
     diagnostics::Limits limits;
     limits.memory_bytes = diagnostics::resident_bytes() + (100ULL << 20U);
     diagnostics::Budget budget(limits);
-    // A child of the child fills 200 MB and then waits: the program itself stays small.
+    // A grandchild fills 200 MB and then waits; the program itself stays small.
     const std::string large = "sh -c 'x=$(head -c 200000000 /dev/zero | tr \"\\0\" x); sleep 100'; exit 0";
     EXPECT_THROW(run_program({"sh", "-c", large}, log(), error_, &budget), diagnostics::LimitReached);
 }

@@ -1,5 +1,5 @@
-// The paper's second case study as a module. Expected outputs are argued from corpus/swarm_taxis: one cycle is one
-// time unit, Forward's and Turn's waits take one each, reals are hundredths or finer (rc_interface::scale).
+// The paper's second case study as a module. The expected outputs are derived from corpus/swarm_taxis: one cycle is one
+// time unit, the waits of Forward and Turn take one each, reals are hundredths or finer (rc_interface::scale).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ TEST_F(SwarmTaxis, StartsForward) {
 }
 
 TEST_F(SwarmTaxis, ReachesCoherenceAtTimeUnit25) {
-    // T is reset in cycle 1; since(T) is k - 1 in cycle k, so the guard since(T) >= 25 holds first in cycle 26.
+    // T is reset in cycle 1; since(T) is k - 1 in cycle k, so the guard since(T) >= 25 first holds in cycle 26.
     controller_.cycle();
     for (int cycle = 2; cycle <= 25; ++cycle) EXPECT_THAT(controller_.cycle(), IsEmpty()) << cycle;
     EXPECT_THAT(controller_.cycle(), ElementsAre("CalcCoherenceHeadingCall"));

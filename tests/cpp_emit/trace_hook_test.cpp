@@ -1,4 +1,5 @@
-// The trace hook costs nothing where nobody listens, and tells the transitions that were taken where somebody does.
+// The trace hook costs nothing for a platform that does not use it, and reports the taken transitions to a platform
+// that does.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -59,7 +60,7 @@ TEST_F(TraceHook, NothingIsLeftOfItWhereNobodyListens) {
     EXPECT_NE(heard, without);
 }
 
-/// i -> S1 with the first cycle, S1 -> S2 when a robot is in sight: numbers in the order of the table.
+/// i -> S1 in the first cycle, S1 -> S2 when a robot is in sight: the numbers are indexes into the table.
 TEST_F(TraceHook, ALeanPlatformIsNotifiedOfTransitions) {
     std::ofstream(folder_.path() + "/main.cpp") << R"(#include <cstring>
 #include <vector>

@@ -1,4 +1,4 @@
-// Branches that differ in their events only are gathered, and the process stays the same.
+// Branches of a choice that differ only in their events are combined, and the process keeps its meaning.
 #include "csp_emit/passes/choice_factoring.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
-// What csp blocks define and what the model's elements are called, against every name that CSPM predefines and every
-// name of the library: the generated part means the same, and what a block means for the model reaches it.
+// Name clashes: names that csp blocks define and names of model elements, compared with every name that CSPM predefines
+// and every name of the library. The generated part must keep its meaning, and definitions that a block makes for the
+// model must take effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ using random_models::is_long_run;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Everything that CSPM predefines and that a block can declare (not its keywords), and every name of our library.
+/// Every predefined name of CSPM that a block can declare (keywords excluded), and every name of our library.
 std::set<std::string> taken_names() {
     std::set<std::string> result = library_names();
     for (const cspm::BuiltinName& builtin : cspm::builtin_names()) result.emplace(builtin.name);
@@ -33,7 +34,7 @@ std::string with(std::string text, const std::string& name) {
     return text;
 }
 
-// Uses sequences, sets, relations, functions, clocks, waits, calls and arrays, so most of the library.
+// Uses sequences, sets, relations, functions, clocks, waits, calls and arrays, so it needs most of the library.
 const char* const variety = R"(
     import sequence_toolkit::*
     import set_toolkit::*
@@ -63,7 +64,7 @@ const char* const claims = R"(
     untimed assertion Free : S is divergence-free
 )";
 
-/// Each name in half of the forms, with ROBOCHART_SEEDS in all.
+/// Tries each name in half of the forms; with ROBOCHART_SEEDS in all forms.
 TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
     const char* const forms[] = {
         "NAME(_) = error(\"captured\")",
@@ -94,7 +95,7 @@ TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
                 if (section && (name == "OneStep" || std::string(form).find("module") != std::string::npos)) continue;
                 std::string text = block;
                 text.replace(text.find("TEXT"), 4, with(form, name));
-                // All of them type check; every so often the verdicts are looked at too.
+                // All blocks are type checked; every 97th is also decided.
                 const bool decide = ++number % 97 == 0;
                 const auto m = testing::model(variety, text + claims);
                 ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -113,7 +114,7 @@ TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
     }
 }
 
-// The verdict of each name of CSPM's that a block Instantiations makes a function of its own.
+// Decides the claims for each name that an Instantiations block defines as a function.
 TEST(Apart, InstantiationsDoNotChangeWhatIsDecided) {
     for (const std::string& name : taken_names()) {
         const std::string block = with("csp Instantiations csp-begin\nNAME(x__y) = 0\ncsp-end\n", name);
@@ -126,7 +127,7 @@ TEST(Apart, InstantiationsDoNotChangeWhatIsDecided) {
 
 TEST(Apart, ABlocksFunctionIsTheModels) {
     for (const std::string& name : taken_names()) {
-        if (name.find('\'') != std::string::npos || name == "Seq" || name == "Set") continue;  // no name of RoboChart's
+        if (name.find('\'') != std::string::npos || name == "Seq" || name == "Set") continue;  // not a RoboChart name
         if (name == "InOut" || name == "in" || name == "out" || name == "tock") continue;      // declared twice in CSPM
         const std::string function = frontend::is_reserved(name) ? "^" + name : name;
         const auto m = testing::model(
@@ -195,7 +196,7 @@ TEST(Apart, FilesAreScopesOfTheirOwn) {
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
 }
 
-// A name in every place of a model where one can stand.
+// Models with NAME in every position in which a name can occur.
 const char* const everywhere[] = {
     "package NAME stm S { event e initial i state A { } transition t0 { from i to A } transition t9 { from A to A"
     " trigger e } }",
@@ -278,19 +279,19 @@ const char* const everywhere[] = {
     "transition t0 { from i to A } }",
     "stm S { event e : nat initial i state A { entry e ! (let NAME == 1 @ NAME + 1) } transition t0 { from i to A"
     " } }",
-    // names that meet: an event, its machine, a part, a state, a function
+    // clashing names: an event, its machine, a part, a state, a function
     "function NAME(n : nat) : nat { } controller K { event NAME : nat stm NAME { event NAME : nat initial i state"
     " NAME { entry NAME ! NAME(1) } transition t0 { from i to NAME } } connection NAME on NAME to K on NAME }",
 };
 
-/// Nothing is captured in the scripts of a model that the rules of names accept. They differ by a name from others, so
-/// that not all of them need be type checked and read again.
+/// If the name rules accept the model, no name in its scripts is captured. The models differ only in one name, so only
+/// some of them are type checked and parsed again.
 void expect_apart(const std::string& text, bool and_read_again) {
     const auto m = testing::model(text);
-    if (!m->diagnostics.ok()) return;  // refused by the rules of names: nothing is written
+    if (!m->diagnostics.ok()) return;  // rejected by the name rules: no script is generated
     for (const Time time : {Time::untimed, Time::timed}) {
         const Emission emission = m->emit(time, time == Time::timed);
-        if (!m->diagnostics.ok()) return;  // refused by name
+        if (!m->diagnostics.ok()) return;  // rejected because of a name
         EXPECT_THAT(emission.captured, IsEmpty()) << text;
         if (!and_read_again) continue;
         cspm::check_types(emission.script, m->diagnostics);
@@ -301,7 +302,7 @@ void expect_apart(const std::string& text, bool and_read_again) {
     }
 }
 
-/// Each name at a third of the places, which names take in turns; with ROBOCHART_SEEDS at all.
+/// Tries each name in a third of the positions, which rotate from name to name; with ROBOCHART_SEEDS in all positions.
 TEST(Apart, EveryNameMayStandEverywhere) {
     const std::size_t share = is_long_run() ? 1 : 3;
     std::size_t number = 0;
@@ -397,13 +398,13 @@ TEST(Apart, EveryNameMayStandEverywhere) {
         if (plain.find('\'') != std::string::npos) continue;
         const std::string name = frontend::is_reserved(plain) ? "^" + plain : plain;
         ++turn;
-        const bool literal = plain == "True" || plain == "False";  // the only other names of a keyword's value
+        const bool literal = plain == "True" || plain == "False";  // the only names whose plain form is also a literal
         for (std::size_t i = literal ? 0 : turn % share; i < std::size(everywhere); i += literal ? 1 : share)
             expect_apart(with(everywhere[i], name), ++number % 7 == 0);
     }
 }
 
-// A reference means the first of two machines; the other is in the script too.
+// A reference to S means the first of two machines; the script contains both.
 TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
     const auto m = testing::model_of(
         {{"a.rct", "stm S { event a initial i state A { entry a } transition t { from i to A } }"},
@@ -417,7 +418,7 @@ TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
     EXPECT_THAT(cspm::print(emission.script), ::testing::HasSubstr("module S_1"));
 }
 
-// What cannot get another name is refused before anything is written.
+// If a component cannot be renamed, the model is rejected before any output.
 TEST(Apart, TwoComponentsOfOneNameAreRefused) {
     const char* const machine = "stm S { event a initial i state A { } transition t { from i to A } }";
     const auto twice = testing::model_of({{"a.rct", std::string("operation o() ") + (machine + 6)},

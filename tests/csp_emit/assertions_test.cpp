@@ -1,4 +1,4 @@
-// Every form of assertion in its models (docs/semantics.md, "Assertions"): what holds and what fails follows from the
+// Every form of assertion in its semantic models (docs/semantics.md, "Assertions"). The answers follow from the
 // semantics of the small machines, by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using testing::model;
 using testing::verdicts;
 
-// Ready offers a or b as the environment likes; Chosen decides by itself; More offers a third way.
+// Ready offers a and b, and the environment chooses; Chosen chooses internally; More offers a third event.
 const char* const machines = R"(
 interface I {
     event a
@@ -130,7 +130,7 @@ TEST(Assertions, ComponentsAreComparedByTheNamesOfTheirEvents) {
                     ElementsAre("holds", "holds", "holds", "holds", "holds", "holds"));
 }
 
-// Not equal: one of the two refinements fails, or both.
+// `not equal` holds if at least one of the two refinements fails.
 TEST(Assertions, NotEqualIsTheFailureOfOneRefinement) {
     for (const Time time : {Time::untimed, Time::timed})
         EXPECT_THAT(decided("assertion A : Ready is not equal to Twin\n"
@@ -180,7 +180,7 @@ TEST(Assertions, PropertiesInTheFailuresModel) {
                 ElementsAre("fails"));  // it can terminate, and a terminated process lets no time pass
 }
 
-// A machine that terminates has ✓ in its traces; a state that nothing leads to is not reachable all the same.
+// A machine that terminates has ✓ in its traces; a state without incoming transitions is not reachable all the same.
 TEST(Assertions, StatesOfMachinesThatTerminate) {
     const auto m = model(
         "stm S { initial i state A { } state B { } final f transition t0 { from i to A } "
@@ -191,7 +191,7 @@ TEST(Assertions, StatesOfMachinesThatTerminate) {
         EXPECT_THAT(claims(*m, time), ElementsAre("holds", "holds", "fails"));
 }
 
-/// The verdicts that C is initialised and that it is not, for a machine with this body.
+/// The verdicts of "C is initialised" and "C is not initialised", for a machine with this body.
 std::vector<std::string> initialised(const std::string& body, Time time) {
     const auto m = model(
         "interface W { clock C }\noperation start() { requires W initial i final f "
@@ -225,7 +225,8 @@ TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
         EXPECT_THAT(check("transition t { from i to A }"), no) << "never reset, never read";
         EXPECT_THAT(check("transition t { from i to B #D }" + read), no) << "another clock";
     }
-    // In time A is left by the way that resets C; without time both ways are open.
+    // In the timed semantics, the transition that resets C leaves A first; in the untimed semantics both transitions
+    // are possible.
     const std::string race = states +
                              "transition t { from i to A } transition u { from A to B condition since(D) >= 2 } "
                              "transition v { from A to B #C condition since(D) >= 1 }" +
@@ -234,8 +235,8 @@ TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
     EXPECT_THAT(initialised(race, Time::untimed), no);
 }
 
-// Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): what is refused before time passes is part of a trace, what is
-// refused before another event is not.
+// Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): a refusal before time passes is part of a trace, a refusal before
+// another event is not.
 TEST(TickTock, Laws) {
     const auto m = model(machines, "timed csp Shift csp-begin\n-- model_shifting\ncsp-end\n");
     const auto results = verdicts(*m, Time::timed, R"(

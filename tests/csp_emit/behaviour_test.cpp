@@ -1,5 +1,5 @@
-// What emitted processes do, against CSPM written by hand from the reference (semantics 3.3 to 3.8). Equality is
-// refinement both ways in the failures-divergences model.
+// The behaviour of generated processes, compared with CSPM that was written by hand from the reference (semantics 3.3
+// to 3.8). Equality is refinement in both directions in the failures-divergences model.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string timed(const std::string& rct, const std::string& definitions) {
     return equal(*m, Time::timed, "S::D__(0)", "Spec", definitions);
 }
 
-/// Events a to f without value, machine S.
+/// A machine S with events a to f without values.
 std::string machine(const std::string& body) {
     return "stm S {\n event a event b event c event d event f event g event n:nat event m:nat\n" + body + "}\n";
 }
@@ -73,7 +73,8 @@ TEST(States, OuterTransitionsCompeteWithInnerOnes) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger a action c }
     )"),
-                      // Inside, `a` may do either; while `b` is offered the composite cannot be left.
+                      // In the inner state, `a` may trigger either transition; while `b` is offered, the outer
+                      // transition is not possible.
                       "Spec = S::a.in -> (S::b.out -> S::a.in -> S::c.out -> STOP |~| S::c.out -> STOP)"),
               "holds");
 }
@@ -132,7 +133,8 @@ const char* const racing_machine = R"(
     )";
 
 TEST(Transitions, InnerExitsRaceWithTheStore) {
-    // semantics 3.4: the value is stored while the inner states are left; the source's own exit comes after both.
+    // semantics 3.4: the value is stored while the inner states are left; the source state's own exit action follows
+    // both.
     EXPECT_EQ(untimed(machine(racing_machine),
                       "Spec = S::n.in?v -> S::a.out -> (S::m.out.0 -> Rest(v) |~| S::m.out!v -> Rest(v))\n"
                       "Rest(v) = S::g.out -> S::m.out!v -> STOP"),
@@ -140,7 +142,7 @@ TEST(Transitions, InnerExitsRaceWithTheStore) {
 }
 
 TEST(Transitions, AStoreIsDoneBeforeTimePasses) {
-    // The store is hidden: once a unit has passed, `m` sends the new value.
+    // The store is hidden: after one time unit, `m` sends the new value.
     EXPECT_EQ(timed(machine(racing_machine),
                     "Timed(OneStep) {\n"
                     "Run = S::n.in?v -> ((S::a.out -> (S::m.out.0 -> Rest(v) |~| New(v))) [> S::a.out -> New(v))\n"
@@ -151,7 +153,7 @@ TEST(Transitions, AStoreIsDoneBeforeTimePasses) {
 }
 
 TEST(Transitions, DeadlinesReadTheVariableThatTheGuardAsksTheInputFor) {
-    // x is 0 and stays so: the guard is false for the monitor, which never stops time (semantics 3.10).
+    // x is always 0, so the guard is false for the monitor, which never stops time (semantics 3.10).
     EXPECT_EQ(timed(machine(R"(
         var x:nat
         initial i
@@ -286,7 +288,7 @@ TEST(Actions, DuringOfACompositeRunsBesideItsInside) {
 }
 
 TEST(Memory, OthersMayWriteRequiredVariablesAtAnyTime) {
-    // Reading is one hidden moment; what was read stays although others write meanwhile.
+    // Reading is one hidden step; later writes of other machines do not change the value that was read.
     EXPECT_EQ(untimed(R"(
         interface I { var x:nat }
         stm S {
@@ -323,8 +325,8 @@ TEST(Memory, GuardsSeeExternalWrites) {
 }
 
 TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
-    // RoboTool: share__choice(exited -> SKIP) ; share__choice(get_x?x -> goCall.x -> SKIP), where goCall.x stands
-    // alone.
+    // RoboTool: share__choice(exited -> SKIP) ; share__choice(get_x?x -> goCall.x -> SKIP), where goCall.x is outside a
+    // share__choice.
     EXPECT_EQ(untimed(R"(
         interface I { var x:nat }
         interface O { go(v:nat) }
@@ -384,7 +386,7 @@ TEST(Operations, UndefinedOnesAreOneEvent) {
               "holds");
 }
 
-// What does not satisfy the condition is refused, as at a trigger: x is 1 when the second value is awaited.
+// A value that violates the condition is refused, as in a trigger: x is 1 when the machine waits for the second value.
 TEST(Actions, ReceiveOnlyWhatSatisfiesTheCondition) {
     EXPECT_EQ(untimed(machine(R"(
         var x : nat = 1 var y : nat
@@ -510,7 +512,7 @@ TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
               "holds");
 }
 
-/// Output b waits, and x is known to be false there.
+/// While the output b waits, x is false.
 TEST(Time, ATransitionsDeadlineBeginsAnewWhereItsGuardIsFalse) {
     EXPECT_EQ(timed(machine(R"(
         var x:boolean = true
@@ -547,7 +549,8 @@ TEST(Time, UntimedTreatmentDropsIt) {
               "holds");
 }
 
-// x is 0, so what is left of t1 is false in both; of t2 nothing is left, since the clock alone may make it true.
+// x is 0, so the remaining guard of t1 is false in both cases. The guard of t2 disappears, because the clock alone may
+// make it true.
 TEST(Time, UntimedGuardsKeepWhatReadsNoClock) {
     EXPECT_EQ(untimed(machine(R"(
         clock T
@@ -575,7 +578,7 @@ TEST(Time, UntimedGuardsKeepWhatReadsNoClock) {
               "holds");
 }
 
-// The value that comes in counts too.
+// The guard may also depend on the received value.
 TEST(Time, UntimedGuardsKeepConditionsOnTheIncomingValue) {
     EXPECT_EQ(untimed(R"(
         stm S {

@@ -1,4 +1,4 @@
-// Comments are kept where declarations are written down again, and change nothing of what the declarations are.
+// Comments are kept in declarations that are printed again, and do not change them.
 #include "csp_emit/base/block_comments.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(BlockComments, OfSectionsStayInside) {
               "-- end\nmodule M\n    -- own\n    x = 1\nexports\n    -- shown\n    y = x\nendmodule\n");
 }
 
-/// What could end the line elsewhere does not reach the text.
+/// Characters that other programs treat as line ends are removed from comments.
 TEST(BlockComments, HoldNoControlCharacters) {
     EXPECT_EQ(again("-- a\rassert STOP\x1b[2J\r\nP = STOP\n"), "-- a\\rassert STOP\\x1b[2J\nP = STOP\n");
 }

@@ -1,5 +1,5 @@
-// One constant has a name for the machine and one for each place in which a controller runs it: in RoboTool's scripts a
-// claim about a controller or a module begins with `let const_C_ref_c = const_S_c within`.
+// A constant has one name for its machine, and one name for each place in which a controller runs the machine. In
+// RoboTool's scripts a claim about a controller or a module starts with `let const_C_ref_c = const_S_c within`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A gate that opens if its limit is above 0, in two places of a controller.
+/// A gate that opens if its limit is above 0, instantiated twice in a controller.
 const char* const gates = R"(
 stm Gate {
   const limit : nat

@@ -1,4 +1,4 @@
-// CSP blocks checked without deciding anything: findings stand in the block, with what the script calls the name.
+// Checks of CSP blocks without deciding assertions: findings have places in the block and use the names of the script.
 #include <gtest/gtest.h>
 
 #include "csp_emit/blocks/check_blocks.hpp"
@@ -14,7 +14,7 @@ const std::string model_text =
     "stm Switch { uses Signals initial i state Off { } state On { entry shine }\n"
     "transition t { from i to Off } transition u { from Off to On trigger press } }\n";
 
-/// What is found in one block of a file of claims about the lamp.
+/// The findings in one block of an assertion file about the lamp.
 class Checked {
 public:
     explicit Checked(const std::string& claims, const std::string& rct = model_text) {
@@ -73,7 +73,7 @@ TEST(Blocks, SyntaxIsReadEvenIfTheModelHasErrors) {
     EXPECT_EQ(both.codes().substr(0, 8), "CSPM-P01") << both.report();
 }
 
-/// The claim alone shows that the process is an event.
+/// Only the claim shows that the process is used as an event.
 TEST(Blocks, ATypeErrorOfAClaimHasItsPlace) {
     const Checked checked(block("P = lamp::Switch::press.in --> P"));
     EXPECT_EQ(checked.codes(), "CSPM-P18@4 CSPM-T08@6") << checked.report();

@@ -1,6 +1,6 @@
-// Calls of defined operations (semantics 3.8): one definition for all calls, which goes on where it was called.
-// Specifications are written by hand from the reference; equality is refinement both ways in the failures-divergences
-// model.
+// Calls of defined operations (semantics 3.8): all calls share one definition, which continues after its call.
+// Specifications were written by hand from the reference; equality is refinement in both directions in the
+// failures-divergences model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 namespace b = cspm::build;
 using ::testing::ElementsAre;
 
-/// Machine S in controller C as `s`, with operations `op` and `inner` of these definitions.
+/// A machine S in controller C as `s`, with these definitions of the operations `op` and `inner`.
 std::string with_operations(const std::string& operations, const std::string& machine) {
     return R"(
         interface E { event a event b event c event n : nat event m : nat }
@@ -55,8 +55,8 @@ TEST(Calls, ReturnToWhereTheyWereMade) {
               "holds");
 }
 
-// `inner`, which S does not call, compares a clock of the same name with a constant of its own: that is no bound of S's
-// clock, and S knows nothing of the constant.
+// S does not call `inner`, which compares a clock of the same name with its own constant. This comparison does not
+// bound S's clock, and S does not have the constant.
 TEST(Calls, ClocksOfOperationsThatAreNotCalledAreNotTheMachines) {
     EXPECT_EQ(same(with_operations(R"(
         operation op(p : nat) { uses E initial i final f transition t { from i to f } }
@@ -74,8 +74,8 @@ TEST(Calls, ClocksOfOperationsThatAreNotCalledAreNotTheMachines) {
               "holds");
 }
 
-// x of the caller is read behind the first call only, and the operation knows nothing of it; its own counter starts
-// anew at each call.
+// The caller's x is read only after the first call, and the operation has no access to it. The operation's own counter
+// is initialised at each call.
 TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
     EXPECT_EQ(same(with_operations(R"(
         operation op(p : nat) { uses E var count : nat = 1 initial i final f
@@ -94,8 +94,8 @@ TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
               "holds");
 }
 
-// Constant k is read behind the first call only: behind the other one it is no parameter any more.
-/// What an operation computes is read behind the call alone, in a condition: what it computes it from matters inside.
+// The result of the operation is read only after the call, in a condition. The values that it depends on are read
+// inside the operation.
 TEST(Calls, GiveTheCallersVariableWhatIsComputedInside) {
     const std::string reading = R"(
         uses V
@@ -124,6 +124,7 @@ TEST(Calls, GiveTheCallersVariableWhatIsComputedInside) {
     }
 }
 
+// The constant k is read only after the first call. After the second call it is no parameter any more.
 TEST(Calls, KeepConstantsWhereTheyAreRead) {
     EXPECT_EQ(same(with_operations(steps, R"(
         const k : nat = 2
@@ -181,7 +182,7 @@ TEST(Calls, InDuringActionsAreCutLikeThem) {
               "holds");
 }
 
-// x is not the operation's, and another machine may write it while the operation runs.
+// The operation has no access to x, and another machine may write it while the operation runs.
 TEST(Calls, OthersMayWriteTheCallersVariablesMeanwhile) {
     EXPECT_EQ(same(with_operations(steps, R"(
         requires V
@@ -197,7 +198,7 @@ TEST(Calls, OthersMayWriteTheCallersVariablesMeanwhile) {
               "holds");
 }
 
-// Operation k calls operation k+1 twice: the calls are 2^30, the definitions 31.
+// Operation k calls operation k+1 twice: there are 2^30 calls, and 31 definitions.
 TEST(Calls, AreWrittenOnceForEachOperation) {
     constexpr int depth = 30;
     std::string text = "interface E { event a }";
@@ -220,7 +221,7 @@ TEST(Calls, AreWrittenOnceForEachOperation) {
          at = script.find("_action_of_t__", at + 1))
         ++definitions;
     EXPECT_LT(definitions, 31U * 8U);
-    // After 2^29 calls of a still another one: only its first steps are looked at.
+    // The model makes 2^30 calls; the check explores only the first steps.
     EXPECT_EQ(testing::verdicts(*m, Time::untimed, R"(
         P(n) = if n == 0 then STOP else C::S::a.out -> P(n - 1)
         assert C::S::D__(0) [T= P(50))"),

@@ -1,5 +1,5 @@
-// Where clocks saturate: RoboTool's bounds divide by 1 where a divisor is 0, so that a guard which no run evaluates
-// makes no claim fail. The guards themselves divide by what the model says.
+// Bounds at which clocks saturate. RoboTool's bounds use 1 in place of a divisor of 0, so a guard that no run evaluates
+// makes no claim fail. The guards themselves keep the model's divisor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// Open constants are 0, so the turn is never begun.
+/// Constants without a value are 0, so the machine never starts to turn.
 std::string turning(const std::string& bound) {
     return "stm S { event go clock C const speed : nat, half : nat initial i state Move { } state Turn { }\n"
            "transition t0 { from i to Move }\n"

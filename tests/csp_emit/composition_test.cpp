@@ -1,4 +1,4 @@
-// Controllers and modules against CSPM written by hand (semantics 3.7 to 3.10).
+// Controllers and modules compared with hand-written CSPM (semantics 3.7 to 3.10).
 #include <gtest/gtest.h>
 
 #include "tests/csp_emit/fixture.hpp"
@@ -46,7 +46,7 @@ controller C {
 )";
 
 TEST(Controllers, MachinesMeetAndTerminateTogether) {
-    // The connected events and the unconnected `lost` are hidden; one terminate for both.
+    // The connected events and the unconnected event `lost` are hidden; both machines share one terminate.
     EXPECT_EQ(same(pair, Time::untimed, "C::D__(0)", "Spec = C::r.out -> C::terminate -> SKIP"), "holds");
 }
 
@@ -88,7 +88,8 @@ controller C {
 }
 )";
 
-// Semantics 3.4, During, and 3.8: the operation's steps are the during action's; a transition may come before each.
+// Semantics 3.4, During, and 3.8: the operation's steps are steps of the during action, and a transition may come
+// before each of them.
 TEST(Controller, OperationsCalledFromDuringActionsMayBeTooLate) {
     EXPECT_EQ(same(called_while_waiting, Time::untimed, "C::D__(0)", R"(
         Cut = C::c.in -> C::d.out -> STOP
@@ -133,7 +134,7 @@ TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) 
               "holds");
 }
 
-// An operation that the machine never calls says nothing about its clock: its constants are not known there.
+// An operation that the machine never calls does not bound its clock: the operation's constants are unknown there.
 TEST(Operations, ThatAreNotCalledDoNotBoundTheClocksOfAMachine) {
     const auto m = testing::model(R"(
         interface Ops { op() other() }
@@ -179,7 +180,7 @@ controller C {
 }
 )";
 
-// R's copy is 0 until the write reaches it, which is hidden; reading is one moment, saying what was read another.
+// R's copy is 0 until the hidden write reaches it. R reads x in one step and outputs the value in a later one.
 TEST(Memory, ReadersMaySeeStaleValuesUntilTheWriteIsPropagated) {
     EXPECT_EQ(same(shared, Time::untimed, "C::D__(0)", R"(
         Spec = (C::go.in -> Reading) [> New
@@ -200,7 +201,7 @@ TEST(Memory, WritesArePropagatedBeforeTimePasses) {
               "holds");
 }
 
-/// A platform variable with an initial value, read on every `go`, and written at the start.
+/// A platform variable with an initial value that is read at every `go` and written at the start.
 const char* const platform = R"(
 interface V { var y : nat = 1 }
 interface E { event go event o : nat }
@@ -236,7 +237,7 @@ TEST(Memory, ThePlatformsInitialValuesArePropagatedLikeWrites) {
               "holds");
 }
 
-/// A write of a variable that the platform provides is seen by the platform, at once.
+/// The platform sees a write of a variable that it provides immediately.
 const char* const provided = R"(
 interface V { var y : nat }
 interface E { event go }
@@ -320,7 +321,7 @@ TEST(Modules, AsynchronousBuffersAreOverwrittenByTheNewest) {
     EXPECT_EQ(results, std::vector<std::string>(6, "holds"));
 }
 
-/// corpus/*/*.assertions: each claim comes with its reason there.
+/// corpus/*/*.assertions state the reason of each claim.
 TEST(Corpus, EveryClaimHolds) {
     for (const char* name : {"aggregation", "swarm_taxis"}) {
         for (const Time time : {Time::untimed, Time::timed}) {

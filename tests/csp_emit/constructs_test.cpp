@@ -1,7 +1,7 @@
-// The table of constructs: everything that the front end accepts has its CSP, untimed and timed, which reads back and
-// type checks, or is refused by name; what the front end has a rule against stands there with the rule. The rows are
-// the constructs of the language one by one (grammar of RoboChart); each stands alone in the same model, so that a row
-// that ends in silence, a fault or a script that is no CSPM shows which.
+// The table of language constructs: every construct that the front end accepts has CSP, untimed and timed, that parses
+// to the same tree and type checks, or it is rejected by a named rule. Constructs that the front end rejects are listed
+// with the rule. Each row is one construct of RoboChart's grammar, alone in the same model, so a failure identifies its
+// construct.
 #include <gtest/gtest.h>
 
 #include "checker/cspm/syntax/reader.hpp"
@@ -12,13 +12,13 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Where a row goes.
+/// The position of a row's text in the model.
 enum class At { action, condition, expression, transition, machine, state, package, platform };
 
 struct Row {
     At at;
     std::string text;
-    std::string refusal = {};  ///< a part of the message; empty: it is taken
+    std::string refusal = {};  ///< a part of the message; empty: it is accepted
 };
 
 std::string model_with(const Row& row) {
@@ -70,7 +70,7 @@ std::string model_with(const Row& row) {
     )";
 }
 
-/// What is wrong with the row; empty: nothing.
+/// The problem with the row; empty if there is none.
 std::string outcome(const Row& row, Time time) {
     const auto m = testing::model(model_with(row));
     if (!m->diagnostics.ok()) return m->messages();

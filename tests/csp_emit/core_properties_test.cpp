@@ -1,4 +1,5 @@
-// Core properties: what is asked of every component, and what is so of small machines for reasons given beside each.
+// Core properties: the properties that are checked for every component, and the answers for small machines with the
+// reason next to each.
 #include "csp_emit/core_properties.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +16,7 @@ namespace {
 using testing::model;
 using testing::Model;
 
-/// "S: deadlock-free" to "holds" or "fails", `(information)` behind what is not required.
+/// Maps "S: deadlock-free" to "holds" or "fails", followed by `(information)` if the property is not required.
 std::map<std::string, std::string> answers(const std::string& rct, Time time = Time::timed) {
     const auto read = model(rct);
     const Emission emission = read->emit(time, true);
@@ -23,7 +24,7 @@ std::map<std::string, std::string> answers(const std::string& rct, Time time = T
     cspm::Session session(emission.script);
     std::map<std::string, std::string> result;
     for (const Obligation& obligation : emission.obligations) {
-        if (obligation.firing) continue;  // no assertion: tests/app/command/firing_test.cpp
+        if (obligation.firing) continue;  // not an assertion; see tests/app/command/firing_test.cpp
         EXPECT_EQ(obligation.assertions.size(), 1U);
         const bool holds = session.check(*obligation.assertions.front(), {}).verdict.outcome == refine::Outcome::holds;
         result[obligation.component + ": " + obligation.property_text] =
@@ -32,7 +33,7 @@ std::map<std::string, std::string> answers(const std::string& rct, Time time = T
     return result;
 }
 
-/// A machine that waits for `e` in A, goes to B, and back after a while.
+/// A machine that waits for `e` in A, goes to B, and returns after a while.
 const std::string sound = R"(stm S { event e clock T initial i
 state A { } state B { entry #T }
 transition t0 { from i to A }
@@ -83,7 +84,7 @@ transition t0 { from i to A } transition t1 { from A to B } transition t2 { from
     EXPECT_EQ(found.at("state machine S: divergence-free"), "fails");
 }
 
-/// Without the assumption every call and every output would be one that the environment may refuse, and time with it.
+/// Without the assumption, the environment could refuse every call and every output, and block time with it.
 TEST(CoreProperties, ThePlatformTakesCallsAndOutputsAtOnce) {
     const auto found = answers(R"(interface I { move(x : nat) } interface V { var v : nat }
 stm S { requires I requires V event e event o : nat initial i
@@ -130,7 +131,7 @@ module M { robotic platform P { event e } cref c = C connection P on e to c on e
     EXPECT_FALSE(found.contains("state machine M::c::s: deadlock-free")) << "asked where it is defined";
 }
 
-/// The call leaves the controller, not the machine: its channel is the controller's.
+/// The channel of the call belongs to the controller, not to the machine.
 TEST(CoreProperties, AClockOfAMachineWhoseOperationCallsThePlatform) {
     const auto found = answers(R"(interface I { move() } interface J { turn() }
 operation turn() { requires I initial i final f transition t { from i to f action move() } }

@@ -1,4 +1,4 @@
-// Data: what expressions are worth, in the script and for the evaluator of the semantics. The values come from the
+// Values of expressions, in the script and in the evaluator of the semantics. The expected values follow from the
 // contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ std::string specification_of(const std::vector<Case>& cases) {
     return text + "STOP";
 }
 
-/// The values that the evaluator gives to what the machine sends, in order.
+/// The evaluator's values for the outputs of the machine, in order.
 std::vector<std::string> evaluated(const testing::Model& m) {
     std::vector<std::string> result;
     const ir::Machine& machine = m.system.machines.front();
@@ -250,7 +250,7 @@ TEST(Assignment, OutsideTheIndicesHasNoMeaning) {
 }
 
 TEST(Preconditions, BlockTheStatement) {
-    // semantics 3.5: false & ... waits for ever.
+    // semantics 3.5: false & ... waits forever.
     EXPECT_EQ(untimed(R"(
         var x : int
         initial j
@@ -261,7 +261,7 @@ TEST(Preconditions, BlockTheStatement) {
 }
 
 TEST(Preconditions, OfInnerCallsComeFirst) {
-    // tail(<>) has no value: only its own precondition may be asked.
+    // tail(<>) has no value: only the precondition of tail may be evaluated.
     EXPECT_EQ(untimed(R"(
         var s : Seq(int)
         initial j
@@ -280,7 +280,7 @@ TEST(Preconditions, UnderABinderCountForEveryValue) {
               "holds");
 }
 
-// semantics 3.5, 3.8: `pre & opCall` is urgent only where it is offered; where it is not, time passes.
+// semantics 3.5, 3.8: `pre & opCall` is urgent only while it is offered; otherwise time passes.
 TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
     const auto m = model(std::string(declarations) + R"(
         interface Acts { act(n : int) }
@@ -301,7 +301,7 @@ TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
               "holds");
 }
 
-// semantics 3.10: `S <{d}` is interrupted after d by a process in which time stops, whatever S does.
+// semantics 3.10: after d, `S <{d}` is interrupted by a process that stops time, whatever S does.
 TEST(Preconditions, DoNotLiftADeadline) {
     for (const std::string blocked :
          {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
@@ -315,7 +315,7 @@ TEST(Preconditions, DoNotLiftADeadline) {
     }
 }
 
-// Those of functions in an operation's precondition come before it: head(<>) has no value.
+// Preconditions of functions in an operation's precondition are checked first: head(<>) has no value.
 TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
     const auto m = model(std::string(declarations) + R"(
         interface O { op(n : Seq(int)) }
@@ -330,8 +330,8 @@ TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
     EXPECT_EQ(equal(*m, Time::untimed, "C::D__(0)", "Spec", "Spec = C::e.out -> C::d.out -> STOP"), "holds");
 }
 
-// A candidate for the value of a function is passed over where its postcondition has no value for it; a function as a
-// value has the pairs where its precondition holds.
+// The search for a function's value skips a candidate for which the postcondition has no value. A function as a value
+// contains the pairs for which its precondition holds.
 TEST(Preconditions, OfFunctionsInPostconditionsAndOfFunctionsAsValues) {
     const std::vector<Case> cases = {{"starting(1)[1]", "1"}, {"size(dom(positive))", "2"}};
     const auto m =
@@ -343,7 +343,7 @@ TEST(Preconditions, OfFunctionsInPostconditionsAndOfFunctionsAsValues) {
     EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification_of(cases)), "holds") << m->messages();
 }
 
-// No source says whether such a deadline runs.
+// No source defines whether a deadline without a value expires.
 TEST(Preconditions, ThatCanBeFalseAreRefusedInTheDeadlineOfATransition) {
     const auto with = [](const std::string& deadline) {
         const auto m = model(std::string(declarations) +
@@ -367,7 +367,7 @@ TEST(Postconditions, WithoutAnyValueMakeTheCheckInconclusive) {
                 HasSubstr("no value satisfies the postcondition of none"));
 }
 
-// One definition for each choice of types; function same_2 of the model keeps its own.
+// There is one definition for each combination of types; the model's own function same_2 keeps its name.
 TEST(GenericFunctions, AreThereForEachOfTheirTypes) {
     const auto m = model(R"(
         function same(x : ?X) : ?X { postcondition result == x }
@@ -411,7 +411,7 @@ TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
 }
 
 TEST(Reals, LeastAndGreatestOfASet) {
-    // Reals are tenths in the script and for the evaluator; what is sent as a real is converted.
+    // Reals are tenths in the script and in the evaluator; a value that is sent as a real is converted.
     const std::pair<const char*, const char*> cases[] = {{"r ! (min({1.5, -0.5, 2}))", "-5"},
                                                          {"r ! (max({1.5, -0.5, 2}))", "20"},
                                                          {"r ! (min({1, 0.5}))", "5"},
@@ -441,7 +441,7 @@ TEST(Reals, LeastAndGreatestOfASet) {
     EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification + "STOP"), "holds") << m->messages();
 }
 
-// The precondition of both is that there is one (semantics 3.5), for every type of numbers.
+// The precondition of both functions is that the set is not empty (semantics 3.5), for every type of numbers.
 TEST(Preconditions, TheEmptySetHasNoLeastElement) {
     for (const std::string type : {"nat", "int", "real"})
         for (const std::string function : {"min", "max"}) {
@@ -456,8 +456,8 @@ TEST(Preconditions, TheEmptySetHasNoLeastElement) {
     EXPECT_THROW(evaluated(*m), ir::EvaluationFault);
 }
 
-// Nothing says what the bounds of such a range are: its script is written all the same, and fails where it is
-// evaluated.
+// The types of such a range's bounds are unknown. Its script is generated all the same, and evaluation of the range
+// fails.
 TEST(Ranges, OfUnknownTypeAreWritten) {
     const auto m = model(
         "import sequence_toolkit::* stm S { var x : int initial j state A { } "

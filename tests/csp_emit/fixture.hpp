@@ -1,4 +1,4 @@
-// RoboChart text to an emitted script, and verdicts of assertions against hand-written CSPM.
+// Generates scripts from RoboChart text, and decides assertions that compare them with hand-written CSPM.
 #pragma once
 
 #include <memory>
@@ -19,25 +19,25 @@ struct Model {
     ir::Instantiation instantiation;
 
     [[nodiscard]] std::string messages() const;
-    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all findings but advice (RC-W)
+    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all findings except advice (RC-W)
     [[nodiscard]] Emission emit(Time time, bool core = false);
-    /// With every variable of the machines in a memory process of its own.
+    /// Stores every variable of the machines in its own memory process.
     [[nodiscard]] Emission emit_with_memories(Time time, bool core = false);
 };
 
-/// One .rct text and, if not empty, one .assertions text.
+/// Loads one .rct text and, if not empty, one .assertions text.
 [[nodiscard]] std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions = "");
-/// Several files by their paths.
+/// Loads several files by their paths.
 [[nodiscard]] std::unique_ptr<Model> model_of(const std::vector<std::pair<std::string, std::string>>& files);
-/// One .rct file on its own.
+/// Loads one .rct file alone.
 [[nodiscard]] std::unique_ptr<Model> model_file(const std::string& path);
-/// A file or folder.
+/// Loads a file or folder.
 [[nodiscard]] std::unique_ptr<Model> project(const std::string& path);
 
-/// Reads CSPM text behind the model's script and decides every assertion in it: "holds", "fails" or the reason why not.
+/// Appends CSPM text to the model's script and decides every assertion in it: "holds", "fails" or the reason why not
+/// decided.
 [[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
-/// The steps of the counterexample to `specification [T= process`: names of events (of the hidden ones too) and of
-/// states.
+/// A step of the counterexample to `specification [T= process`: names of its event (also if hidden) and of its states.
 struct ReportedStep {
     std::string event, state;
 };
@@ -47,8 +47,7 @@ struct ReportedStep {
 [[nodiscard]] std::vector<std::string> decide(const cspm::Script&);
 /// The verdict on each obligation of the model in this time: "holds", "fails", "no check: why" or another outcome.
 [[nodiscard]] std::vector<std::string> claims(Model&, Time);
-/// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's
-/// trace.
+/// Returns `holds` if both refinements hold in the failures-divergences model; otherwise the failure with its trace.
 [[nodiscard]] std::string equal(Model&, Time, const std::string& process, const std::string& specification,
                                 const std::string& definitions);
 

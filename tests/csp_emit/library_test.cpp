@@ -1,4 +1,5 @@
-// What csp blocks may use of RoboTool's library beyond what generated scripts need, and the functions of records.
+// Definitions of RoboTool's library that csp blocks may use although generated scripts do not need them, and the
+// functions of records.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using ::testing::ElementsAre;
 const char* const machine =
     "stm S { event a initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger a } }";
 
-/// The verdicts of the assertions in a block, which type checks.
+/// The verdicts of the assertions in a block; the block must type check.
 std::vector<std::string> block(const std::string& rct, Time time, const std::string& text) {
     const auto m = testing::model(
         rct, std::string(time == Time::timed ? "timed" : "untimed") + " csp Own csp-begin\n" + text + "\ncsp-end\n");
@@ -35,7 +36,7 @@ TEST(BlockLibrary, NumbersOfTypes) {
         Each("holds"));
 }
 
-// By the laws that define them: what is cut off after d time units; what happens first decides a timeout.
+// Defining laws: a process that is cut off after d time units; a timeout that the first event decides.
 TEST(BlockLibrary, OperatorsOfTime) {
     EXPECT_THAT(block(machine, Time::timed,
                       "channel b, c\n"
@@ -69,7 +70,7 @@ TEST(BlockLibrary, FieldsOfRecords) {
                       "assert not STOP [T= (if One_only(update_One_only(0,1)) == 1 then yes -> STOP else STOP)\n"
                       "assert Q [T= S::D__(0)\nassert S::D__(0) [T= Q \\ {S::terminate}"),
                 Each("holds"));
-    // A block's own are its own.
+    // A block may define these names itself.
     EXPECT_THAT(block(rct, Time::untimed,
                       "R_p(x) = 7\nchannel yes\n"
                       "assert not STOP [T= (if R_p((1,1)) == 7 then yes -> STOP else STOP)"),
@@ -100,8 +101,8 @@ TEST(BlockLibrary, ARecordWithoutAFieldHasItsDefault) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-T21"));
 }
 
-// RoboTool's scripts pass modules and controllers the constants of their parts: a block may define these alone, or that
-// of the machine, which then is the part's too.
+// RoboTool's scripts pass the constants of their parts to modules and controllers. A block may define only these
+// constants. It may also define only the machine's constant, which then applies to the part.
 TEST(BlockLibrary, ConstantsOfPartsCountInClaims) {
     for (const char* const constant : {"const_C_r_k", "const_S_k"}) {
         const auto m = testing::model(
@@ -114,7 +115,7 @@ TEST(BlockLibrary, ConstantsOfPartsCountInClaims) {
     }
 }
 
-// RoboTool looks at no contract: what is wrong there takes the contract away, and nothing else.
+// RoboTool does not check contracts: an error in a contract removes this contract only.
 TEST(BlockLibrary, AWrongContractIsNone) {
     const auto m = testing::model(
         "function f(x : int, y : int) : nat { precondition x > 0 postcondition result == {x, y} } "

@@ -1,4 +1,4 @@
-// `event E is missed in S for N time units` (docs/assertions.md, "Missed events"): what holds follows from the waits of
+// `event E is missed in S for N time units` (docs/assertions.md, "Missed events"): the answers follow from the waits of
 // the small machines, by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::model;
 
-/// A machine that goes on from Moving::Go to Moving::Busy by `go`, whose `stop` leads to Halted, with these parts.
+/// A machine that goes from Moving::Go to Moving::Busy with `go`, and from Moving to Halted with `stop`, with these
+/// parts.
 std::string moving(const std::string& busy, const std::string& rest = "", const std::string& trigger = "stop") {
     return "interface O { act() turn() }\nstm S { requires O event go event stop event out var n : nat = 0 initial i "
            "state Moving { initial j state Go { } state Busy { " +
@@ -56,7 +57,7 @@ TEST(MissedEvents, AreNoneWhereTheStateWaits) {
                 ElementsAre("fails", "holds"));
 }
 
-/// Busy is left and entered again at once, but in between the event is on offer.
+/// Busy is left and entered again immediately, but the event is offered in between.
 TEST(MissedEvents, AStateThatIsPassedTakesTheEvent) {
     EXPECT_THAT(decided(moving("entry wait(2)"), claim("S::Moving", 2) + claim("S::Moving", 3)),
                 ElementsAre("fails", "holds"));

@@ -1,5 +1,5 @@
-// The names and signatures of RoboTool's scripts that CSP blocks may use (semantics 3.2, 3.12, 3.13): each is there and
-// means what it means there.
+// Names and signatures of RoboTool's scripts that CSP blocks may use (semantics 3.2, 3.12, 3.13): all of them exist and
+// have RoboTool's meaning.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-// A machine with everything that has a name: a constant, a shared and a private variable, a clock, calls, a parameter.
+// A machine with every kind of named element: a constant, a shared and a private variable, a clock, calls, a parameter.
 const char* const rct = R"(
 package P
 interface Events {
@@ -106,7 +106,7 @@ module M {
 struct Use {
     const char* name;
     Time time;
-    const char* text;  ///< a CSP block; its assertions hold
+    const char* text;  ///< a CSP block; all its assertions hold
 };
 
 void PrintTo(const Use& use, std::ostream* out) {
@@ -227,8 +227,9 @@ TEST(Constants, CountWhereAnAssertionSetsThem) {
             connection c on a to r on a ( _async )
         }
     )";
-    // c is the platform's in the module, the controller's in the controller, the machine's own alone; what is set for a
-    // machine counts where it is used, unless what it requires is provided there.
+    // c is the platform's constant in the module, the controller's in the controller, and its own in the machine alone.
+    // A value that is set for a machine applies to its uses, unless an enclosing component provides the required
+    // constant.
     const std::map<std::string, std::set<std::string>> counts{{"S", {"S"}},
                                                               {"C", {"C", "C::s"}},
                                                               {"C::s", {"C", "C::s", "S"}},
@@ -250,7 +251,7 @@ TEST(Constants, CountWhereAnAssertionSetsThem) {
         }
 }
 
-// A machine with something of everything that brings parameters and bound names of ours into the script.
+// A machine with every construct that introduces generated parameters and bound names into the script.
 const char* const variety = R"(
     interface Ops { walk(n : nat) look() }
     function twice(n : nat) : nat { precondition n < 2 postcondition result == n }
@@ -296,7 +297,7 @@ const char* const variety = R"(
         connection S on p to K on p
     })";
 
-/// Names that stand in the script otherwise than behind `::`.
+/// Names in the script that are not qualified with `::`.
 std::set<std::string> plain_names(const std::string& text) {
     std::set<std::string> result;
     const auto part = [&](std::size_t at) {
@@ -313,7 +314,7 @@ std::set<std::string> plain_names(const std::string& text) {
     return result;
 }
 
-// Names of events that mean something in CSPM or are parameters of ours.
+// Event names that have a meaning in CSPM or are names of generated parameters.
 TEST(Names, OfEventsMayBeThoseOfParameters) {
     for (const std::string name : {"out", "x", "x__", "in__", "e__", "id__", "v_v", "tock", "tock_", "step__", "r__"}) {
         const auto m = testing::model("stm S { event " + name + " : nat var v : nat initial i state A { } " +
@@ -325,7 +326,7 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
             cspm::check_types(emission.script, m->diagnostics);
             ASSERT_TRUE(m->diagnostics.ok()) << name << m->messages();
         }
-        // One of t0 and t1's events after another: two received, and never the same as nothing.
+        // The events of t0 and t1 alternate: two events are received, so the process is different from STOP.
         const std::string question =
             "RECEIVED = (|~| e : diff(S::sem__events, {S::terminate}) @ e -> RECEIVED)\n"
             "assert RECEIVED [F= S::D__(0) \\ {S::terminate}\nassert STOP [T= S::D__(0)";
@@ -336,9 +337,9 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
     }
 }
 
-// What a block calls a channel, a constructor or a function of its own is nothing in the generated part. What is
-// declared twice, at the top under a name of RoboTool's, is an error at the block's place; everything else type checks
-// and has the same meaning.
+// A channel, constructor or function that a block declares does not affect the generated part. A duplicate declaration
+// at the top level, for a name of RoboTool's, is an error with its place in the block. All other blocks type check and
+// keep the meaning of the script.
 TEST(Names, OfBlocksAreApartFromGeneratedOnes) {
     const auto plain = testing::model(variety);
     ASSERT_TRUE(plain->diagnostics.ok()) << plain->messages();

@@ -1,4 +1,4 @@
-// Records are carriers that CSP blocks may use: `P_R` is the set of the record R of package P.
+// CSP blocks may use the carriers of records: `P_R` is the set of values of the record R of package P.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,8 @@ TEST(Records, AreCarriersInBlocks) {
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
 }
 
-// A block may have fewer values, and a component, an enumeration or a constant of the name is what a block means.
+// A block may define the name with fewer values. If a component, an enumeration or a constant has the same name, the
+// block's name means that element.
 TEST(Records, GiveWayToOtherNames) {
     const auto narrowed = testing::model(
         copier, block("nametype Data_Pair = {(0, true)}\n"

@@ -1,5 +1,5 @@
-// Names in CSP blocks that RoboTool's generators have had: each is reported with what it is today, and the fix makes a
-// script that means what the old one meant.
+// Names in CSP blocks from earlier versions of RoboTool's generators. Each name is reported with its current form, and
+// the fix preserves the meaning of the script.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ std::string claim(const std::string& form) {
     return "untimed assertion A : Tower::Lift " + form + "\n";
 }
 
-/// The assertions with the fixes of the findings applied as often as there are more.
+/// Applies the fixes of the findings repeatedly until none is left; returns the assertions.
 std::string fixed(std::string assertions) {
     for (int round = 0; round < 5; ++round) {
         const auto m = testing::model(lift, assertions);
@@ -62,7 +62,7 @@ TEST(OldNames, AreReportedWithTodays) {
                                          "older generator; today it is Tower::Lift::up"));
 }
 
-// Every form of the table in docs/robotool.md, in a block that means the same behind the fixes.
+// Every form in the table of docs/robotool.md; the fixes preserve the meaning of the block.
 TEST(OldNames, AreReplacedByTheirFixes) {
     const std::string now =
         fixed(block("Spec = Lift_up.in -> Tower_Lift_pullCall.1 -> Lift_pullRet -> Lift::floor.in?x -> Spec\n"
@@ -93,7 +93,7 @@ TEST(OldNames, OfStatesHaveNoFix) {
     EXPECT_THAT(m->diagnostics.sorted().front().fixes, IsEmpty());
 }
 
-// What a block declares or binds is its own, whatever it is called.
+// A name that a block declares or binds belongs to the block.
 TEST(OldNames, ThatABlockDeclaresAreItsOwn) {
     const auto m = testing::model(
         lift,
@@ -105,7 +105,7 @@ TEST(OldNames, ThatABlockDeclaresAreItsOwn) {
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
 }
 
-// `at` is private: nothing of this name could be seen in any generation.
+// `at` is private: no version of the generator exported such a name.
 TEST(OldNames, OfWhatIsNotThereAreUnknown) {
     const auto m = testing::model(lift, block("Spec = Lift_at -> Spec") + claim("is deadlock-free"));
     const Emission emission = m->emit(Time::untimed);
@@ -114,7 +114,7 @@ TEST(OldNames, OfWhatIsNotThereAreUnknown) {
     EXPECT_FALSE(m->diagnostics.ok());
 }
 
-// A controller and a machine of one name in two packages: neither is meant more than the other.
+// Two packages each have a machine with the same name, so the reference is ambiguous.
 TEST(OldNames, ThatMayBeOfTwoComponentsAreUnknown) {
     const std::string stm =
         "stm S { event e initial i state A { } transition t { from i to A } transition u { from A "

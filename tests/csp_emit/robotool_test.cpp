@@ -1,5 +1,5 @@
-// Our processes against RoboTool's own scripts for the same models: each refines the other in the failures-divergences
-// model under RoboTool's instantiations. The scripts are shared reference material.
+// Our processes compared with RoboTool's own scripts for the same models: each refines the other in the
+// failures-divergences model under RoboTool's instantiations. The scripts are shared reference material.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ bool defines_nothing_new(const DeclPtr& decl, const std::set<std::string>& known
     return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return known.count(n) != 0; });
 }
 
-/// RoboTool's script and behind it our components, inside a module of their own, with what they need.
+/// RoboTool's script followed by our components in a separate module, with the definitions that they need.
 cspm::Script joined(const cspm::Script& theirs, const Emission& ours) {
     const auto known = names_of(theirs.decls);
     cspm::Script result = theirs;
@@ -61,7 +61,7 @@ struct Component {
     ExprPtr process;   ///< C::stm0::D__(0, constants...)
 };
 
-/// All components, from the generated assertions on them.
+/// All components, taken from the assertions generated for them.
 std::vector<Component> components_of(const Emission& ours) {
     std::vector<Component> result;
     for (const Obligation& obligation : ours.obligations)
@@ -90,7 +90,7 @@ ExprPtr called(const ExprPtr& process, const std::string& name) {
     return result;
 }
 
-/// Numbers of few values.
+/// Reduces the carriers of numbers to few values.
 void narrow(cspm::Script& script) {
     for (DeclPtr& decl : script.decls) {
         const auto names = names_of({decl});
@@ -99,14 +99,14 @@ void narrow(cspm::Script& script) {
     }
 }
 
-/// Where our variables are: parameters of the machine's process, or memory processes of their own.
+/// The representation of our variables: parameters of the machine's process, or separate memory processes.
 enum class Variables { parameters, memories };
 
 using Case = std::tuple<std::string, Time, Variables>;
 
 class RoboTool : public ::testing::TestWithParam<Case> {};
 
-/// Both refinements for every component of the model, with other values for some constants.
+/// Checks both refinements for every component of the model, with other values for some constants.
 void compare(testing::Model& m, Time time, Variables variables, const std::string& script_path,
              const std::map<std::string, std::int64_t>& constants = {}) {
     const Emission ours = variables == Variables::memories ? m.emit_with_memories(time, true) : m.emit(time, true);
@@ -124,8 +124,8 @@ void compare(testing::Model& m, Time time, Variables variables, const std::strin
         const ExprPtr own = b::rename(called(component.process, "ours__::" + component.name + "::D__"), links);
         const ExprPtr other = called(component.process, component.name + "::O__");
         cspm::Script script = joined(theirs, ours);
-        // Alone, this machine has four variables that others may set to any value: with few values it takes seconds
-        // in RoboTool's script, with all of them minutes.
+        // Checked alone, this machine has four variables that the environment may set to any value. RoboTool's script
+        // takes seconds with few values and minutes with all of them.
         if (component.name == "ObsDetector::ObsDetect" && std::getenv("ROBOCHART_SLOW") == nullptr) narrow(script);
         script.decls.push_back(b::assert_refines(own, cspm::Model::failures_divergences, other));
         script.decls.push_back(b::assert_refines(other, cspm::Model::failures_divergences, own));
@@ -139,7 +139,7 @@ TEST_P(RoboTool, AgreesBothWays) {
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
     const auto m = testing::model_file(root + "models/" + model + ".rct");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    // A model in a package has its script named after the package.
+    // The script of a model in a package is named after the package.
     const std::string script = model == "example2" ? "ex2" : "file_" + model;
     compare(*m, time, variables, root + (time == Time::timed ? "timed/" : "untimed/") + script + ".csp");
 }
@@ -192,7 +192,7 @@ const std::string models[] = {"example1_ddl",
                               "example_robot2",
                               "example_robot_DDLK"};
 
-// All of the folder but example9_empty_stm, whose model is an empty file.
+// All models of the folder except example9_empty_stm, whose file is empty.
 TEST(RoboToolScripts, EveryModelWithContentIsCompared) {
     const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp/models";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;

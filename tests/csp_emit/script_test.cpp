@@ -1,4 +1,5 @@
-// Structure of emitted scripts: they read back equal, name what RoboTool names, and refuse by name.
+// Structure of generated scripts: they parse to the same tree and use RoboTool's names, and the generator names the
+// element that it rejects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ using testing::model;
 using ::testing::Not;
 using testing::project;
 
-/// The script's text, after checking that it reads back as the same tree.
+/// The script's text, after a check that it parses to the same tree.
 std::string printed(testing::Model& model, Time time) {
     const Emission emission = model.emit(time, true);
     EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
@@ -77,7 +78,7 @@ TEST(Script, UsesRoboToolsNames) {
 }
 
 TEST(Script, ParametersAvoidNamesOfEvents) {
-    // A parameter called like a channel would be a pattern that matches the channel only.
+    // A parameter with the name of a channel would be a pattern that matches only the channel.
     const auto m = model(R"(
         stm S {
             event v_x
@@ -113,7 +114,7 @@ TEST(Script, VariablesThatNothingReadsAreNotKept) {
 }
 
 TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
-    // In B and after, x is overwritten before it is read; in A it is read by the guard.
+    // In B and after it, x is overwritten before it is read; in A the guard reads it.
     const auto m = model(R"(
         stm S {
             event a : nat
@@ -131,7 +132,7 @@ TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
     EXPECT_THAT(text, HasSubstr("B__ ="));
 }
 
-// Wherever an operation with a large variable is called, its value is a name; the table of 49 zeros is there once.
+// Every call of an operation with a large variable refers to its default by name; the table of 49 zeros occurs once.
 TEST(Script, LargeDefaultsAreWrittenOnce) {
     const auto m = model(R"(
         interface Ops { walk() }
@@ -170,7 +171,7 @@ TEST(Script, LargeDefaultsAreWrittenOnce) {
 
 TEST(Liveness, GoesBackwardsAlongCalls) {
     namespace b = cspm::build;
-    // P passes x to Q as y, which Q passes on to R, which outputs it; z goes nowhere.
+    // P passes x to Q as y, Q passes y on to R, and R outputs it; z is never read.
     FamilyCalls calls;
     std::vector<Function> family{
         {"P", {}, b::prefix(b::name("a"), calls.add("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
@@ -207,7 +208,8 @@ TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
     EXPECT_EQ(cspm::print(family[1].body), "c == n & P(c, n)");
 }
 
-// O is called from A, behind which x is read, and from B, behind which nothing is: there x need not be kept.
+// O is called from A, where x is read after the call, and from B, where x is not read after the call. The call from B
+// need not pass x.
 TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
     namespace b = cspm::build;
     const auto there = [](int place) { return b::sequence({b::number(place)}); };
@@ -248,7 +250,7 @@ TEST(Files, DefinitionsAndAssertionsThatIncludeThem) {
     EXPECT_THAT(written[1].text, HasSubstr("assert S::D__(0) :[divergence free]"));
 }
 
-/// Who opens the file elsewhere finds the claims by their names, and the blocks as they were explained.
+/// A user who opens the file in another tool finds the claims by name and the blocks with their comments.
 TEST(Files, KeepNamesOfClaimsAndCommentsOfBlocks) {
     const auto m = testing::model_of(
         {{"m/s.rct", "stm S { event a initial i state A { } transition t0 { from i to A } }"},
@@ -284,7 +286,8 @@ TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
     EXPECT_THAT(provenance.definitions.at("S::A__").parameters, ElementsAre("x"));
 }
 
-// A machine is made once; the module named like it, one that ends like it, and its places keep their names apart.
+// The script defines a machine once. A module with the same name, a machine whose name has the same ending, and the
+// instances of the machine have distinct names.
 TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
     const auto m = model(R"(
         module M {
@@ -328,7 +331,7 @@ void collect_channels(const std::vector<cspm::DeclPtr>& decls, const std::string
     }
 }
 
-// What a counterexample cannot name it cannot tell: no event of a component is without its meaning.
+// A counterexample can only show events that it can name: every event of a component has provenance.
 TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
     const auto m = model(R"(
         interface V { var v : nat }
@@ -369,7 +372,7 @@ TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
     for (const bool memories : {false, true})
         for (const Time time : {Time::untimed, Time::timed}) {
             Options options;
-            options.share_modules = false;  // so that every place has its channels
+            options.share_modules = false;  // so that every instance has its channels
             if (memories) options.states_of_a_process = 0;
             const Emission emission = emit(m->system, m->instantiation, time, options, m->sources, m->diagnostics);
             std::vector<std::string> channels;
@@ -390,7 +393,7 @@ TEST(Rules, ConstantsWithoutAValueAreRefused) {
     EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
 }
 
-/// An operation that works on the event and the variable of its caller.
+/// An operation that uses an event and a variable of its caller.
 ir::System calling_system() {
     ir::System system = ir::samples::aggregation();
     ir::Event tick;
@@ -417,7 +420,7 @@ TEST(Rules, WhatAnOperationNeedsItsCallerMustHave) {
 TEST(Rules, RecursiveCallsAreRefused) {
     testing::Model m;
     m.system = ir::samples::aggregation();
-    // MoveClockwise's action becomes a call of itself.
+    // Replaces the action of MoveClockwise by a call of itself.
     ir::Stmt call;
     call.kind = ir::StmtKind::call;
     call.operation = ir::OperationId{0};
@@ -444,7 +447,7 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
 }
 
-// Each pair of elements would be one name in CSPM; both are used, and their behaviours are still distinguished.
+// Each pair of elements would have the same name in CSPM. Both are used, and their behaviours stay distinct.
 TEST(Rules, NamesThatTwoElementsWouldShareGetANumber) {
     const auto m = model(R"(
         type K
@@ -490,7 +493,8 @@ TEST(Rules, NamesOfCspmGetANumber) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
-/// Names of types and functions begin with that of their package, which no number behind them makes a name of CSPM.
+/// Names of types and functions start with the name of their package. If that name has no letter, no numeric suffix
+/// makes it a valid CSPM name.
 TEST(Rules, PackagesWithoutALetterGetAnotherName) {
     for (const auto& [package, expected] :
          {std::pair("_", "name_1"), std::pair("__", "name_1"), std::pair("_1", "name_1"), std::pair("_x", "x_1")}) {

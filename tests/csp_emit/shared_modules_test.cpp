@@ -1,4 +1,5 @@
-// Modules of equal text become instances of one, under the names they had, where names keep their meaning.
+// Modules with equal text become instances of one parameterised module and keep their names, if names in the text keep
+// their meaning.
 #include "csp_emit/passes/shared_modules.hpp"
 
 #include <gmock/gmock.h>
@@ -76,8 +77,8 @@ TEST(SharedModules, AreThoseThatSaveTheMost) {
     EXPECT_THAT(text, Not(HasSubstr("m__(u__)")));
 }
 
-// The machine is on its own, in its controller, and in the controller in a module, where it is shared; a controller
-// with an instance inside is not.
+// The machine occurs alone, in its controller, and in the controller of a module, and is shared. A controller that
+// contains an instance is not shared.
 TEST(SharedModules, HaveNoInstancesInside) {
     const std::string machine = "module m\nexports" + body;
     const std::string controller = in_module("C", "channel c\n" + machine);
@@ -105,7 +106,7 @@ TEST(SharedModules, OfTheCorpusHaveNoInstancesInside) {
     EXPECT_GE(folders.size(), 6U);
 }
 
-// Inside C the type is another one.
+// Inside C the name means another type.
 TEST(SharedModules, AreNotWhereANameMeansSomethingElse) {
     const std::string machine = "module M\nexports" + body;
     const cspm::Script before =

@@ -1,4 +1,4 @@
-// Variables in memory processes of their own (semantics 3.6) behave as the parameters they replace.
+// Variables in separate memory processes (semantics 3.6) behave like the parameters that they replace.
 #include "csp_emit/passes/variable_memory.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ Remembered remembered(const std::string& name, const std::string& shared = "") {
     return {"v_" + name, name, shared, b::name("core_nat"), b::number(0), "Memory_" + name, name};
 }
 
-// P holds x because it outputs it; Q passes both on, and reads neither.
+// P needs x because it outputs it; Q passes x on and does not read it.
 TEST(VariableMemory, IsAskedForWhatTheNextFunctionEvaluates) {
     std::vector<Function> family{
         {"P", {"v_x"}, b::prefix(b::name("c"), {b::output(b::name("v_x"))}, b::call("Q", {b::name("v_x")}))},
@@ -43,7 +43,7 @@ TEST(VariableMemory, IsGivenWhatChangesUnlessTheEventTellsIt) {
     EXPECT_EQ(cspm::print(own[0].body), "a -> setL_x!(v_x + 1) -> P(v_x + 1)");
     initial = b::call("P", {b::number(0)});
     remember(shared, initial, {}, {remembered("x", "x")});
-    EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // it evaluates x for nobody who needs it
+    EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // no later function needs the new value of x
 }
 
 TEST(VariableMemory, EndsWithTheMachine) {
@@ -55,7 +55,7 @@ TEST(VariableMemory, EndsWithTheMachine) {
               "(P [| {| end__, tock, get_x, setL_x |} |] Memory_x(0)) \\ {| end__, get_x, setL_x |}");
 }
 
-// The machine in its two forms: memories for both variables, and parameters.
+// The machine in both representations: memories for both variables, and parameters.
 TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
     const auto m = testing::model(R"(
         interface I { var shared : nat }

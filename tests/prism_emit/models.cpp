@@ -71,7 +71,7 @@ std::unique_ptr<Encoded> encoded(const std::map<std::string, std::string>& files
 
 namespace {
 
-/// The text read back, since what users get is what is explored.
+/// Explores the generated text after parsing it, because users get the text.
 class Explored {
 public:
     Explored(const Encoded& encoded, const std::map<std::string, std::string>& constants) {
@@ -94,7 +94,7 @@ public:
             prism::check_properties(*model_, prism::read_properties(sources_, source, diagnostics_), diagnostics_);
         EXPECT_TRUE(diagnostics_.ok()) << report();
         const prism::Result result = prism::Session(*space_, properties, {1e-11, false, nullptr}).check(0, {});
-        return (result.low.bounds().low + result.low.bounds().high) / 2;  // of a number, low is its enclosure
+        return (result.low.bounds().low + result.low.bounds().high) / 2;  // for a number, low is its enclosure
     }
 
 private:

@@ -1,4 +1,4 @@
-// Models in RoboChart encoded for tests.
+// RoboChart models, encoded for tests.
 #pragma once
 
 #include <map>
@@ -12,16 +12,16 @@
 
 namespace robochart::prism_emit::testing {
 
-/// A model with what became of it.
+/// A model and the result of its encoding.
 struct Encoded {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     std::optional<Emission> emission;
 
-    /// "RC-E02 RC-E05": of the errors, each once.
+    /// "RC-E02 RC-E05": the distinct codes of the errors.
     [[nodiscard]] std::string codes() const;
     [[nodiscard]] std::string report() const;
-    /// The lines of its declarations and commands, every `prefix` in them left out.
+    /// The lines of its declarations and commands, with every `prefix` removed.
     [[nodiscard]] std::set<std::string> lines(const std::string& prefix) const;
 };
 

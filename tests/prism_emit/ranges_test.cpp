@@ -1,4 +1,5 @@
-// Guards that keep updates in their ranges in states that nothing reaches, and leave the others as they are.
+// Guards that keep updates within their ranges in unreachable states. Commands that cannot leave a range stay
+// unchanged.
 #include "prism_emit/ranges.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +24,7 @@ std::string guarded(const std::string& text) {
     return prism::print(in_ranges(file));
 }
 
-/// Counts to a limit below its range.
+/// Counts to a limit that is below the upper end of its range.
 const char* const counter =
     "dtmc const int limit = 2; module M at : [0..1]; n : [0..3];\n"
     "[] at=0 & n<limit -> (at'=1); [] at=1 -> (n'=n+1) & (at'=0); [] n=limit -> true; endmodule\n";
@@ -47,7 +48,7 @@ TEST(PrismRanges, WhatStaysInItsRangeHasNoGuard) {
     EXPECT_THAT(text, Not(HasSubstr(">=")));
 }
 
-/// The constant may have any value; a branch of probability 0 is none.
+/// The constant may have any value; a branch of probability 0 has no effect.
 TEST(PrismRanges, OpenConstantsAndBranchesAreGuarded) {
     const std::string text = guarded(
         "dtmc const int k; const double p; module M n : [0..3];\n"
@@ -55,7 +56,7 @@ TEST(PrismRanges, OpenConstantsAndBranchesAreGuarded) {
     EXPECT_THAT(text, HasSubstr("n = 0 & (p = 0 | k >= 0 & k <= 3) ->"));
 }
 
-/// The label holds where a step of both modules is left out, not where N is not ready for it.
+/// The label is true where a guard suppresses a step of both modules, and false where N is not ready for the step.
 TEST(PrismRanges, TheLabelAsksWhetherOthersTakePart) {
     const std::string text = guarded(
         "dtmc module M n : [0..1]; [a] true -> (n'=n+1); endmodule\n"

@@ -1,5 +1,5 @@
-// What the encoding has nothing for is refused by name: each rule of prism_emit/rules.hpp by models that break it
-// alone.
+// Constructs without an encoding are rejected with a named rule: one model for each rule of prism_emit/rules.hpp that
+// violates only this rule.
 #include <gtest/gtest.h>
 
 #include "tests/prism_emit/models.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using testing::encoded;
 
-/// Codes of the errors in a model with one machine.
+/// The codes of the errors in a model with one machine.
 std::string codes(const std::string& machine, const std::string& top = "", const std::string& outside = "",
                   const std::string& inside = "", const std::string& connections = "") {
     const auto model = encoded(top + "\nrobotic platform R { " + outside + " }\nstm S { initial i\n" + machine +

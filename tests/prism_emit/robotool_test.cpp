@@ -1,4 +1,4 @@
-// The encoding compared with RoboTool's own files of two case studies, where they are at hand (../shared).
+// The encoding compared with RoboTool's own files of two case studies, if they are present (../shared).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -108,7 +108,7 @@ TEST(RoboTool, HvcIsItsModelUpToNamesAndOrder) {
     EXPECT_TRUE(found.empty()) << first_ones(found);
 }
 
-/// Rows of EXPECTED.tsv, the first of each constant set that is small enough for a test.
+/// Rows of EXPECTED.tsv: the first row of each constant set that is small enough for a test.
 struct Row {
     std::map<std::string, std::string> constants;
     Size size;

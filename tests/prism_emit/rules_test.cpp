@@ -1,4 +1,4 @@
-// Rules R1 to R16 (docs/prism-encoding.md), each by a small model. The expected commands and counts are worked out by
+// Rules R1 to R16 (docs/prism-encoding.md), each with a small model. The expected commands and counts were derived by
 // hand from the statements of the rules.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ using ::testing::IsSupersetOf;
 using testing::Size;
 using Lines = std::vector<std::string>;
 
-/// One machine S, as `s` of controller `c` of module M. `top`: declarations beside it; `outside`: of the platform R;
-/// `inside`: of the controller; `connections`: of the module.
+/// One machine S, as `s` of controller `c` of module M. `top`: declarations next to it; `outside`: declarations of the
+/// platform R; `inside`: of the controller; `connections`: of the module.
 struct Parts {
     std::string machine, top, outside, inside, connections;
 };
@@ -30,7 +30,7 @@ void expect_lines(const Parts& parts, const Lines& lines) {
     const auto model = encoded(text(parts));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_THAT(model->lines("M_c_s_"), IsSupersetOf(lines));
-    (void)testing::size_of(*model);  // it is PRISM
+    (void)testing::size_of(*model);  // checks that it is a PRISM model
 }
 
 void expect_size(const Parts& parts, const Size& size) {
@@ -97,7 +97,7 @@ TEST(Rules, R4R5R6StatesAreTakenAndLeft) {
                          "[] scpc_8 = A & lock_7 = LOCK_FREE & x = 0 -> (scpc_8' = B_entering) & (lock_7' = t1);",
                          "[] scpc_8 = B_entering -> (x' = 1) & (scpc_8' = B) & (lock_7' = LOCK_FREE);",
                          "[] scpc_8 = B & lock_7 = LOCK_FREE -> (scpc_8' = A) & (lock_7' = LOCK_FREE);"});
-    // i, A, entering B, B, A again where x=1: nothing more happens, which PRISM writes as a loop.
+    // i, A, entering B, B, A again with x=1: no further step is possible, which PRISM writes as a loop.
     expect_size(parts, {5, 5});
 }
 
@@ -110,7 +110,7 @@ TEST(Rules, R7ATriggerWithAnActionIsSplit) {
                  {"[RP__e_16] scpc_8 = A & lock_7 = LOCK_FREE & x < 2 -> (scpc_8' = sp_pj_1) & (lock_7' = sp1_2);",
                   "[] scpc_8 = sp_pj_1 -> (scpc_8' = Action_17);",
                   "[] scpc_8 = Action_17 -> (x' = x + 1) & (scpc_8' = A) & (lock_7' = LOCK_FREE);"});
-    // i; for x=0 and x=1 three points each; A with x=2, where the event is impossible.
+    // i; three points each for x=0 and x=1; A with x=2, where the event is impossible.
     expect_size(parts, {8, 8});
 }
 
@@ -183,8 +183,8 @@ TEST(Rules, R10ACompositeStateIsLeftFromInside) {
          "[] scpc_8 = P & lock_7 = t1 & P_exit_9 = Exit_EXITED -> (P_exit_9' = Exit_NONE) & (scpc_8' = B) & (lock_7' = "
          "LOCK_FREE);"});  // 7
     // Into A: i, P at i, Q at i, A. From A by t1 of Q's parent: locked, (2), 4/2, 5, 7: Q at i with another lock: 5
-    // more states and then A again. By t1 of P: locked, (2), 3, (2), 4/2, 5, 6, 5, 7: 8 states, then B. A and B loop.
-    // A has three choices.
+    // more states and then A again. By t1 of P: locked, (2), 3, (2), 4/2, 5, 6, 5, 7: 8 states, then B. A and B loop. A
+    // has three choices.
     expect_size(nested, {4 + 5 + 8 + 1, 3 + 3 + 5 + 8 + 1});
 }
 
@@ -197,7 +197,7 @@ TEST(Rules, R11ASubstateThatIsNotLeftLoops) {
                   "LOCK_FREE);"});
 }
 
-/// s sends e to t, each without end; `type` is e's type.
+/// s sends e to t indefinitely; `type` is e's type.
 std::string two_machines(const std::string& connection, const std::string& type) {
     const std::string value = type.empty() ? "" : " ! 1";
     const std::string taken = type.empty() ? "" : " ? x";
@@ -264,7 +264,7 @@ TEST(Rules, ASynchronousConnectionThatOneMachineUsesBlocksIt) {
         "module M { rref r = R cref c = C }\n");
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_TRUE(model->lines("M_c_").contains("[SYNC__e_17] false -> true;"));
-    // s: i, A, waiting to send; t: i, A. Both end where they wait.
+    // s: i, A, waiting to send; t: i, A. Both stop while they wait.
     EXPECT_EQ(testing::size_of(*model).states, 6U);
 }
 
@@ -323,7 +323,7 @@ TEST(Rules, R14AnOperationIsCalledAndWaitedFor) {
             "[] add_scpc_8 = Action_16 -> (add_y' = add_n) & (add_scpc_8' = add_f) & (add_lock_7' = add_LOCK_FREE);",
             "const int add_TERMINATED_11 = add_f;", "add_n : [0..2];", "add_y : [0..2];",
             "add_scpc_8 : [0..4] init add_INACTIVE_10;"}));
-    // i; entering A with the operation inactive, at i, B, the action, f; A. Nothing happens there: a loop.
+    // i; entering A with the operation inactive, at i, B, the action, f; A. No further step is possible there: a loop.
     expect_size(parts, {7, 7});
 }
 

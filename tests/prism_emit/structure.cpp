@@ -43,7 +43,7 @@ std::string text(const ExprPtr& expr, const Writer& write) {
     return result + ")";
 }
 
-/// A conjunction's or disjunction's operands at any depth; `true` in a conjunction is none.
+/// The operands of a conjunction or disjunction at any depth; `true` in a conjunction is omitted.
 void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<std::string>& result) {
     if (expr->op == op) {
         for (const ExprPtr& each : expr->parts) operands_of(each, op, write, result);
@@ -52,7 +52,7 @@ void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<st
     }
 }
 
-/// A declaration or a command: its text once names are written somehow, and the names in it.
+/// A declaration or a command: its text as a function of a renaming, and the names in it.
 struct Item {
     std::function<std::string(const Writer&)> text;
     std::set<std::string> names;
@@ -72,7 +72,7 @@ public:
             for (const std::string& name : item.names) colours_[name] = modules_.contains(name) ? "module" : stem(name);
     }
 
-    /// Names occur where they did and beside whom they did.
+    /// Refines the colour of each name by its occurrences and the colours of the other names in them.
     void refine() {
         std::map<std::string, std::vector<std::string>> places;
         for (const Item& item : items_)
@@ -91,7 +91,7 @@ public:
         return different.size();
     }
 
-    /// Items by their text in colours; the readable text of each.
+    /// Maps the text of each item with colours for names to its readable text.
     [[nodiscard]] std::multimap<std::string, std::string> items() const {
         std::multimap<std::string, std::string> result;
         for (const Item& item : items_)

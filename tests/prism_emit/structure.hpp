@@ -1,5 +1,5 @@
-// Whether two models of PRISM are equal up to names and order: names are coloured by where they occur, again and again
-// (colour refinement), then the declarations and commands are compared as multisets of text with colours for names.
+// Compares two PRISM models up to names and order. Colour refinement repeatedly colours names by their occurrences.
+// Then the declarations and commands are compared as multisets of texts with colours in place of names.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace robochart::prism_emit::testing {
 
-/// What only one of the models has, in readable form: "- " of the first, "+ " of the second. Before anything else,
-/// names are alike if they are equal but for numbers at the ends of words: `Action_20` and `Action_7`. Program points
-/// have any values, and their variables any upper bound.
+/// The items that only one of the models has, in readable form: "- " for the first, "+ " for the second. Initially two
+/// names have the same colour if they differ only in numbers at the ends of words: `Action_20` and `Action_7`. The
+/// values of program points, and upper bounds of their variables, are ignored.
 [[nodiscard]] std::vector<std::string> differences(const prism::ModelFile& first, const prism::ModelFile& second);
 
 }  // namespace robochart::prism_emit::testing

@@ -1,4 +1,4 @@
-// Mappings that are wrong, and what is said of them: one row for each mistake, its place counted by hand.
+// Wrong mappings and their findings: one row for each mistake, with its place counted by hand.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ controller C { requires I uses E sref m = M opref turn_ref = turn
     connection C on bump to m on bump connection m on done to C on done connection C on list to m on list }
 )";
 
-/// What is said of one item, without what is said of the elements of the model that no mapping can leave out here.
+/// The findings for one item, without the findings for the elements that every mapping here leaves out.
 std::string findings_of(const std::string& item) {
     static const ir::System system = testing::model(model_text);
     const Planned planned = emit_package(system, "C", "ros2 for C {\n" + item + "\n}");
@@ -224,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
             "{ header.stamp = now header.frame_id = \"x\" twist.linear.x = -0.5 }",
             ""}));
 
-/// Text that means something in C++, CMake, XML, YAML, Python or a shell is no name, and as a literal it is data.
+/// Text with a meaning in C++, CMake, XML, YAML, Python or a shell is rejected as a name, and is data in a literal.
 TEST(HostileMapping, DoesNotReachTheCode) {
     for (const char* const name : {"t\\\"); abort(); (\\\"", "$(touch x)", "a;b", "<evil/>", "a b", "a\\nb", "../x",
                                    "a'b", "@CLASS@", "%s", "é"}) {
@@ -242,8 +242,8 @@ TEST(HostileMapping, DoesNotReachTheCode) {
     EXPECT_NE(code.find("message.data = \"a\\012b\\077\\077/\\001*/\\134\\042 @CLASS@\";"), std::string::npos) << code;
 }
 
-/// Mappings with characters and words changed, lost and doubled: each is refused with a finding, or written, and then
-/// in names and literals that no character of it has left.
+/// Mappings with characters and words changed, removed and doubled. Each is rejected with a finding, or the package is
+/// generated, and then no changed text leaves its name or literal.
 TEST(HostileMapping, ChangedAtRandomIsRefusedOrWritten) {
     const ir::System system = testing::model(
         "enumeration L { A B } datatype P { x : real l : L } interface I { move(p : P, n : nat) var v : real }\n"
@@ -305,7 +305,7 @@ TEST(Names, OfRosAreThoseOfRosidl) {
     EXPECT_EQ(topic_part("a__b_"), "a_b");
 }
 
-/// A package is none of those that it needs.
+/// A package does not have the name of a package that it needs.
 TEST(Names, OfAPackageAreItsOwn) {
     for (const char* const name : {"Launch", "Rclcpp", "StdMsgs", "Rcl_Interfaces"}) {
         const ir::System system =
@@ -321,7 +321,7 @@ TEST(Names, OfAPackageAreItsOwn) {
     }
 }
 
-/// Each message that a field of the table has is in the table, and each name in it is one.
+/// The table contains every message type that a field in the table has, and all its names are valid.
 TEST(Messages, OfTheTableAreWhole) {
     std::size_t fields = 0;
     for (const char* const package :

@@ -1,5 +1,5 @@
-// The node of a generated package in the stub of ROS 2: configured, activated, given messages, cycle by cycle. What it
-// publishes follows from the model and the mapping.
+// The node of a generated package in the stub of ROS 2: the test configures and activates it, and sends messages, cycle
+// by cycle. The expected messages follow from the model and the mapping.
 #include <fmt/format.h>
 
 #include "tests/cpp_emit/models.hpp"
@@ -71,7 +71,7 @@ int main() {
 })");
 }
 
-/// The trace hook: what was read and done, in the words of docs/traces.md.
+/// The trace hook logs inputs and outputs in the notation of docs/traces.md.
 TEST_F(Package, WritesALog) {
     emit(testing::model(testing::typed_model), "Mod");
     drive("M_node.hpp", R"(
@@ -96,7 +96,7 @@ int main() {
           true);
 }
 
-/// Wheels, a distance, a place, constants that are open, whole numbers.
+/// Wheels, a distance, a position, constants without a value, whole numbers.
 const char* const wheeled = R"(package p
 enumeration Mode { slow fast }
 datatype Place { x : real y : real }
@@ -399,7 +399,7 @@ int main() {
 })");
 }
 
-/// Elements called like what the node, its messages, ROS and C++ have, in a package called like one of theirs.
+/// Elements with names that the node, its messages, ROS or C++ use, in a package with the name of such an element.
 TEST_F(Package, OfElementsWithNamesOfRos) {
     emit(testing::model(R"(package rclcpp_lifecycle
 enumeration State { active off }
@@ -465,7 +465,7 @@ TEST_F(Package, NamesWhatItNeeds) {
     folder_.run("grep -q '^install(DIRECTORY launch config DESTINATION share/' CMakeLists.txt");
 }
 
-/// Shared variables that are records, in both directions; one that is written from outside.
+/// Shared variables of record types, in both directions; one is written by the environment.
 TEST_F(Package, HasVariablesThatAreRecords) {
     emit(testing::model(R"(package p
 enumeration Light { Red Green }

@@ -1,5 +1,5 @@
-// Swarms of generated robots: verdicts that follow from the rules of the grid, and those of a search that knows nothing
-// of CSP.
+// Swarms of generated robots: verdicts that follow from the rules of the grid, and verdicts of a separate search that
+// does not use CSP.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Decided {
-    std::vector<std::string> verdicts;  ///< "holds", "fails", or what went wrong
+    std::vector<std::string> verdicts;  ///< "holds", "fails", or an error
     std::vector<std::uint64_t> states;
     std::string findings;
 };
@@ -56,7 +56,7 @@ refine::Verdict decide(cspm::Session& session, const std::vector<cspm::DeclPtr>&
     return refine::recurrent(*session.system(recurrence->process), session.events(recurrence->goal), with_reduction());
 }
 
-/// "open" where a claim would hold and its premise does not.
+/// "open" if a claim would hold but its premise does not.
 refine::Verdict decide(cspm::Session& session, const Obligation& obligation) {
     refine::Verdict verdict = decide(session, obligation.assertions, obligation.recurrence);
     if (verdict.outcome != refine::Outcome::holds || obligation.premise == nullptr) return verdict;
@@ -66,7 +66,7 @@ refine::Verdict decide(cspm::Session& session, const Obligation& obligation) {
     return verdict;
 }
 
-/// The claims of a swarm of the model in this folder or file.
+/// Decides the claims of a swarm of the model in this folder or file.
 Decided decided(const std::string& path, const std::string& text, Time time = Time::timed, SwarmSize size = {}) {
     Decided result;
     diagnostics::SourceManager sources;
@@ -116,8 +116,8 @@ std::string swarm_of_alpha(const std::string& size, const std::string& claims) {
 
 using Verdicts = std::vector<std::string>;
 
-/// On a torus of three by three cells everybody is always near everybody, diagonal steps being one: nobody is ever
-/// lost, nobody turns, and two that begin with one heading stay in one cell.
+/// On a torus of three by three cells all robots are always adjacent, because diagonal steps count as one. No robot is
+/// ever lost or turns, and two that start with one heading stay in one cell.
 TEST(Swarm, WhoCannotGetAwayIsNeverLost) {
     const Decided found =
         decided(alpha(), swarm_of_alpha("robots 2 grid 3 by 3 place at (0, 0) heading 0 deg",
@@ -127,8 +127,8 @@ TEST(Swarm, WhoCannotGetAwayIsNeverLost) {
     EXPECT_EQ(found.verdicts, (Verdicts{"holds", "holds", "holds", "fails", "holds", "holds"}));
 }
 
-/// Two that drive apart, one to the east and one to the west, are two cells farther apart with each step: on a torus of
-/// five columns they lose each other at once.
+/// Two robots drive apart, one to the east and one to the west. Their distance grows by two cells with each step, so on
+/// a torus of five columns they lose each other immediately.
 TEST(Swarm, WhoDrivesApartIsLost) {
     const Decided found = decided(alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading 0 deg "
                                                           "place at (0, 0) heading 180 deg",
@@ -139,8 +139,8 @@ TEST(Swarm, WhoDrivesApartIsLost) {
 
 // ---------------------------------------------------------------- two robots by another search
 
-/// The machine of corpus/alpha with cadence 1 in words of its own. A time unit: all that drive move one cell; then each
-/// robot, by itself, does what its machine does until it waits for time to pass.
+/// An independent implementation of the machine of corpus/alpha with cadence 1. In each time unit all driving robots
+/// move one cell. Then each robot, in any order, takes the steps of its machine until the machine waits for time.
 struct Robot {
     int heading = 0;  // 0 east, 1 north, 2 west, 3 south
     int doing = 0;    // 0 stands, 1 drives, 2 turns
@@ -150,7 +150,7 @@ struct Robot {
 };
 struct World {
     std::array<Robot, 2> robots;
-    int x = 0, y = 0;  // where the second is, seen from the first
+    int x = 0, y = 0;  // position of the second robot relative to the first
     auto operator<=>(const World&) const = default;
 };
 
@@ -161,10 +161,10 @@ bool near(const World& world) {
     return apart(world.x) <= 1 && apart(world.y) <= 1;
 }
 
-/// What a robot may be after its time unit.
+/// The possible states of a robot after its time unit.
 std::vector<Robot> after(Robot robot, int heard) {
     std::vector<Robot> result;
-    if (robot.control >= 2) {  // it has turned by now, and drives on
+    if (robot.control >= 2) {  // it has turned by now, and continues to drive
         robot.control = robot.control == 2 ? 1 : 0;
         robot.doing = 1;
         return {robot};
@@ -212,7 +212,7 @@ std::vector<World> after(World world) {
     return result;
 }
 
-/// Whether from everywhere the two can come together again.
+/// Whether the two robots can meet again from every reachable state.
 bool can_always_come_together() {
     std::map<World, std::vector<World>> into;
     std::set<World> found;
@@ -252,7 +252,7 @@ TEST(Swarm, RecurrenceIsThatOfAnotherSearch) {
 
 // ---------------------------------------------------------------- messages
 
-/// Each says its number and then waits for that of another, or says its own again.
+/// Each robot sends its number and then waits for another robot's number, or sends its own again.
 const char* const talkers = R"(
 interface Radio { event say : nat event hear : nat }
 robotic platform Body { uses Radio }
@@ -289,7 +289,7 @@ fs::path written(const std::string& name, const std::string& text) {
     return folder;
 }
 
-/// With nobody there to hear it a message waits for ever; with others it is said whether or not they listen.
+/// Without a receiver, a message waits forever. With other robots it is sent, whether or not they listen.
 TEST(Swarm, MessagesNeedOthers) {
     const std::string folder = written("talkers", talkers).string();
     const std::string swarm =
@@ -298,14 +298,14 @@ TEST(Swarm, MessagesNeedOthers) {
         for (const Time time : {Time::untimed, Time::timed}) {
             const Decided found = decided(folder, swarm, time, {robots, {}});
             ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
-            const char* const several = time == Time::untimed ? "holds" : "open";  // talk leaves no time to pass
+            const char* const several = time == Time::untimed ? "holds" : "open";  // sending takes up all the time
             EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : several})) << robots;
         }
 }
 
 // ---------------------------------------------------------------- time stops
 
-/// Talk goes on for ever within the first time unit, in which nobody has moved.
+/// The robots exchange messages indefinitely within the first time unit, in which no robot has moved.
 TEST(Swarm, TalkForEverLeavesNoTime) {
     const Decided found = decided(written("talkers", talkers).string(),
                                   "swarm Talk for Robot { robots 2 grid 5 by 5 place at (0, 0) heading 0 deg const id "
@@ -322,7 +322,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// One that drives in state Going, which a transition may leave.
+/// A robot that drives in state Going, with a transition that may leave it.
 std::string driver(const std::string& transition, const std::string& argument = "real",
                    const std::string& command = "move()") {
     const std::string model = R"(
@@ -356,14 +356,14 @@ module Robot {
     return replaced(replaced(replaced(model, "TRANSITION", transition), "COMMAND", command), "ARGUMENT", argument);
 }
 
-/// Two that drive apart, which is seen after the first time unit, if there is one.
+/// Two robots that drive apart, which is visible after the first time unit, if time passes.
 std::string drivers(const std::string& feed) {
     return "swarm Two for Robot { robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 180 deg "
            "range nat = 0 to 3 drive by forward on move " +
            feed + " accept always linked(1) accept recurrent linked(1) accept deadlock free accept possible apart }";
 }
 
-/// A transition on what can be sensed at any time is taken again and again in one time unit.
+/// A transition on a value that can be sensed at any time is taken indefinitely within one time unit.
 TEST(Swarm, SensingForEverLeavesNoTime) {
     const std::string senses = "transition again { from Going to Going trigger neighbours?n }";
     const Decided found = decided(written("senses", driver(senses)).string(), drivers("feed neighbours with count(1)"));
@@ -374,7 +374,7 @@ TEST(Swarm, SensingForEverLeavesNoTime) {
     EXPECT_EQ(none.verdicts, (Verdicts{"fails", "holds", "fails", "holds"}));
 }
 
-/// A deadline that only the environment can keep stops time where the environment does nothing.
+/// A deadline that only the environment can meet stops time if the environment does nothing.
 TEST(Swarm, TimeThatWaitsForTheEnvironmentCanStop) {
     const std::string claims =
         "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 3 drive by forward "
@@ -391,8 +391,8 @@ TEST(Swarm, TimeThatWaitsForTheEnvironmentCanStop) {
 
 // ---------------------------------------------------------------- turns and numbers
 
-/// Forth, round and back, where whole numbers are degrees also if a decimal literal makes reals finer: it is one cell
-/// away for a while, and never two.
+/// The robot drives forth, turns and drives back. Whole numbers are degrees even if a decimal literal makes the unit of
+/// reals finer. It is one cell away for a while, and never two.
 TEST(Swarm, WholeNumbersTurnByDegrees) {
     for (const std::string type : {"nat", "int", "real"}) {
         std::string text = driver("", type, "move(); wait(1); turn(180); wait(1); move(); wait(1); halt()");
@@ -419,7 +419,7 @@ TEST(Swarm, OnlyNumbersTurn) {
     }
 }
 
-/// `max_id` is not `id`: it keeps its value, with which the robot drives.
+/// `max_id` is not `id`: it keeps its value, which is the robot's speed.
 TEST(Swarm, ANumberIsThatOfOneConstant) {
     std::string text = driver(
         "transition drives { from Going to Driving condition max_id == 2 /\\ id == 0 } state "
@@ -466,7 +466,7 @@ TEST(Swarm, ANumberForOneOfSeveralConstantsIsAmbiguous) {
 
 // ---------------------------------------------------------------- exchanged guards
 
-/// The algorithm without memory: after each count a robot turns back, or to any of four directions.
+/// The algorithm without memory: after each count a robot turns back, or turns to any of four directions.
 std::string memoryless(const std::string& turns_back, const std::string& goes_on) {
     std::string text = R"(
 interface Motors { moveForward() startTurning(degree : real) countNeighbours() }
@@ -509,9 +509,10 @@ module Robot {
     return text;
 }
 
-/// Three robots that begin in one cell with one heading. With the guards exchanged each hears the two others, which is
-/// more than alpha, so all turn back at each count: they stay in one cell, and shuttle between two. With the right
-/// guards they can go on together: all of them choose the same direction. So cohesion alone does not convict.
+/// Three robots that start in one cell with one heading. With the guards exchanged, each robot hears the two others,
+/// which is more than alpha, so all robots turn back at each count. They stay in one cell and alternate between two
+/// cells. With the right guards they can drive on together, because all may choose the same direction. So cohesion
+/// alone does not expose the fault.
 TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
     const std::string swarm =
         "swarm Alpha for Robot { robots 3 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 2 drive by "
@@ -527,10 +528,10 @@ TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
     EXPECT_EQ(right.verdicts.back(), "holds");
 }
 
-/// Two robots of corpus/alpha that begin in one cell and drive to the east and to the north. After a step they are a
-/// diagonal step apart, after the second two, and hear each other no more: both turn back at once, for as long as they
-/// hear nobody, and are where they were a step before. So they are never farther apart than three cells. With the
-/// guards exchanged nobody ever hears more than one, so they drive on for ever.
+/// Two robots of corpus/alpha that start in one cell and drive to the east and to the north. After one step they are
+/// diagonally adjacent. After the second step they do not hear each other: both turn back and return to the cells of
+/// one step before. So they are never more than three cells apart. With the guards exchanged, no robot ever hears more
+/// than one other, so they drive on forever.
 TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
     std::ifstream file(fs::path(alpha()) / "alpha.rct");
     std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -552,8 +553,8 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
 
 // ---------------------------------------------------------------- RoboStar's collection
 
-/// The published model of two machines, of which one exchanges messages with the other robots: RoboStar have found it
-/// deadlock free for two robots and more, and not for one (swarm.md 1).
+/// The published model of two machines, one of which exchanges messages with the other robots. RoboStar found it
+/// deadlock free for two or more robots, but not for one (swarm.md 1).
 TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
     const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";
     if (!fs::exists(model)) GTEST_SKIP() << "the published model is not there";
@@ -603,7 +604,7 @@ std::string chained(std::size_t conditions, const std::string& word) {
     return text;
 }
 
-/// Two that are always in one cell are never apart, so the chain holds because of its first condition, or does not.
+/// Two robots that are always in one cell are never apart: only the first condition of the chain is true.
 TEST(Swarm, LongConditionsHaveABound) {
     const std::string size = "robots 2 grid 3 by 3 place at (0, 0) heading 0 deg";
     const Decided most = decided(
@@ -618,7 +619,7 @@ TEST(Swarm, LongConditionsHaveABound) {
 
 // ---------------------------------------------------------------- the written script
 
-/// The text of the assertions' file for a swarm of corpus/alpha.
+/// The text of the assertion file for a swarm of corpus/alpha.
 std::string assertions_file(const std::string& claims) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
@@ -635,7 +636,7 @@ std::string assertions_file(const std::string& claims) {
     return files(emission, Time::timed, "alpha_swarm").back().text;
 }
 
-/// No assertion stands for a claim that says more.
+/// The script contains no assertion for a claim that an assertion cannot express completely.
 TEST(Swarm, TheScriptSaysWhatNoAssertionDecides) {
     const std::string text = assertions_file("accept deadlock free accept recurrent linked(1) accept always linked(1)");
     EXPECT_EQ(text.find("deadlock free [F]"), std::string::npos) << text;

@@ -1,4 +1,4 @@
-# ament_cmake as far as generated packages use it, for tests: the last command of a package.
+# A test stub of ament_cmake with the last command of a generated package.
 macro(ament_package)
   set_property(GLOBAL PROPERTY STUB_AMENT_PACKAGE ON)
 endmacro()

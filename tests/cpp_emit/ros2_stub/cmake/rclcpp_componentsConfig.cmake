@@ -1,4 +1,5 @@
-# rclcpp_components' target and command, for tests: the real command writes a program with the node and builds it.
+# The target and command of rclcpp_components, for tests. The real command generates a program with the node and builds
+# it.
 add_library(rclcpp_components::component INTERFACE IMPORTED)
 set_target_properties(rclcpp_components::component PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)

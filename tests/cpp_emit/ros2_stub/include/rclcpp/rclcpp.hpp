@@ -1,5 +1,6 @@
-// As much of rclcpp as generated nodes use, for tests: messages are delivered at once, timers fire when they are asked
-// to. ROS 2 is not in Debian 12; the names and signatures are those of its published headers (Humble, Jazzy).
+// The parts of rclcpp that generated nodes use, for tests: messages are delivered immediately, and timers fire when the
+// test requests it. ROS 2 is not in Debian 12; the names and signatures are those of its published headers (Humble,
+// Jazzy).
 #pragma once
 
 #include <any>
@@ -31,7 +32,7 @@ public:
     /// The policy Depth of QosOverridingOptions.
     void override_depth(std::size_t depth) { depth_ = depth; }
 
-    /// What the test sees: "reliable, volatile, 10".
+    /// For the test: "reliable, volatile, 10".
     [[nodiscard]] std::string text() const {
         return std::string(reliable_ ? "reliable" : "best_effort") +
                (latched_ ? ", transient_local, " : ", volatile, ") + std::to_string(depth_);
@@ -55,12 +56,12 @@ private:
     std::vector<QosPolicyKind> policies_;
 };
 
-/// What the test sees: topics by their full names, timers in the order of their making.
+/// The state that the test inspects: topics by their full names, timers in the order of their creation.
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
     std::map<std::string, std::string> quality;   ///< of publishers and subscriptions
-    std::map<std::string, std::size_t> policies;  ///< how many of them parameters may override
+    std::map<std::string, std::size_t> policies;  ///< number of policies that parameters may override
     std::map<std::string, std::any> parameters;   ///< as given on the command line
     std::map<std::string, rcl_interfaces::msg::ParameterDescriptor> declared;
     std::vector<std::string> log;  ///< warnings and errors
@@ -80,7 +81,7 @@ struct Network {
     void send(const std::string& topic, const Message& message) {
         for (const auto& listener : listeners.at(topic)) listener(message);
     }
-    /// The timers that there are and that run.
+    /// The timers that exist and are running.
     [[nodiscard]] std::vector<std::shared_ptr<Timer>> running() const {
         std::vector<std::shared_ptr<Timer>> result;
         for (const auto& weak : timers)
@@ -177,7 +178,7 @@ TimerBase::SharedPtr create_timer(AnyNode, Clock::SharedPtr, Duration period, Ca
     return std::make_shared<TimerBase>(timer);
 }
 
-/// A line of the log, of a format and its arguments.
+/// Writes a line to the log, from a format and its arguments.
 template <class... Arguments>
 void stub_log(const Logger&, const char* format, const Arguments&... arguments) {
     char line[1000];

@@ -1,4 +1,4 @@
-// The registration of a component, for tests: checks what the real one needs of the class.
+// The registration of a component, for tests: checks the requirements of the real macro on the class.
 #pragma once
 
 #include <type_traits>

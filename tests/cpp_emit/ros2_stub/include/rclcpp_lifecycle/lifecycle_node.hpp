@@ -1,5 +1,5 @@
-// As much of rclcpp_lifecycle::LifecycleNode as generated nodes use, for tests: the states of
-// design.ros2.org/articles/node_lifecycle.html, with a callback that fails keeping the state.
+// The parts of rclcpp_lifecycle::LifecycleNode that generated nodes use, for tests: the states of
+// design.ros2.org/articles/node_lifecycle.html. If a callback fails, the node keeps its state.
 #pragma once
 
 #include <any>
@@ -103,7 +103,7 @@ private:
         if (state_.label() == from && (this->*callback)(state_) == CallbackReturn::SUCCESS) state_ = State(to);
         return state_;
     }
-    /// With the parameters that the options declare: once, a second time is an error. Here that of the depth.
+    /// Applies the parameters that the options declare (here the depth). A second declaration is an error.
     rclcpp::QoS overridden(const std::string& topic, const std::string& kind, rclcpp::QoS qos,
                            const rclcpp::QosOverridingOptions& options) {
         rclcpp::Network& network = rclcpp::Network::get();
@@ -118,7 +118,7 @@ private:
         network.quality[full(topic)] = qos.text();
         return qos;
     }
-    /// A private topic, `~/x`, is below the node's name; others are here in the namespace of the root.
+    /// A private topic, `~/x`, is below the node's name; other topics are in the root namespace.
     [[nodiscard]] std::string full(const std::string& topic) const {
         return topic.rfind("~/", 0) == 0 ? "/" + name_ + topic.substr(1) : topic[0] == '/' ? topic : "/" + topic;
     }

@@ -1,4 +1,4 @@
-# Where packages are installed, for tests.
+# The installation folders of packages, for tests.
 
 
 def get_package_share_directory(package_name):

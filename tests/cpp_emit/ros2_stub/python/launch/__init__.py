@@ -1,4 +1,4 @@
-# As much of the package launch as generated launch files use, for tests: what is described, as objects.
+# The parts of the package launch that generated launch files use, for tests: descriptions as objects.
 
 
 class LaunchDescription:

@@ -1,4 +1,4 @@
-// A message of a user's own, for tests.
+// A user-defined message, for tests.
 #pragma once
 
 #include <cstdint>
