@@ -1,6 +1,7 @@
-// A block's states agree on their signature: what they can do, and into which blocks; through taus that stay inside the
-// block (inert ones) as well, if the equivalence is branching. Where targets have moved to another block the signatures
-// are computed again and the block is split; its largest part keeps its number, so a state moves at most log n times.
+// The states of a block have the same signature: their events and the blocks of the targets, including those reached
+// through taus inside the block (inert taus) if the equivalence is branching. If targets have moved to another block,
+// the signatures are recomputed and the block is split; its largest part keeps its number, so a state moves at most log
+// n times.
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 using Block = std::uint32_t;
 using Signature = std::vector<Edge>;  // targets are blocks; ascending
 
-/// In a signature: the state can do taus for ever.
+/// In a signature: the state can perform taus forever.
 constexpr StateIndex endless = no_state;
 
 class Refinement {
@@ -49,9 +50,9 @@ private:
     const std::function<void()>& poll_;
     std::vector<Block> block_;
     std::vector<States> members_;
-    std::vector<std::size_t> place_;  // in its block's members
+    std::vector<std::size_t> place_;  // index in its block's members
     std::vector<Signature> signatures_;
-    std::vector<States> dirty_;  // per block
+    std::vector<States> dirty_;  // by block
     std::vector<bool> is_dirty_;
     std::deque<Block> work_;
     std::vector<std::uint64_t> first_source_;
@@ -88,7 +89,7 @@ void Refinement::run() {
     }
 }
 
-/// The state's signature may have changed; so may those of the states that lead to it inertly.
+/// Marks a state whose signature may have changed, and the states that lead to it by inert taus.
 void Refinement::mark(StateIndex state) {
     States pending{state};
     while (!pending.empty()) {
@@ -106,8 +107,8 @@ void Refinement::mark(StateIndex state) {
     }
 }
 
-/// The block's marked states that are still in it, those that inert taus lead to first: in a graph whose tau
-/// components are single states numbered so (see minimise), that is the order of their numbers.
+/// The block's marked states that are still in it, sorted so that targets of inert taus come first. In a graph whose
+/// tau components are single states with suitable numbers (see minimise), this is the order of their numbers.
 Refinement::States Refinement::take_dirty(Block block) {
     States states = std::exchange(dirty_[block], {});
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
@@ -151,7 +152,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
 }
 
 void Refinement::split(Block block, std::map<Signature, States>& groups, bool clean_states) {
-    // The states that were not marked all have the block's signature still; they join the group that has it too.
+    // All unmarked states still have the block's signature; they join the group with this signature.
     States* with_clean = nullptr;
     std::size_t clean = members_[block].size();
     for (const auto& [signature, states] : groups) clean -= states.size();
@@ -204,7 +205,7 @@ void Refinement::move(const States& states, Block to) {
     }
 }
 
-/// Numbers the blocks breadth first from the initial state's, and keeps those that are reached.
+/// Numbers the reachable blocks in breadth-first order from the initial state's block.
 class QuotientBuilder {
 public:
     QuotientBuilder(const Refinement& refinement, StateIndex initial) : refinement_(refinement) {
@@ -240,8 +241,8 @@ private:
 }  // namespace
 
 Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll) {
-    // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau to itself.
-    // The others keep their taus, numbered so that a tau leads to a lower number.
+    // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau loop. The
+    // others keep their taus and are numbered so that a tau leads to a lower number.
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
     const Graph contracted = branching ? contract(graph, components) : graph;

@@ -8,25 +8,25 @@
 
 namespace robochart::lts {
 
-/// Which states count as equal.
+/// The equivalences.
 enum class Equivalence {
-    /// Strong bisimilarity: keeps everything.
+    /// Strong bisimilarity: preserves all models.
     strong,
     /// Branching bisimilarity that respects divergence (van Glabbeek, Luttik, Trcka 2009). Finer than FDR's dbisim and
-    /// wbisim. CSP's operators do not resolve on tau, so it is a congruence for them; prioritise included, because a
-    /// state without an inert tau offers all that the states leading to it by inert taus offer, and a state on a tau
-    /// cycle keeps a tau. Keeps T, F and FD.
+    /// wbisim. CSP's operators do not resolve on tau, so it is a congruence for them. This includes prioritise, because
+    /// a state without an inert tau offers all events of the states that lead to it by inert taus, and a state on a tau
+    /// cycle keeps a tau. Preserves T, F and FD.
     branching_with_divergence,
 };
 
-/// The smallest graph equivalent to another, and which states became which.
+/// The smallest graph equivalent to another, and the mapping between their states.
 struct Quotient {
-    Graph graph;                             ///< numbered breadth first; edges ordered, without repetitions
-    std::vector<StateIndex> representative;  ///< of each state, the first state of the original that it stands for
-    std::vector<StateIndex> state_of;        ///< of each original state reachable or not; no_state if not reachable
+    Graph graph;                             ///< numbered in breadth-first order; edges sorted, without duplicates
+    std::vector<StateIndex> representative;  ///< by state: the first original state that it represents
+    std::vector<StateIndex> state_of;        ///< by original state; no_state if it is not reachable
 };
 
-/// `poll`, if any, is called now and then and may throw to stop.
+/// `poll`, if any, is called regularly and may throw to stop.
 [[nodiscard]] Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll = {});
 
 }  // namespace robochart::lts

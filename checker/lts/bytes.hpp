@@ -1,4 +1,4 @@
-// Numbers as bytes, for what one program sends another: seven bits a byte, the lowest first.
+// Numbers as bytes for messages between programs: seven bits in each byte, the lowest first.
 #pragma once
 
 #include <cstdint>
@@ -17,23 +17,23 @@ private:
     std::string bytes_;
 };
 
-/// Bytes that are not what they should be.
+/// Thrown for malformed bytes.
 class BadBytes : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Every function throws BadBytes where the bytes are at their end or no number of the kind asked for.
+/// Every function throws BadBytes at the end of the bytes, or if they are not a number of the requested kind.
 class ByteReader {
 public:
-    /// The bytes outlive the reader.
+    /// The bytes must outlive the reader.
     explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
     std::uint64_t number();
-    /// Below `end`, which is at most 2^32.
+    /// A number below `end`, which is at most 2^32.
     std::uint32_t below(std::uint64_t end);
     /// Any number of 32 bits.
     std::uint32_t word() { return below(std::uint64_t{1} << 32U); }
-    /// How many things follow, each of at least one byte.
+    /// The number of following items, each of at least one byte.
     std::size_t count();
     void finish() const;
 

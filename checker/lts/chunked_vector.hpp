@@ -1,4 +1,4 @@
-// A vector that grows by chunks: elements never move, and growing never needs twice the memory.
+// A vector that grows in chunks: elements never move, and growing never needs twice the memory.
 #pragma once
 
 #include <cstddef>

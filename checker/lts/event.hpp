@@ -27,6 +27,6 @@ private:
     std::unordered_map<std::string, Event> ids_;
 };
 
-using EventSet = std::vector<Event>;  ///< ascending, without tau; tick only where said
+using EventSet = std::vector<Event>;  ///< ascending, without tau; with tick only where documented
 
 }  // namespace robochart::lts

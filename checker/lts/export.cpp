@@ -1,4 +1,4 @@
-// Graphs as text for other tools.
+// Exports graphs as text for other tools.
 #include <fmt/ostream.h>
 
 #include <ostream>
@@ -11,8 +11,8 @@
 namespace robochart::lts {
 namespace {
 
-/// Aldebaran's format has no other mark for a hidden step than a word that readers know (mCRL2: `tau`, CADP: `i`), and
-/// ours for termination is one too: events of these names are written with a line behind them.
+/// Aldebaran's format marks a hidden step only by a word that readers know (mCRL2: `tau`, CADP: `i`), and our mark for
+/// termination is a word too. An underscore is appended to events with these names.
 class Labels {
 public:
     explicit Labels(const EventTable& events) : events_(events) {
@@ -59,7 +59,7 @@ std::string expression(const std::string& event) {
     return text;
 }
 
-/// What a state offers: STOP, SKIP, or prefixes in choice.
+/// The offers of a state: STOP, SKIP, or a choice of prefixes.
 std::string offer(std::span<const Edge> edges, const EventTable& events, const std::string& name) {
     std::string text;
     for (const Edge& edge : edges) {

@@ -1,4 +1,4 @@
-// Values packed side by side in the words of a state.
+// Values packed next to each other in the words of a state.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace robochart::lts {
 
-/// Where a value lies in a packed state: in one word, `mask` wide from bit `shift` on.
+/// The position of a value in a packed state: in one word, starting at bit `shift`, with the width of `mask`.
 struct Field {
     std::uint32_t word, shift, mask;
     [[nodiscard]] std::uint32_t get(std::span<const std::uint32_t> state) const {

@@ -1,4 +1,4 @@
-// Explicit transition systems: compressed rows of edges. State 0 is the initial one.
+// Explicit transition systems: compressed rows of edges. State 0 is the initial state.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace robochart::lts {
 
-/// A transition of a graph, from the state that it is listed with.
+/// A transition of a graph, stored with its source state.
 struct Edge {
     Event event;
     StateIndex target;
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::span<const Edge> edges(StateIndex state) const {
         return std::span(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
-    /// States are added in order, each with all its edges; targets may be states that come later.
+    /// States are added in order, each with all its edges; targets may be later states.
     void add_edge(Edge edge) { edges_.push_back(edge); }
     void finish_state() { first_.push_back(edges_.size()); }
 
@@ -39,13 +39,13 @@ private:
     std::vector<Edge> edges_;
 };
 
-/// A graph together with what exploring it has found.
+/// A graph and the states found by exploring it.
 struct Exploration {
     Graph graph;
-    StateStore states;  ///< the packed state behind every index
+    StateStore states;  ///< the packed state for every index
 };
 
-/// Breadth first from the initial state. `poll` is called once a state and may throw to stop.
+/// Breadth first from the initial state. `poll` is called once for each state and may throw to stop.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& poll);
 
 /// A graph as a transition system.
@@ -68,10 +68,11 @@ private:
 
 /// Aldebaran format as CADP and mCRL2 read it; tau is written "tau", termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
-/// CSPM definitions of `name` and a process a state, `name` with the state's number: equal to the graph in T, F and FD.
-/// The channels must be declared. A state with several taus and something else gets one tau more before them.
+/// CSPM definitions of `name` and of one process for each state, named `name` followed by the state's number: equal to
+/// the graph in T, F and FD. The channels must be declared. A state with several taus and another event gets an
+/// additional tau before them.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
-/// Graphviz.
+/// Graphviz format.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);
 
 }  // namespace robochart::lts

@@ -12,7 +12,7 @@ void IndexTable::grow(std::uint64_t numbers) {
     reset(static_cast<std::uint32_t>(wanted));
 }
 
-/// The old memory goes before the new one comes: there is never both.
+/// Frees the old memory before it allocates the new one, so that they never coexist.
 void IndexTable::reset(std::uint32_t bucket_count) {
     bucket_count_ = bucket_count;
     memory_.reset();

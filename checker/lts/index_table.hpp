@@ -1,6 +1,6 @@
-// A hash table from things that lie elsewhere to their numbers: open addressing over buckets of one cache line, twelve
-// numbers each with eight bits of its hash. A look-up reads one line, most often, and the things whose eight bits
-// agree.
+// A hash table from externally stored objects to their numbers: open addressing over buckets of one cache line, with
+// twelve numbers and eight bits of the hash of each. A look-up usually reads one line, and the objects whose eight bits
+// match.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ public:
         [[nodiscard]] StateIndex get() const { return index().load(std::memory_order_acquire); }
         void set(StateIndex number) const { index().store(number, std::memory_order_relaxed); }
         void prefetch() const { __builtin_prefetch(bucket_, 1); }
-        /// Sets it if it still is `expected`; else tells what it is.
+        /// Sets it if its value is still `expected`; otherwise stores the current value in `expected`.
         bool replace(StateIndex& expected, StateIndex number) const {
             return index().compare_exchange_strong(expected, number, std::memory_order_acq_rel);
         }
@@ -43,8 +43,8 @@ public:
 
     IndexTable() { reset(1); }
 
-    /// The slot of the number for which `same` is true. Without one a free slot; its bucket is none if there is no
-    /// space.
+    /// The slot of the number for which `same` is true. If there is none, a free slot; its bucket is null if the table
+    /// is full.
     template <class Same>
     [[nodiscard]] Slot find(std::uint64_t hash, const Same& same) const {
         Slot slot;
@@ -64,7 +64,7 @@ public:
         return slot;
     }
     [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
-    /// Puts a number into a free slot, before any other is put into the table.
+    /// Puts a number into a free slot; no other number may be added in between.
     static void put(const Slot& slot, StateIndex index) {
         slot.set(index);
         slot.bucket_->tag(slot.place_, slot.tag_);
@@ -85,8 +85,8 @@ public:
         return false;
     }
 
-    /// For several threads at once: the slot of the number for which `same` is true; without one, that of the number
-    /// that `own` gives, which has been put there. What was written before `own` returned is seen by whoever meets it.
+    /// Thread-safe: returns the slot of the number for which `same` is true. If there is none, calls `own` and stores
+    /// its number. Writes before `own` returned are visible to threads that find the number.
     template <class Same, class Own>
     [[nodiscard]] Slot find_or_add(std::uint64_t hash, const Same& same, const Own& own) const {
         Slot slot;
@@ -112,17 +112,17 @@ public:
         return slot;
     }
 
-    /// The line that a look-up will read first.
+    /// Prefetches the line that a look-up reads first.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&buckets()[home_of(hash)]); }
 
-    /// How many numbers it is made for; beyond that, look-ups become slow.
+    /// The maximal number of entries; look-ups become slow beyond it.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
-    /// Forgets everything and gets ready for at least so many numbers.
+    /// Removes all entries and allocates space for at least this many numbers.
     void grow(std::uint64_t numbers);
 
 private:
     static constexpr std::uint32_t bucket_size = 12;
-    static constexpr std::uint32_t locked = 0x80;  // in `used`, while a thread puts a number
+    static constexpr std::uint32_t locked = 0x80;  // in `used`: a thread is adding a number
     static_assert(std::endian::native == std::endian::little, "tags are found by their place in a word");
 
     struct alignas(64) Bucket {
@@ -131,14 +131,14 @@ private:
         std::uint32_t last_tags;
         std::uint32_t used;
 
-        /// One bit for each tag that agrees, of those from `first` on.
+        /// One bit for each matching tag, of those from `first` on.
         [[nodiscard]] std::uint64_t matches(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
         [[nodiscard]] static std::uint32_t place(std::uint64_t matches) {
             return static_cast<std::uint32_t>(std::countr_zero(matches));
         }
-        /// By whoever alone may do it.
+        /// The caller must have exclusive access.
         void tag(std::uint32_t place, std::uint8_t tag);
-        /// How many are used, once nobody is putting one.
+        /// The number of used places, after waiting for threads that add one.
         [[nodiscard]] std::uint32_t settled() {
             for (;;) {
                 const std::uint32_t now = std::atomic_ref(used).load(std::memory_order_acquire);
@@ -152,7 +152,7 @@ private:
         void unlock(std::uint32_t now) { std::atomic_ref(used).store(now, std::memory_order_release); }
     };
 
-    /// Looks for the number in the places [first, end) of a bucket.
+    /// Searches the places [first, end) of a bucket for the number.
     template <class Same>
     [[nodiscard]] static bool seek(Slot& slot, Bucket& bucket, std::uint32_t first, std::uint32_t end,
                                    const Same& same) {
@@ -191,7 +191,7 @@ inline std::uint64_t IndexTable::Bucket::matches(std::uint8_t wanted, std::uint3
     const auto agreeing = [wanted](std::uint64_t tags) {
         const std::uint64_t differing = tags ^ (ones * wanted);
         const std::uint64_t low = (differing & ~tops) + ~tops;  // top bit: some lower bit differs
-        return (~(low | differing) & tops) >> 7U;               // bit 0 of each byte that agrees
+        return (~(low | differing) & tops) >> 7U;               // bit 0 of each matching byte
     };
     const auto gathered = [](std::uint64_t bits) { return (bits * 0x0102040810204080ULL) >> 56U; };
     const std::uint64_t front = std::atomic_ref(first_tags).load(std::memory_order_relaxed);

@@ -12,17 +12,17 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21U;
 constexpr std::size_t cache_line = 64;
-/// From here on memory is the system's, and goes back to it at once: in the heap, others would keep it from that.
+/// Larger blocks are mapped from the system and returned to it at once; in the heap, other blocks could prevent that.
 constexpr std::size_t large = std::size_t{1} << 17U;
 
-/// Pages have other sizes on other machines.
+/// The page size depends on the machine.
 std::size_t rounded(std::size_t bytes) {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     return (bytes + page - 1) & ~(page - 1);
 }
 
-/// Maps a huge page too much and gives back what sticks out at both ends. Only what fills huge pages gets them, so that
-/// no more is taken than is used.
+/// Maps one huge page more than needed and unmaps the excess at both ends. Huge pages are used only for ranges that
+/// fill them, so that no more memory is taken than needed.
 void* map(std::size_t bytes) {
     const std::size_t length = rounded(bytes);
     void* const mapped =
@@ -34,7 +34,7 @@ void* map(std::size_t bytes) {
     munmap(begin + before + length, huge_page - before);
 #ifdef MADV_HUGEPAGE
     const std::size_t whole = length & ~(huge_page - 1);
-    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // advice: refusal changes nothing but the speed
+    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // advice: if it is refused, only the speed changes
 #endif
     return begin + before;
 }

@@ -1,5 +1,5 @@
-// Zeroed memory for large tables: huge pages where the system has them, taken from it as they are touched. (A random
-// look-up in a table of 4 KiB pages costs a walk of the page table as well: 1.7 times the time.)
+// Zeroed memory for large tables: huge pages if the system has them, allocated when they are touched. (A random look-up
+// in a table of 4 KiB pages also walks the page table, which takes 1.7 times as long.)
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ struct FreePages {
     std::size_t bytes = 0;
     void operator()(void* memory) const;
 };
-/// Starts on a cache line.
+/// Aligned to a cache line.
 using Pages = std::unique_ptr<void, FreePages>;
 
 /// Throws std::bad_alloc.

@@ -1,11 +1,11 @@
-// Where the successors of one system are passed on by another.
+// For systems that pass on the successors of another system.
 #pragma once
 
 #include "checker/lts/transition_system.hpp"
 
 namespace robochart::lts {
 
-/// While this lives, the place has the sink that successors are passed on to; afterwards none.
+/// During its lifetime, the variable points to the sink that receives successors; afterwards it is null.
 class SinkInUse {
 public:
     SinkInUse(SuccessorSink*& place, SuccessorSink& sink) : place_(place) { place_ = &sink; }

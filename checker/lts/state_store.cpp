@@ -38,7 +38,7 @@ bool StateStore::add_states(StateIndex first, StateIndex end, const Add& add) co
     return true;
 }
 
-/// Rebuilds the table from the states in their order, so that old and new table never exist at the same time.
+/// Rebuilds the table from the states in order, so that old and new table never coexist.
 void StateStore::grow(std::uint64_t states, const Sharing& share) {
     constexpr std::uint64_t piece = 1U << 16U;
     const auto all = static_cast<StateIndex>(size_);
@@ -104,13 +104,13 @@ StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
     return slot.taken() ? slot.get() : no_state;
 }
 
-/// The table takes 64 bytes for twelve places, of which it fills four fifths.
+/// The table takes 64 bytes for twelve places and is at most four fifths full.
 std::uint64_t StateStore::bytes() const {
     return size_ * width_ * sizeof(Word) + (size_ + space()) * 5 / 4 * 64 / 12;
 }
 
-/// Each with its place in a table that is two thirds full. Chunks are as large as those before together: one that would
-/// be used by less than half is not begun.
+/// Each state has a place in a table that is two thirds full. A new chunk is as large as all chunks before it, and is
+/// not allocated if less than half of it would be used.
 std::uint64_t StateStore::most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more) {
     constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8;
     const std::uint64_t states = std::min(bytes / (width * sizeof(Word) + place + more), most);

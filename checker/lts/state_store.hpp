@@ -1,5 +1,5 @@
-// The visited set: exact packed states of one width, numbered in the order of insertion. The states lie in that order
-// in chunks that never move; a table of hash bits finds them, and every hit compares the whole state.
+// The visited set: exact packed states of one width, numbered in the order of insertion. The states are stored in that
+// order in chunks that never move; a table of hash bits finds them, and every hit compares the whole state.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace robochart::lts {
 
-/// Packed states of one width, each once, by number.
+/// Packed states of one width without duplicates, by number.
 class StateStore {
 public:
     explicit StateStore(std::size_t width);
@@ -22,37 +22,39 @@ public:
         bool fresh;
     };
     Insertion insert(StateView state) { return insert(state, hash(state)); }
-    [[nodiscard]] StateIndex find(StateView state) const { return find(state, hash(state)); }  ///< or no_state
+    /// The number, or no_state.
+    [[nodiscard]] StateIndex find(StateView state) const { return find(state, hash(state)); }
     /// The view stays valid while states are added.
     [[nodiscard]] StateView operator[](StateIndex index) const { return {row(index), width_}; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t width() const { return width_; }
 
-    /// In memory, about: the states, and their places in the table.
+    /// Approximate memory use: the states, and their places in the table.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// How many states a store in so many bytes has, where `more` bytes are taken beside each; a few in any case, and
-    /// no more than have numbers.
+    /// The number of states that fit into this many bytes if each needs `more` additional bytes; at least a few, and at
+    /// most as many as there are numbers.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
-    // Many states at a time: hash and prefetch one, go on with others, come back to it when memory has answered.
+    // For many states at a time: hash and prefetch one, continue with others, and return to it when its memory has been
+    // loaded.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
     // New states found by several threads at once. Each first gets a claim, a provisional number from `first_claim` on;
-    // claims have the order of the final numbers. Of duplicates, the smallest claim wins. Once no thread makes claims
-    // any more, `make_space` is called by one, and the remaining states are published under their final numbers, or
-    // given up; by several threads again.
+    // claims have the order of the final numbers. Among duplicates, the smallest claim wins. When no thread makes
+    // claims any more, one thread calls `make_space`; then several threads publish the remaining states with their
+    // final numbers, or drop them.
     static constexpr StateIndex most_claims = StateIndex{1} << 27U;
     static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {
         StateIndex index =
-            no_state;  ///< the state's number, or its smallest provisional number; none: the table is full
+            no_state;  ///< the state's number, or its smallest provisional number; no_state: the table is full
         IndexTable::Slot slot;
     };
-    /// `claims.row(number)` is the state of a claim, `claims.keep(state)` keeps the state and is called before the
-    /// claim is made, and `claims.lose(number)` says that another has taken a claim's place.
+    /// `claims.row(number)` returns the state of a claim, `claims.keep(state)` stores the state and is called before
+    /// the claim is made, and `claims.lose(number)` reports that another claim has replaced it.
     template <class Claims>
     Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
         const auto same = [&](StateIndex index) {
@@ -75,14 +77,14 @@ public:
         }
         return {index, slot};
     }
-    /// From now on there are so many states; those added are published next.
+    /// Sets the number of states; those added are published next.
     void make_space(std::uint64_t states);
     void publish(const IndexTable::Slot& slot, StateIndex index, StateView state);
     static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }
 
-    /// Calls a piece of work with 0, 1, ... count-1, in any order and at the same time.
+    /// Calls `piece` with 0, 1, ... count-1, in any order and concurrently.
     using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
-    /// How many more states go into the table as it is.
+    /// The number of further states that fit into the current table.
     [[nodiscard]] std::uint64_t space() const { return table_.capacity() - std::min(table_.capacity(), size_); }
     void reserve(std::uint64_t states, const Sharing& share) {
         if (states > table_.capacity()) grow(states, share);
@@ -102,7 +104,7 @@ private:
     void grow(std::uint64_t states, const Sharing& share);
     template <class Add>
     bool add_states(StateIndex first, StateIndex end, const Add& add) const;
-    /// A state given up has no number.
+    /// A dropped state has no number.
     [[nodiscard]] bool equal(StateIndex index, StateView state) const {
         return index < size_ && equal(row(index), state);
     }

@@ -5,7 +5,7 @@
 namespace robochart::lts {
 namespace {
 
-/// Only edges to vertices not yet entered are kept, and only while their source is on the path.
+/// Only edges to vertices that have not been entered are stored, and only while their source is on the path.
 class Tarjan {
 public:
     Tarjan(const GraphView& graph, const OnComponent& report)
@@ -29,7 +29,7 @@ private:
     struct Frame {
         StateIndex vertex;
         bool loops;         // has an edge to itself
-        std::size_t first;  // of its targets in ahead_
+        std::size_t first;  // first of its targets in ahead_
     };
 
     void enter(StateIndex vertex) {
@@ -38,12 +38,12 @@ private:
         open_.push_back(vertex);
         targets_.clear();
         graph_.successors(vertex, targets_);
-        // The last is taken first.
+        // Targets are taken from the end.
         for (auto target = targets_.rbegin(); target != targets_.rend(); ++target)
             if (!known(*target)) ahead_.push_back(*target);
     }
 
-    /// Whether the target of an edge of the path's last vertex was entered before; then that is all there is to it.
+    /// Whether the target of an edge of the path's last vertex has been entered before; then the edge is done.
     bool known(StateIndex to) {
         if (number_[to] == 0) return false;
         Frame& from = path_.back();
@@ -72,12 +72,12 @@ private:
     static constexpr std::uint32_t closed = no_state;
     const GraphView& graph_;
     const OnComponent& report_;
-    std::vector<std::uint32_t> number_;  // order of entering, from 1
+    std::vector<std::uint32_t> number_;  // order of entering, counted from 1
     std::vector<std::uint32_t> low_;
     std::vector<Frame> path_;
     std::vector<StateIndex> ahead_;  // targets of the path's vertices
     std::vector<StateIndex> targets_;
-    std::vector<StateIndex> open_;  // vertices whose component is not complete
+    std::vector<StateIndex> open_;  // vertices whose component is incomplete
     std::uint32_t count_ = 0;
 };
 

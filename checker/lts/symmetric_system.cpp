@@ -25,7 +25,7 @@ void SymmetricSystem::watch(const std::function<void()>& poll) {
 }
 
 void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
-    // The sink may ask for successors while it is given some.
+    // the sink may ask for successors while it receives some
     if (sink_ != nullptr) {
         const auto other = another();
         other->watch(poll_);

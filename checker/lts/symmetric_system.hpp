@@ -1,4 +1,4 @@
-// A system without the states that are images of others by an automorphism (docs/search.md, "Symmetry").
+// A system in which one state represents all its images under automorphisms (docs/search.md, "Symmetry").
 #pragma once
 
 #include <functional>
@@ -10,23 +10,23 @@
 
 namespace robochart::lts {
 
-/// States are the system's own; that which stands for the images of a state takes its place. Transitions are called
-/// what they are called in the state that they are taken from.
+/// States are those of the original system; the representative replaces its images. Transitions have the events that
+/// they have in their source state.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
-    /// `symmetry`: of the system, or of the one that it is a reduced form of.
+    /// `symmetry`: of the system, or of the one of which it is a reduced form.
     SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symmetry symmetry);
 
     [[nodiscard]] std::size_t width() const override { return system_->width(); }
     void initial(std::span<Word> state) override;
     void successors(StateView state, SuccessorSink& sink) override;
-    /// Null where the system has no other.
+    /// Null if the system has no other instance.
     [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override;
     [[nodiscard]] const EventTable& events() const override { return system_->events(); }
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
     void watch(const std::function<void()>& poll) override;
     [[nodiscard]] std::uint64_t chased() const override { return system_->chased(); }
-    /// What it was made of.
+    /// The original system.
     [[nodiscard]] const TransitionSystem& unfolded() const { return *system_; }
     [[nodiscard]] const Symmetry& symmetry() const { return symmetry_; }
 

@@ -1,5 +1,5 @@
-// Replicas are in numbers that all of a set have in common, so permuting them is permuting rows of numbers; the
-// representative of a state has these rows in ascending order.
+// Replicas are converted to numbers that are common to a set, so permuting replicas is permuting rows of numbers; in
+// the representative of a state these rows are in ascending order.
 #include "checker/lts/symmetry.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void Symmetry::read(const ReplicaSet& set, std::span<const std::uint32_t> state,
         for (const ReplicaPart& part : replica.parts) numbers.push_back((*part.number)[part.field.get(state)]);
 }
 
-/// Each replica gets the row that `places` has for it.
+/// Writes to each replica the row that `places` assigns to it.
 void Symmetry::write(const ReplicaSet& set, const Numbers& numbers, const std::vector<std::size_t>& places,
                      std::span<std::uint32_t> state) {
     for (std::size_t i = 0; i < set.size(); ++i) {

@@ -1,6 +1,6 @@
-// Symmetries of a system: exchanges of equal parts of its states that map transitions to transitions (docs/search.md,
-// "Symmetry"). Gibson-Robinson and Lowe, "Symmetry reduction in CSP model checking", STTT 2019; Clarke, Enders, Filkorn
-// and Jha, "Exploiting symmetry in temporal logic model checking", FMSD 1996.
+// Symmetries of a system: permutations of equal parts of its states that map transitions to transitions
+// (docs/search.md, "Symmetry"). Gibson-Robinson and Lowe, "Symmetry reduction in CSP model checking", STTT 2019;
+// Clarke, Enders, Filkorn and Jha, "Exploiting symmetry in temporal logic model checking", FMSD 1996.
 #pragma once
 
 #include <map>
@@ -13,45 +13,46 @@
 
 namespace robochart::lts {
 
-/// A permutation of events: its pairs (event, image) where the two differ, ascending.
+/// A permutation of events: the pairs (event, image) in which both differ, ascending.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// A value of a state that belongs to a replica, and how it reads in common numbers: replicas are in the same state
-/// where these numbers are equal.
+/// A value of a state that belongs to a replica, and its conversion to common numbers: two replicas are in the same
+/// state if these numbers are equal.
 struct ReplicaPart {
     Field field;
-    std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< by value, the common number
-    std::shared_ptr<const std::vector<std::uint32_t>> value;   ///< by common number, the value
+    std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< common number by value
+    std::shared_ptr<const std::vector<std::uint32_t>> value;   ///< value by common number
 };
 
 /// One of several equal parts of a system's states.
 struct Replica {
-    std::vector<ReplicaPart> parts;  ///< the first replica's parts and this one's correspond, in this order
-    EventPermutation exchange;       ///< the events that are exchanged where the first replica and this one are
+    std::vector<ReplicaPart> parts;  ///< the parts correspond to those of the first replica, in this order
+    EventPermutation exchange;       ///< the exchange of events when the first replica and this one are exchanged
 };
 
-/// Replicas of which each can be exchanged with the first, and so any two. At least two.
+/// Replicas each of which can be exchanged with the first one, and hence any two with each other. At least two.
 using ReplicaSet = std::vector<Replica>;
 
-/// A group of automorphisms: all permutations of replicas inside their sets. An automorphism maps each transition of a
-/// state to one of the state's image, by the event's image; tau and tick are their own images.
+/// A group of automorphisms: all permutations of replicas within their sets. An automorphism maps each transition of a
+/// state to one of the state's image, with the event's image; tau and tick are their own images.
 class Symmetry {
 public:
-    /// Of each set, whose place each replica takes: replica i gets the state of replica `[i]`.
+    /// For each set, which replica's place each one takes: replica i gets the state of replica `[i]`.
     using Permutation = std::vector<std::vector<std::size_t>>;
 
-    /// The sets have no part in common.
+    /// The sets must be disjoint.
     explicit Symmetry(std::vector<ReplicaSet> sets);
 
     [[nodiscard]] const std::vector<ReplicaSet>& sets() const { return sets_; }
-    /// The number of replicas in the largest set; 0 without any.
+    /// The number of replicas in the largest set; 0 if there are no sets.
     [[nodiscard]] std::size_t replicas() const;
-    /// The least event that automorphisms map the event to: the same for two events iff one maps one to the other.
+    /// The least event to which automorphisms map the event: equal for two events if and only if one is an image of the
+    /// other.
     [[nodiscard]] Event orbit(Event event) const;
-    /// Replaces a state by the one that stands for all its images.
+    /// Replaces a state by the representative of its images.
     void fold(std::span<std::uint32_t> state);
-    /// An automorphism that maps one state to the other. They have the same representative; throws std::logic_error
-    /// otherwise.
+    /// An automorphism that maps one state to the other. Both must have the same representative; throws
+    /// std::logic_error otherwise.
     [[nodiscard]] Permutation between(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to) const;
     /// Replaces a state by its image.
     void apply(const Permutation& permutation, std::span<std::uint32_t> state) const;

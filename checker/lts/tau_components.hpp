@@ -1,4 +1,4 @@
-// Strongly connected components of a graph's taus.
+// Strongly connected components of the taus of a graph.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 namespace robochart::lts {
 
 struct TauComponents {
-    std::vector<StateIndex> component;  ///< per state; a tau between components leads to a lower number
-    std::vector<bool> cyclic;           ///< per component: its states can do taus for ever inside it
+    std::vector<StateIndex> component;  ///< by state; a tau between components leads to a lower number
+    std::vector<bool> cyclic;           ///< by component: its states can perform taus forever inside it
 };
 
 [[nodiscard]] TauComponents tau_components(const Graph& graph);
 [[nodiscard]] TauComponents every_state_alone(const Graph& graph);
-/// One state per component, with a tau to itself if it is cyclic. State numbers are component numbers: the initial
+/// One state for each component, with a tau loop if it is cyclic. State numbers are component numbers, so the initial
 /// state is component[0], not 0.
 [[nodiscard]] Graph contract(const Graph& graph, const TauComponents& components);
 

@@ -18,57 +18,58 @@ namespace robochart::lts {
 using Word = std::uint32_t;
 using StateView = std::span<const Word>;
 
-/// Receives the successors of one state, in an order that depends on the model alone.
+/// Receives the successors of one state, in an order that depends only on the model.
 class SuccessorSink {
 public:
     virtual ~SuccessorSink() = default;
-    /// `revealed`: for tau, the event that hiding made invisible (or tau itself); else equal to `event`.
+    /// `revealed`: for tau, the event that hiding made invisible (or tau itself); otherwise equal to `event`.
     virtual void add(Event event, StateView target, Event revealed) = 0;
 };
 
 class ReducedSystem;
 
-/// What can be searched: an initial packed state, the successors of a state, names of events.
+/// A system that can be searched: an initial packed state, the successors of a state, names of events.
 class TransitionSystem {
 public:
     virtual ~TransitionSystem() = default;
-    /// Words of every packed state; fixed for the system's life.
+    /// Number of words of every packed state; constant during the system's lifetime.
     [[nodiscard]] virtual std::size_t width() const = 0;
     virtual void initial(std::span<Word> state) = 0;
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
-    /// The same system once more, for use in another thread at the same time; its states are the same words. Null where
-    /// that is not possible. Several threads may ask at once, while nothing else is asked.
+    /// Another instance of the same system for use in another thread; its states are the same words. Null if this is
+    /// not possible. Several threads may call it at once while no other function is called.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> another() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const EventTable& events() const = 0;
-    /// `poll` is called now and then during long work inside the system, and may throw to stop it. Empty: none.
+    /// `poll` is called regularly during long work inside the system, and may throw to stop it. Empty: none.
     virtual void watch(const std::function<void()>& /*poll*/) {}
-    /// The same process by a slower semantics that shares nothing with this one but the definitions: what a search
-    /// finds here is replayed there before it is believed. Null: none.
+    /// The same process by a slower semantics that shares only the definitions with this one: results of a search are
+    /// replayed there before they are reported. Null: none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
-    /// The same process with fewer states: its initial state is equal to this one's by branching bisimilarity with
-    /// explicit divergence, which keeps every model. It may outlive this system. Null where no way is known. `poll` may
+    /// The same process with fewer states: its initial state is branching bisimilar with explicit divergence to this
+    /// system's, which preserves every model. It may outlive this system. Null if no reduction is known. `poll` may
     /// throw to stop.
     [[nodiscard]] virtual std::unique_ptr<ReducedSystem> reduced(const std::function<void()>& /*poll*/) const;
     /// Equal parts of the states that can be exchanged, in sets: each exchange is an automorphism of the system
-    /// (docs/search.md, "Symmetry"). Empty where none are known. `poll` may throw to stop.
+    /// (docs/search.md, "Symmetry"). Empty if none are known. `poll` may throw to stop.
     [[nodiscard]] virtual std::vector<ReplicaSet> replicas(const std::function<void()>& /*poll*/) const { return {}; }
-    /// How many states the successors of all states so far were led on from.
+    /// The number of states that were left out so far because a chain of taus leads on from them.
     [[nodiscard]] virtual std::uint64_t chased() const { return 0; }
     /// Whether a state is one word, a process::TermId.
     [[nodiscard]] virtual bool states_are_terms() const { return false; }
-    /// The state as people read it: for processes the definitions each component is in, with arguments.
+    /// A readable description of the state: for processes the definition of each component, with arguments.
     [[nodiscard]] virtual std::string describe(StateView state) const = 0;
 
 private:
     std::shared_ptr<TransitionSystem> reference_;
 };
 
-/// A system of which other states stand for some states, which a row of taus leads to. The states are the system's own.
+/// A system in which some states are represented by others, which a sequence of taus reaches. The states are those of
+/// the original system.
 class ReducedSystem : public TransitionSystem {
 public:
-    /// The states after `state`, one tau after the other, up to the one that stands for it. Empty if it does so itself.
+    /// The states after `state`, one tau after the other, up to its representative. Empty if it represents itself.
     [[nodiscard]] virtual std::vector<std::vector<Word>> chase(StateView state) = 0;
 };
 

@@ -1,6 +1,6 @@
-// What proofs of confluence have given: numbers by what was asked and by the states it was asked of. Open addressing
-// with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search asks several times for each
-// state, and one look-up reads one line of memory, most often.
+// Results of confluence proofs: numbers by query and by the states of the query. Open addressing with linear probing
+// (Knuth, The Art of Computer Programming 3, section 6.4): a search makes several queries for each state, and one
+// look-up usually reads one line of memory.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ class AnswerTable {
 public:
     AnswerTable() : entries_(least) {}
 
-    /// `asked` is not `none`.
+    /// `asked` must not be `none`.
     [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t asked, std::uint64_t key) const {
         const Entry& entry = entries_[place(asked, key)];
         if (entry.asked == none) return std::nullopt;
         return entry.answer;
     }
-    /// In place of an earlier answer, if there is one.
+    /// Replaces an earlier answer, if there is one.
     void keep(std::uint32_t asked, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
@@ -32,9 +32,9 @@ private:
         std::uint32_t asked = none;  ///< none: the entry is free
         std::uint32_t answer = 0;
     };
-    static constexpr std::size_t least = 1024;  ///< entries; their number is a power of two
+    static constexpr std::size_t least = 1024;  ///< number of entries; always a power of two
 
-    /// Of its entry, or of the free one where it belongs. At least a quarter of the entries is free.
+    /// The index of the entry, or of the free one where it belongs. At least a quarter of the entries is free.
     [[nodiscard]] std::size_t place(std::uint32_t asked, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
         std::size_t at = hash(asked, key) & mask;

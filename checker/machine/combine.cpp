@@ -1,6 +1,6 @@
-// From the operators of a skeleton to rules over its components. Each operator turns the vectors of its operands (who
-// does what, and what it is called) into its own. The statements of the firing rules are in process/firing_rules.cpp
-// and composition_rules.cpp; here each is one clause of `vectors`.
+// Converts the operators of a skeleton to rules over its components. Each operator converts the vectors of its operands
+// (which components perform which events, and the resulting event) to its own vectors. The firing rules are stated in
+// process/firing_rules.cpp and composition_rules.cpp; here each is one clause of `vectors`.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -31,7 +31,7 @@ struct Vector {
 };
 using Vectors = std::vector<Vector>;
 
-/// By actions, where a region has their assignments. Most rules share theirs with others.
+/// Orders by actions whose assignments a region contains. Most rules share their assignments with others.
 struct LessActions {
     bool operator()(const Actions* a, const Actions* b) const { return *a < *b; }
 };
@@ -99,9 +99,9 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Parts, actions and assignments: with deeply nested operators a rule can have one for each of them.
+/// Counts parts, actions and assignments: with deeply nested operators a rule can have one of them for each operator.
 void Combiner::charge_work(std::size_t steps) const {
-    constexpr std::size_t worth = 20;  // of a rule
+    constexpr std::size_t worth = 20;  // work that a rule may take
     constexpr std::size_t between_polls = 1024;
     const std::size_t before = work_;
     work_ += steps;
@@ -109,7 +109,7 @@ void Combiner::charge_work(std::size_t steps) const {
     if (work_ > worth * most_rules_) throw NotCompiled("the rules are too large");
 }
 
-/// What happens first: an action of the vector may start again what is turned off here.
+/// The first action: a later action of the vector may restart components that are turned off here.
 void Combiner::prepend(Vector& vector, const Actions& first) {
     vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
@@ -174,7 +174,7 @@ Vectors Combiner::operator_vectors(const Node& node, Region& region) {
     }
 }
 
-/// All combinations of vectors with this event, one of each.
+/// All combinations of vectors with this event, one vector of each operand.
 void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& out) {
     Vectors open{Vector{event, event, {}, {}}};
     for (const Vectors* each : who) {
@@ -195,7 +195,7 @@ void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& o
     std::move(open.begin(), open.end(), std::back_inserter(out));
 }
 
-/// Of vectors, their events; ascending, without repetitions.
+/// The events of vectors; ascending, without duplicates.
 EventSet events_of(const Vectors& vectors) {
     EventSet events;
     for (const Vector& each : vectors) events.push_back(each.event);
@@ -204,7 +204,7 @@ EventSet events_of(const Vectors& vectors) {
     return events;
 }
 
-// P [|A|] Q: an event of A, and tick, by all together; any other by one alone.
+// P [|A|] Q: an event of A, and tick, by all together; any other event by one operand.
 Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
     const process::SetId set{terms_[node.term].payload};
     const auto joint = [&](Event event) { return event == tick || (event != tau && terms_.contains(set, event)); };
@@ -229,11 +229,11 @@ Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
     return result;
 }
 
-// Alphabetised parallel: an event of some alphabet by all whose alphabet has it; tau alone; tick by all.
+// Alphabetised parallel: an event by all operands whose alphabet contains it; tau by one operand; tick by all.
 Vectors Combiner::alphabetised(const Node& node, std::vector<Vectors> operands) {
     const Term& term = terms_[node.term];
     Vectors result;
-    std::map<Event, std::vector<Vectors>> shared;  // per event, of each operand
+    std::map<Event, std::vector<Vectors>> shared;  // by event, for each operand
     for (std::size_t i = 0; i < operands.size(); ++i)
         for (Vector& each : operands[i]) {
             if (each.event == tau) {
@@ -261,7 +261,7 @@ Vectors Combiner::hidden(const Node& node, Vectors operand) {
     return operand;
 }
 
-// P[[R]]: an event takes each of the names that R gives it, or keeps its own.
+// P[[R]]: an event becomes each of its images under R, or stays unchanged if it has none.
 Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
     const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
     Vectors result;
@@ -279,7 +279,7 @@ Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
     return result;
 }
 
-// P ; Q: P's tick is a tau that starts Q.   P [|A|> Q: an event of A starts Q.
+// P ; Q: P's tick becomes a tau that starts Q.   P [|A|> Q: an event of A starts Q.
 Vectors Combiner::handed_over(const Node& node, std::vector<Vectors> operands) {
     const bool sequence = node.op == Op::sequential;
     const process::SetId set{terms_[node.term].payload};
@@ -295,7 +295,7 @@ Vectors Combiner::handed_over(const Node& node, std::vector<Vectors> operands) {
     return std::move(operands[0]);
 }
 
-// P /\ Q: a visible event of Q ends P, a tick of P ends Q.   P [] Q: a visible event or tick ends the others.
+// P /\ Q: a visible event of Q ends P, and a tick of P ends Q.   P [] Q: a visible event or tick ends the others.
 Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
     for (std::size_t i = 0; i < operands.size(); ++i)
@@ -312,9 +312,9 @@ Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands)
     return result;
 }
 
-// The gate, child 0, offers what the operator itself does, until it is done or an operand has made it void.
+// The gate, child 0, offers the operator's own events until one of them happens or an operand resolves the choice.
 //   P [> Q: a tau that ends P and starts Q; a visible event or tick of P ends the gate.
-//   P |~| Q: one tau each, which starts that operand.      e -> P: each event starts what follows it.
+//   P |~| Q: one tau for each operand, which starts it.      e -> P: each event starts its continuation.
 Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
     const NodeId gate = node.children.front();
@@ -352,7 +352,7 @@ void Combiner::turn_off(NodeId id, std::vector<Assignment>& made) const {
         made.push_back({slot, static_cast<Local>(result_.components[slot]->size())});
 }
 
-/// The first states below a node: operands that wait for their turn are off.
+/// The first states below a node; operands that start later are off.
 void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
     const Node& node = skeleton_.nodes[id];
     charge_work(1);
@@ -369,7 +369,7 @@ void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
         i < running ? initialise(node.children[i], made) : turn_off(node.children[i], made);
 }
 
-/// By slot; of several for one slot, the last.
+/// By slot; if several assign to one slot, the last one.
 std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
     std::vector<Assignment> made;
     for (const Action& action : actions) action.start ? initialise(action.node, made) : turn_off(action.node, made);
@@ -381,7 +381,8 @@ std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
     return made;
 }
 
-/// Per participant and event, in which part of its states it can do the event; for regions inside, their guess.
+/// For each participant and event, the fraction of its states in which it can perform the event; for inner regions,
+/// their estimate.
 std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
     std::vector<std::vector<double>> result;
     for (std::size_t who = 0; who < region.participants.size(); ++who) {
@@ -466,7 +467,7 @@ void Combiner::list_operands() {
     operands.erase(std::unique(operands.begin(), operands.end(), same), operands.end());
 }
 
-/// Components side by side in words of 32 bits; none crosses a word's border.
+/// Places components next to each other in words of 32 bits; none crosses a word boundary.
 void Combiner::pack() {
     std::vector<bool> may_be_off(result_.components.size(), false);
     const auto note = [&](std::uint32_t slot, Local value) {

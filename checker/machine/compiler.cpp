@@ -13,7 +13,7 @@
 namespace robochart::machine {
 namespace {
 
-/// The states that a term reaches, breadth first.
+/// The reachable states of a term in breadth-first order.
 class Exploration {
 public:
     Exploration(process::OperationalSemantics& semantics, std::size_t most_states)
@@ -44,7 +44,7 @@ private:
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
-/// The states of a compiled process, breadth first, with the names of hidden events.
+/// The states of a compiled process in breadth-first order, with the names of hidden events.
 class RowCollector final : private lts::SuccessorSink {
 public:
     RowCollector(lts::TransitionSystem& system, TermId meaning, std::size_t most_states)
@@ -78,12 +78,12 @@ private:
     ExplicitMachine found_;
 };
 
-/// Prefixes that are taken apart without asking whether that is worth it.
+/// Number of prefixes that are taken apart without a test of whether this pays off.
 constexpr std::size_t few_prefixes = 16;
-/// A process with fewer states, which takes many components to be taken apart, stays whole.
+/// A process with fewer states that needs many components is not taken apart.
 constexpr std::size_t few_states = 1000;
 
-/// What compressions see of it: the names of hidden events mean nothing to them.
+/// The machine for compressions, which ignore the names of hidden events.
 process::Machine without_names(const ExplicitMachine& explicit_machine) {
     process::Machine machine{{}, explicit_machine.meaning};
     for (const auto& row : explicit_machine.rows) {
@@ -95,7 +95,7 @@ process::Machine without_names(const ExplicitMachine& explicit_machine) {
     return machine;
 }
 
-/// Which events of each component have a part in a rule.
+/// For each component: which of its events occur in a rule.
 std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     std::vector<std::vector<bool>> used;
     for (const ComponentPtr& component : combined.components) used.emplace_back(component->alphabet().size(), false);
@@ -132,7 +132,7 @@ ComponentPtr Compiler::reduced(ExplicitMachine machine, const std::function<void
     return std::make_shared<const Component>(machine.rows, std::move(machine.meaning));
 }
 
-/// Takes from the components what no rule lets them do. True if one has become smaller.
+/// Removes edges of components that no rule uses. Returns whether a component has become smaller.
 bool Compiler::prune(const Supercombinator& combined, std::vector<ComponentPtr>& components,
                      const std::function<void()>& poll) const {
     const std::vector<std::vector<bool>> used = used_events(combined);
@@ -151,7 +151,7 @@ ComponentPtr Compiler::component(TermId term, const std::function<void()>& poll)
     return components_[term] = explored(term, poll);
 }
 
-/// Whether the process as a term has few states. What is known of them then need not be worked out again.
+/// Whether the process as a term has few states. The transitions computed here are cached.
 bool Compiler::is_small(TermId term, const std::function<void()>& poll) {
     try {
         Exploration(semantics_, few_states).run(term, poll);
@@ -189,7 +189,8 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, const s
     return result;
 }
 
-/// The skeleton without the compressions that turn out to be left out: each is tried before its term is a component.
+/// The skeleton without the compressions that turn out to be too large: each compression is tried before its term
+/// becomes a component.
 std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves,
                                            const std::function<void()>& poll) {
     constexpr int deepest_call = 100;
@@ -209,7 +210,7 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
     }
 }
 
-/// The prioritised processes inside, outermost first, whose components together have few states.
+/// The inner prioritised processes, outermost first, whose components together have few states.
 std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const {
     std::set<TermId> result;
     for (const Node& node : skeleton.nodes) {

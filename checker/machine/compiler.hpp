@@ -1,5 +1,5 @@
-// From a term to the transition system that runs it: component machines and rules where its operators allow it, the
-// term itself otherwise.
+// Converts a term to the transition system that runs it: component machines and rules if its operators allow it,
+// otherwise the term itself.
 #pragma once
 
 #include <functional>
@@ -17,39 +17,42 @@
 
 namespace robochart::machine {
 
-/// What compilation may cost before the process stays a term.
+/// Limits of the compilation; beyond them the process stays a term.
 struct Bounds {
     std::size_t component_states = 200'000;
     std::size_t rules = 2'000'000;
-    /// Components up to this size are minimised by strong bisimilarity, which keeps every model (FDR does the same).
+    /// Components up to this size are minimised by strong bisimilarity, which preserves every model (FDR does the
+    /// same).
     std::size_t minimised_states = 50'000;
-    /// A prioritise inside whose components have fewer states together than this is explored to one component: most of
-    /// what its operand offers it does not, and every state of the whole would have to find that out again.
+    /// An inner prioritise whose components together have fewer states than this is explored to one component: it does
+    /// not offer most events of its operand, and otherwise every state of the whole process would repeat this
+    /// computation.
     std::size_t region_states = 100'000;
-    /// A compression whose operand has more states, without those that confluent taus lead on from where the
-    /// compression allows it, is left out: the process is run without it.
+    /// A compression whose operand has more states (without those that confluent taus leave, if the compression allows
+    /// this) is left out: the process runs without it.
     std::size_t compressed_states = 2'000'000;
 };
 
-/// Keeps the components of one store's terms, so that equal ones are explored once.
+/// Stores the components of one store's terms, so that equal ones are explored once.
 class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// The compiled process; null where it has no parallel operator to take apart, or only behind many events and few
-    /// states in all, a component has too many states or
-    /// cannot be explored on its own (an error of evaluation that the whole may never meet), or the rules are too many.
-    /// `poll` is called now and then and may throw process::Interrupted, which passes.
+    /// The compiled process. Null in these cases: there is no parallel operator to take apart, or only after many
+    /// events and with few states in all; a component has too many states or cannot be explored on its own (an
+    /// evaluation error that the whole process may never reach); or there are too many rules. `poll` is called
+    /// regularly and may throw process::Interrupted, which is passed on.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
-    /// What is being explored now, or was last; for progress and for the account of a limit.
+    /// The current or last exploration; for progress and for the description of a limit.
     struct Stage {
         std::optional<TermId> component;
-        std::size_t number = 0, of = 0;  ///< from 1
-        std::size_t states = 0;          ///< of this component, so far
+        std::size_t number = 0, of = 0;  ///< counted from 1
+        std::size_t states = 0;          ///< states of this component so far
     };
     [[nodiscard]] const Stage& stage() const { return stage_; }
-    /// A machine that is equal to the compiled process up to the equivalence: all of its states, or those alone that
-    /// confluent taus leave (reduced_system.hpp). None where compile gives none. Throws process::TooManyStates.
+    /// A machine that is equal to the compiled process up to the equivalence: with all of its states, or only those
+    /// that remain after confluent taus (reduced_system.hpp). No value if compile returns null. Throws
+    /// process::TooManyStates.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
                                                           const std::function<void()>& poll);
 
@@ -73,7 +76,7 @@ private:
 };
 
 /// Compresses what the compiler has explored. The semantics needs its compressor before the compiler can have the
-/// semantics: connect them by `use`.
+/// semantics, so `use` connects them.
 class MachineCompressor final : public process::Compressor {
 public:
     void use(Compiler& compiler) { compiler_ = &compiler; }

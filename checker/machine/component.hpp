@@ -16,38 +16,38 @@ using process::Event;
 using process::EventSet;
 using process::TermId;
 
-/// A state of one component, or `size()`: the component is off (not started yet, or left for good).
+/// A state of one component, or `size()`: the component is off (not started yet, or ended).
 using Local = std::uint32_t;
 
-/// An explicit machine whose events are numbered by their place in its alphabet. State 0 is the initial one.
+/// An explicit machine whose events are numbered by their index in its alphabet. State 0 is the initial one.
 class Component {
 public:
     struct Edge {
-        std::uint32_t event;  ///< place in the alphabet
-        Event revealed;       ///< for tau, the event that hiding made invisible, or tau; else the event
+        std::uint32_t event;  ///< index in the alphabet
+        Event revealed;       ///< for tau, the event that hiding made invisible, or tau; otherwise the event
         Local target;
     };
     using Edges = std::span<const Edge>;
 
-    /// An edge while the machine is made: by event, not by place.
+    /// An edge while the machine is built: by event, not by index.
     struct RawEdge {
         Event event;
         Event revealed;
         Local target;
     };
-    /// `rows`: of each state, its edges ordered by event. `meaning`: of each state, a term that it stands for.
+    /// `rows`: by state, its edges ordered by event. `meaning`: by state, a term that it represents.
     Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<TermId> meaning);
 
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }
-    /// Every event on an edge, ascending; tau and tick too.
+    /// All events on edges, ascending, including tau and tick.
     [[nodiscard]] const EventSet& alphabet() const { return alphabet_; }
     [[nodiscard]] TermId meaning(Local state) const { return meaning_[state]; }
-    /// All edges of a state, ordered by event. None where the component is off.
+    /// All edges of a state, ordered by event. Empty if the component is off.
     [[nodiscard]] Edges edges(Local state) const {
         if (state >= meaning_.size()) return {};
         return Edges(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
-    /// Those by one event.
+    /// The edges with one event.
     [[nodiscard]] Edges edges(Local state, std::uint32_t event) const;
 
 private:
@@ -57,7 +57,7 @@ private:
     std::vector<TermId> meaning_;
     std::vector<std::uint32_t> first_;
     std::vector<Edge> edges_;
-    std::vector<std::uint32_t> by_event_;  // state * (alphabet + 1) + event; empty if that would be large
+    std::vector<std::uint32_t> by_event_;  // state * (alphabet + 1) + event; empty if the table would be large
 };
 
 using ComponentPtr = std::shared_ptr<const Component>;

@@ -11,7 +11,7 @@ namespace {
 using diagnostics::splitmix64_mixed;
 using Colour = std::uint64_t;
 
-constexpr std::size_t most_work = 50'000'000;  // edges looked at, in all rounds
+constexpr std::size_t most_work = 50'000'000;  // number of edges visited in all rounds
 
 Colour joined(Colour a, Colour b) {
     return splitmix64_mixed(splitmix64_mixed(a) + b);
@@ -22,7 +22,7 @@ std::size_t distinct(std::vector<Colour> colours) {
     return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
 }
 
-/// Colours that equal states and events of isomorphic components have in common.
+/// Computes colours that corresponding states and events of isomorphic components have in common.
 class Refinement {
 public:
     Refinement(const Component& component, const std::vector<std::uint64_t>& role, const std::function<void()>& poll)
@@ -30,7 +30,7 @@ public:
         states_.front() = 2;
     }
 
-    /// Until no round tells more states or events apart.
+    /// Repeats until no round distinguishes more states or events.
     void run() {
         std::size_t edges = 1;
         for (Local state = 0; state < component_.size(); ++state) edges += component_.edges(state).size();
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const std::vector<Colour>& events() const { return events_; }
 
 private:
-    /// A colour becomes that of itself and of all edges around, whose order does not matter.
+    /// The new colour depends on the old one and on those of all edges around, independently of their order.
     void round() {
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;

@@ -1,6 +1,6 @@
-// A numbering of a component's states and events that depends on its graph, not on how states and events are called: a
-// proposal how two components can be mapped to each other. Colour refinement (Weisfeiler and Leman, 1968) orders
-// events; a search from the initial state in that order numbers the states.
+// A numbering of a component's states and events that depends on its graph and not on their names: a proposal for a
+// mapping between two components. Colour refinement (Weisfeiler and Leman, 1968) orders events; a search from the
+// initial state in that order numbers the states.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace robochart::machine {
 
-/// The numbering. Components with different hashes cannot be mapped to each other; those with equal ones perhaps.
+/// The numbering. Components with different hashes cannot be mapped to each other; those with equal hashes may be.
 struct ComponentShape {
     std::vector<Local> state;           ///< by number; one more at the end: off
     std::vector<std::uint32_t> number;  ///< by state; one more at the end: off
-    std::vector<std::uint32_t> event;   ///< by rank, the place in the alphabet
+    std::vector<std::uint32_t> event;   ///< by rank: the index in the alphabet
     std::uint64_t hash = 0;
 };
 
-/// `role`: by place in the alphabet, a number that has to be equal for events that are mapped to each other. Events
-/// that the graph does not tell apart are in the order of `names`. Empty vectors where not every state can be reached
-/// from the first. `poll` may throw to stop.
+/// `role`: by index in the alphabet, a number that must be equal for events that are mapped to each other. Events that
+/// the graph does not distinguish are in the order of `names`. Empty vectors if some state is not reachable from the
+/// first. `poll` may throw to stop.
 [[nodiscard]] ComponentShape shape_of(const Component& component, const std::vector<std::uint64_t>& role,
                                       const lts::EventTable& names, const std::function<void()>& poll);
 

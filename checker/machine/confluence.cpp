@@ -9,13 +9,13 @@ using process::tau;
 
 namespace {
 
-constexpr std::size_t most_answers = 4'000'000;  // kept
-/// States of the tracked components that one proof may take together.
+constexpr std::size_t most_answers = 4'000'000;  // maximal number of stored answers
+/// Maximal number of joint states of the tracked components in one proof.
 constexpr std::size_t most_together = 500;
-/// Components beside the rule's parts that a proof may track.
+/// Maximal number of components that a proof may track in addition to the rule's parts.
 constexpr std::size_t most_beside = 4;
 
-/// Answers that are no number of what to ask.
+/// Answers that are not the number of a next query.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
@@ -52,7 +52,7 @@ void Confluence::count_offers() {
     }
 }
 
-/// Condition 1. A rule is looked for where the component is that can do its part in the fewest of its states.
+/// Condition 1. A rule is listed at the component that can perform its part in the fewest of its states.
 void Confluence::list_tau_rules() {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
@@ -104,7 +104,7 @@ std::vector<Confluence::RuleNumber> Confluence::made(std::uint32_t slot, Local l
     return result;
 }
 
-/// Whether condition 3 fails whatever states the other parts are in.
+/// Whether condition 3 fails for all states of the other parts.
 bool Confluence::hopeless(RuleNumber number, std::uint32_t slot, Local local) const {
     const WholeRule& rule = rules_->rules[number];
     for (const Component::Edge& edge : component(slot).edges(local))
@@ -123,8 +123,8 @@ std::uint64_t Confluence::key(const Tracked& tracked, Locals state) {
     return result;
 }
 
-/// The number of what tracks these components for the rule, or of what the plan has in place of it; `no` if it has
-/// none, and where their states are too many for keys.
+/// The number of the set that tracks these components for the rule, or of its replacement in the plan; `no` if there is
+/// none, or if their states are too many for keys.
 std::uint32_t Confluence::tracking(RuleNumber rule, Slots slots) {
     const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
     if (!fresh) return known->second;
@@ -155,7 +155,7 @@ namespace {
 
 /// The work of proofs, in the unit of `work_of_a_state`.
 double work(const ProofRecord::Sum& sum) {
-    constexpr double of_a_state = 4;  // beside its rules
+    constexpr double of_a_state = 4;  // in addition to its rules
     return static_cast<double>(sum.rules) + of_a_state * static_cast<double>(sum.looked);
 }
 
@@ -164,7 +164,7 @@ bool known_well(const ProofRecord::Sum& sum) {
     return work(sum) >= enough;
 }
 
-/// A tau that is followed leaves out a state at most, but memory is saved too.
+/// Following a tau leaves out at most one state, but it also saves memory.
 bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
     constexpr double most_for_a_state = 2;
     return sum.proofs > 0 &&
@@ -188,7 +188,7 @@ ProofPlan ProofRecord::plan(double work_of_a_state) const {
     return result;
 }
 
-/// Whether proofs that begin with it are worth it. (What is asked next tracks more.)
+/// Whether proofs that begin with it pay off. (The next query tracks more components.)
 bool ProofRecord::leads_to_proofs(const Key& key, double work_of_a_state) const {
     const auto known = sums_.find(key);
     if (known == sums_.end()) return false;
@@ -210,7 +210,7 @@ void Confluence::add_to(ProofRecord& record) const {
 }
 
 double Confluence::work() const {
-    constexpr double of_an_answer = 0.7;  // that is known
+    constexpr double of_an_answer = 0.7;  // cost of a cached answer
     ProofRecord::Sum all;
     for (const Tracked& tracked : tracked_) {
         all.looked += tracked.looked;
@@ -225,7 +225,8 @@ Slots Confluence::parts_of(RuleNumber rule) const {
     return slots;
 }
 
-/// Of the components in question that the rule asks for an event, the one that can do it in the fewest of its states.
+/// Among the components in question that perform an event in the rule, the one that can perform it in the fewest of its
+/// states.
 std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<char>& has) const {
     const Part* rarest = nullptr;
     for (const Part& part : rule.parts) {
@@ -235,7 +236,7 @@ std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<cha
     return rarest->slot;
 }
 
-/// The rules that ask the tracked components.
+/// The rules in which tracked components perform an event.
 const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
     const auto [known, fresh] = asking_.try_emplace(tracked.slots);
     Asking& made = known->second;
@@ -252,7 +253,7 @@ const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
     return made;
 }
 
-/// What tracks the parts of the first of the other rules that has some which are not tracked, and not too many.
+/// The set that also tracks the parts of the first of the other rules that has some untracked parts, and not too many.
 Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
     const Slots& before = tracked_[number].slots;
@@ -273,8 +274,8 @@ void Confluence::keep(std::uint32_t number, std::uint64_t key, std::uint32_t ans
     answers_.keep(number, key, answer);
 }
 
-/// The states of the tracked components that other rules lead to while the rule can fire: for all of them, or for none,
-/// the answer is that it is confluent (the greatest set that condition 3 allows).
+/// The states of the tracked components that other rules can reach while the rule can fire. The rule is confluent
+/// either in all of them or in none (the greatest set that condition 3 allows).
 class Confluence::Closure {
 public:
     explicit Closure(const Confluence& all) : all_(all) {}
@@ -296,15 +297,17 @@ public:
         return true;
     }
     [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
-    /// That the last proof has looked at.
+    /// Number of rules examined by the last proof.
     [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
-    /// Where there is no proof: the rule in whose way the rule is, and those that led to where that is so, last first.
+    /// If there is no proof: the rule that disturbs it, and the rules that led to the state in which it does, last
+    /// first.
     [[nodiscard]] const std::vector<RuleNumber>& blamed() const { return blamed_; }
-    /// Keys of the states from that one back to the first: the rules that led on from the n-th are n - 1 of those.
+    /// Keys of the states from that one back to the first: the rules on the way from the n-th are the first n - 1 of
+    /// those in blamed().
     [[nodiscard]] const std::vector<std::uint64_t>& led_on() const { return led_on_; }
 
 private:
-    /// Keys that are looked for one by one; more are put into a set.
+    /// Up to this number of keys are searched linearly; more are put into a set.
     static constexpr std::size_t few = 16;
 
     void begin(const Tracked& tracked, std::size_t width) {
@@ -343,10 +346,10 @@ private:
     const Tracked* tracked_ = nullptr;
     std::size_t width_ = 0;
     std::vector<Local> found_;  // states of all components, one after the other
-    std::vector<Local> state_;  // the one that is looked at
+    std::vector<Local> state_;  // the state that is being examined
     Outcomes next_;
     std::vector<std::uint64_t> keys_;
-    std::vector<std::pair<std::size_t, RuleNumber>> led_;  // to each: from where, and by which rule
+    std::vector<std::pair<std::size_t, RuleNumber>> led_;  // by state: its predecessor and the rule
     std::unordered_set<std::uint64_t> known_;
     std::vector<RuleNumber> blamed_;
     std::vector<std::uint64_t> led_on_;
@@ -372,10 +375,10 @@ std::uint32_t Confluence::answer(std::uint32_t number, Locals state) {
     return known ? *known : decide(number, here, state);
 }
 
-/// The answer depends on the states of the tracked components alone: so does what is asked next. Where a proof fails it
-/// would fail at the same state if it began with one on the way there: the first state where a condition fails is
-/// looked for breadth first, and no shorter way leads to one from there. So that one has the same answer, or none to
-/// ask next if this one is due to a rule that came before it.
+/// The answer depends only on the states of the tracked components, and so does the next query. If a proof fails, a
+/// proof that began with a state on the way would fail at the same state: the first state in which a condition fails is
+/// searched breadth first, and no shorter path leads there. So that state has the same answer, or no next query if this
+/// one is due to a rule that came before it.
 std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Locals state) {
     if (tracked_[number].asking == nullptr) tracked_[number].asking = &asking(tracked_[number]);
     if (!closure_) closure_ = std::make_unique<Closure>(*this);
@@ -396,10 +399,10 @@ std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Local
     return next.number;
 }
 
-/// Conditions 2 to 4 in these states of the tracked components; nothing else of the state is looked at. `next`: the
-/// states of these components in which they have to hold too (`state` is changed meanwhile). `disturbing`: the rule for
-/// which they do not hold. A rule that asks several of the components is looked at where one of them can do what is
-/// asked: elsewhere it cannot fire.
+/// Checks conditions 2 to 4 in these states of the tracked components; the rest of the state is not read. `next`
+/// receives the states of these components in which the conditions must hold too (`state` is changed temporarily).
+/// `disturbing`: the rule for which they fail. A rule that needs events of several of the components is examined at one
+/// that can perform its event: elsewhere it cannot fire.
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
@@ -433,7 +436,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     return true;
 }
 
-/// Condition 2: every part can be done, with one result.
+/// Condition 2: every part is possible and has one result.
 bool Confluence::determined(const WholeRule& rule, Locals state) const {
     return std::all_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
         if (!part.event) return true;
@@ -443,7 +446,7 @@ bool Confluence::determined(const WholeRule& rule, Locals state) const {
     });
 }
 
-/// Whether some tracked component cannot do what the rule asks of it, or the tracked rule prevents it.
+/// Whether some tracked component cannot perform its event of the rule, or the tracked rule prevents it.
 bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const {
     return shared(rules_->rules[tracked.rule].preventing, other.prevented) ||
            std::any_of(other.parts.begin(), other.parts.end(), [&](const Part& part) {
@@ -452,7 +455,7 @@ bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Loc
            });
 }
 
-/// Whether the components that have a part in both rules get to the same states in either order.
+/// Whether the components with a part in both rules reach the same states in either order.
 bool Confluence::commutes(const WholeRule& rule, const WholeRule& other, Locals state) const {
     return std::all_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
         const Part* const theirs = other.part(part.slot);
@@ -477,7 +480,7 @@ bool Confluence::commutes(const Part& part, const Part& other, Local local) cons
     });
 }
 
-/// The states of the tracked components, from that place on, that the other rule can lead to.
+/// The states of the tracked components, from that index on, to which the other rule can lead.
 void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;
@@ -501,7 +504,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
     next.by.push_back(other);
 }
 
-/// Whether the component stays in this state, whichever way it does its part.
+/// Whether the component stays in this state for all ways to perform its part.
 bool Confluence::unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);

@@ -1,6 +1,6 @@
-// Which taus of a compiled process are confluent, by its rules (docs/search.md, "Confluent taus", has the statement and
-// the proof). Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000; Blom and van de
-// Pol, "State space reduction by proving confluence", CAV 2002.
+// Decides by rules which taus of a compiled process are confluent (docs/search.md, "Confluent taus", contains the
+// statement and the proof). Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000;
+// Blom and van de Pol, "State space reduction by proving confluence", CAV 2002.
 #pragma once
 
 #include <cstdint>
@@ -19,28 +19,28 @@
 
 namespace robochart::machine {
 
-/// Places of components, ascending.
+/// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// What proofs need not look at, because it seldom decides: by the slots of the rule's parts and of the components that
-/// are looked at, the slots to look at in place of them. Empty: the proof is taken to fail.
+/// Queries that proofs skip because they seldom decide: maps the slots of the rule's parts and the slots that would be
+/// tracked to the slots to track instead. Empty: the proof is assumed to fail.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
-/// What proofs have taken and given, those for rules of the same components together: of a channel each value has a
+/// The costs and results of proofs, summed over rules with the same components, because each value of a channel has a
 /// rule.
 class ProofRecord {
 public:
-    /// What one proof looked at, and whether it succeeded. `next`: what was tracked in its place afterwards.
+    /// The costs and results of proofs that track the same components. `next`: what was tracked afterwards instead.
     struct Sum {
-        std::uint64_t proofs = 0;  ///< that succeeded
-        std::uint64_t looked = 0;  ///< states that proofs looked at
-        std::uint64_t rules = 0;   ///< that were looked at in these states
-        std::uint64_t used = 0;    ///< taus that were followed because of such a proof
+        std::uint64_t proofs = 0;  ///< number of successful proofs
+        std::uint64_t looked = 0;  ///< number of states examined by proofs
+        std::uint64_t rules = 0;   ///< number of rules examined in these states
+        std::uint64_t used = 0;    ///< number of taus followed because of such a proof
         std::map<Slots, std::uint64_t> next;
     };
 
     [[nodiscard]] Sum& of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
-    /// What proofs need not look at, where the successors of a state take so much work. Proofs are not tried that have
-    /// not succeeded, nor those that took more work than the states did that they left out.
+    /// The queries that proofs can skip if computing the successors of a state takes this much work. Skipped are proofs
+    /// that have not succeeded, and those that took more work than the states that they left out would have.
     [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
 
 private:
@@ -50,52 +50,52 @@ private:
     std::map<Key, Sum> sums_;
 };
 
-/// Proves taus confluent by their rule and the present states of the components that take part in it, and keeps what
-/// has been proved. Gives the same answers whatever it was asked before.
+/// Proves taus confluent by their rule and the current states of the components in it, and caches the results. The
+/// answers do not depend on earlier queries.
 class Confluence {
 public:
-    /// `plan`: of a system with the same rules. What is proved depends on it.
+    /// `plan`: for a system with the same rules. The results depend on it.
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
                ProofPlan plan);
     Confluence(const Confluence&) = delete;
     Confluence& operator=(const Confluence&) = delete;
     ~Confluence();
 
-    /// Takes the first tau of the state, given by the components' states, that is proved to be confluent. False if
+    /// Performs the first tau of the state, given by the components' states, that is proved to be confluent. False if
     /// there is none.
     bool follow(std::span<Local> state);
-    /// Adds what the proofs so far have taken and given.
+    /// Adds the costs and results of the proofs so far.
     void add_to(ProofRecord&) const;
-    /// All of the work so far, in the unit of `work_of_a_state`.
+    /// The total work so far, in the unit of `work_of_a_state`.
     [[nodiscard]] double work() const;
 
 private:
     using RuleNumber = std::uint32_t;
-    /// States of all components; only those of the tracked ones matter.
+    /// States of all components; only those of the tracked ones are read.
     using Locals = std::span<const Local>;
-    /// Rules that ask a component for an event.
+    /// Rules in which a component performs this event.
     struct ByEvent {
         std::uint32_t event = 0;
         std::vector<RuleNumber> rules;
     };
-    /// The rules that ask some of a few components for an event, each once: with one that it asks, by the component's
-    /// place among them and by the event, ascending. It can fire only where that component can do the event.
+    /// The rules in which some of a few components perform an event, each rule once: at one of these components, by its
+    /// index and by the event, ascending. The rule can fire only if that component can perform the event.
     using Asking = std::vector<std::vector<ByEvent>>;
-    /// A rule with the components whose present states its proofs look at, and what these proofs gave.
+    /// A rule with the components whose current states its proofs read, and the statistics of these proofs.
     struct Tracked {
         RuleNumber rule = 0;
-        Slots slots;                         ///< ascending: the rule's parts, and components beside them
-        std::vector<std::uint64_t> weights;  ///< of each one's state in keys
-        std::vector<char> has;               ///< by slot, whether it is one of them
-        const Asking* asking = nullptr;      ///< of the slots, once a proof is tried
+        Slots slots;                         ///< ascending: the rule's parts, and further components
+        std::vector<std::uint64_t> weights;  ///< weight of each component's state in keys
+        std::vector<char> has;               ///< by slot: whether it is one of them
+        const Asking* asking = nullptr;      ///< for the slots; computed for the first proof
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
-        std::map<std::uint32_t, std::uint64_t> next;  ///< how often which other one was asked after a proof that failed
+        std::map<std::uint32_t, std::uint64_t> next;  ///< how often which other query followed a failed proof
     };
-    /// What rules other than the tracked one lead to, and the rule that leads to each.
+    /// The states to which other rules lead, and the rule that leads to each.
     struct Outcomes {
-        std::vector<Local> states;  ///< of all components, one after the other
+        std::vector<Local> states;  ///< states of all components, one after the other
         std::vector<RuleNumber> by;
-        std::uint64_t rules = 0;  ///< looked at, in all
+        std::uint64_t rules = 0;  ///< number of rules examined
     };
     class Closure;
 
@@ -110,7 +110,7 @@ private:
     void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
     std::uint32_t tracking(RuleNumber rule, Slots slots);
     std::uint32_t made(RuleNumber rule, Slots slots);
-    /// What is asked after a proof that failed, and how many of the rules were looked at to find it.
+    /// The next query after a failed proof, and how many of the rules were examined to find it.
     struct Next {
         std::uint32_t number;
         std::size_t rules;
@@ -135,17 +135,19 @@ private:
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
     ProofPlan plan_;
-    std::vector<std::vector<double>> share_;  // by slot and event, of the component's states that can do it
-    std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event, the tau rules that begin there
-    std::vector<std::vector<std::uint32_t>> known_;              // by slot and state, one more than a place in lists_
+    std::vector<std::vector<double>> share_;  // by slot and event: the fraction of the component's states that can
+                                              // perform it
+    std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the tau rules listed there
+    std::vector<std::vector<std::uint32_t>> known_;              // by slot and state: one more than an index into
+                                                                 // lists_
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;
     std::map<Slots, Asking> asking_;                                 // by slots
-    std::vector<std::uint32_t> first_;                               // by rule, what its proofs begin with
-    std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // of what tracks these
+    std::vector<std::uint32_t> first_;                               // by rule: the query with which its proofs begin
+    std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // numbers of queries
     std::uint64_t states_asked_ = 0, answers_asked_ = 0;
-    AnswerTable answers_;  // by number of what is tracked, and key: `no`, `yes`, or the number of what to ask
-    std::unique_ptr<Closure> closure_;  // its memory is used again
+    AnswerTable answers_;               // by number of the query and key: `no`, `yes`, or the number of the next query
+    std::unique_ptr<Closure> closure_;  // its memory is reused
 };
 
 }  // namespace robochart::machine

@@ -1,4 +1,4 @@
-// Leading edges, rules by event and guesses of how often events happen follow from the rest, so they are left out.
+// Leading edges, rules by event and estimated frequencies of events are derived data, so they are left out.
 #include "checker/machine/content.hpp"
 
 namespace robochart::machine {

@@ -1,5 +1,5 @@
-// The content of a compiled process: what its transitions depend on, apart from the session that compiled it. Equal
-// content means equal searches, with equal packed states. The terms that states stand for are no part of it.
+// The content of a compiled process: the data on which its transitions depend, independent of the session that compiled
+// it. Equal content means equal searches with equal packed states. The terms of states are not included.
 #pragma once
 
 #include "checker/lts/graph.hpp"
@@ -8,14 +8,14 @@
 
 namespace robochart::machine {
 
-/// Events by their places in an ascending list, so that sessions that number them differently, but in the same order,
-/// give the same content.
+/// Events by their indices in an ascending list, so that sessions that number them differently, but in the same order,
+/// compute the same content.
 class EventPlaces {
 public:
     /// `named`: ascending.
     explicit EventPlaces(EventSet named);
     [[nodiscard]] const EventSet& named() const { return named_; }
-    /// The place of an event that is in the list.
+    /// The index of an event in the list.
     [[nodiscard]] std::uint32_t of(Event event) const { return places_[event]; }
 
 private:
@@ -23,7 +23,7 @@ private:
     std::vector<std::uint32_t> places_;  ///< by event
 };
 
-/// Adds the events that the process or graph names, in no order, some more than once.
+/// Adds the events of the process or graph, unsorted and possibly with duplicates.
 void add_events(const Supercombinator&, EventSet& events);
 void add_events(const lts::Graph&, EventSet& events);
 

@@ -61,8 +61,8 @@ std::optional<lts::EventPermutation> Exchange::verified(const std::function<void
     return events;
 }
 
-/// Condition 1: the numbers of states and events are an isomorphism of the components. Fields of one width hold one's
-/// states as well as the other's; off is no state of a component that is never turned off.
+/// Condition 1: the numbers of states and events are an isomorphism of the components. Fields of the same width can
+/// hold the states of both; for a component that is never turned off, "off" is not a state.
 bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& poll) {
     const std::uint32_t image = this->slot(slot);
     const Component& from = *combined_.components[slot];
@@ -93,8 +93,8 @@ bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& p
     return true;
 }
 
-/// Condition 2: each region has an image, the region over the images of its components; of several over the same ones,
-/// inner ones are the images of inner ones.
+/// Condition 2: each region has an image, the region over the images of its components; if several have the same
+/// components, inner ones are mapped to inner ones.
 bool Exchange::map_regions() {
     const std::vector<std::vector<std::uint32_t>> below = slots_below(combined_);
     std::vector<bool> taken(below.size(), false);
@@ -113,7 +113,7 @@ bool Exchange::map_regions() {
     return region_.back() + 1 == region_.size();
 }
 
-/// Condition 2, goes on: and takes part where the region takes part.
+/// Condition 2, continued: the image participates where the region participates.
 bool Exchange::map_participants(std::uint32_t region) {
     const auto key = [](bool is_region, std::uint32_t index) { return std::pair(is_region, index); };
     std::map<std::pair<bool, std::uint32_t>, std::uint32_t> numbers;
@@ -129,7 +129,7 @@ bool Exchange::map_participants(std::uint32_t region) {
     return true;
 }
 
-/// Condition 3: the images of the region's rules are those of its image, by a permutation of its events.
+/// Condition 3: a permutation of events maps the region's rules to those of its image.
 bool Exchange::maps_rules(std::uint32_t region, const std::function<void()>& poll) {
     const Region& from = combined_.regions[region];
     const Region& to = combined_.regions[region_[region]];
@@ -182,8 +182,8 @@ Exchange::EventsByBody Exchange::images(std::uint32_t region, const std::functio
     return bodies(mapped, poll);
 }
 
-/// The images of the events of rules with these bodies, so that they are the events wanted: where a body has several
-/// events, those of the same name correspond, then those left over, in their order.
+/// The images of the events of rules with these bodies, such that they are the expected events: if a body has several
+/// events, those with the same name correspond, then the remaining ones in their order.
 std::optional<Exchange::Places> Exchange::event_images(const Region& from, const Region& to, const EventsByBody& bodies,
                                                        const EventsByBody& wanted) const {
     Places image(from.alphabet.size(), nowhere);

@@ -1,5 +1,5 @@
-// Whether exchanging two groups of components is an automorphism of a compiled process: condition by condition of
-// docs/search.md, "Symmetry".
+// Checks whether exchanging two groups of components is an automorphism of a compiled process: condition by condition
+// of docs/search.md, "Symmetry".
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace robochart::machine {
 /// Numbers of states and events are those of the shapes.
 class Exchange {
 public:
-    /// `shapes`: by slot, of the slots in both ranges. The ranges are disjoint and of one length.
+    /// `shapes`: by slot, for the slots in both ranges. The ranges are disjoint and have the same length.
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 
@@ -25,8 +25,8 @@ public:
     [[nodiscard]] std::optional<lts::EventPermutation> verified(const std::function<void()>& poll);
 
 private:
-    using Places = std::vector<std::uint32_t>;  ///< by place in an alphabet, the place of the image
-    /// What a rule asks for and does, apart from its event: requirements and assignments, each ascending.
+    using Places = std::vector<std::uint32_t>;  ///< by index in an alphabet: the index of the image
+    /// The requirements and assignments of a rule, without its event, each ascending.
     using Body = std::vector<std::uint32_t>;
     using EventsByBody = std::map<Body, std::vector<std::uint32_t>>;
 
@@ -46,9 +46,9 @@ private:
     const Supercombinator& combined_;
     const std::vector<ComponentShape>& shapes_;
     SlotRange first_, second_;
-    std::vector<Places> component_events_;                 // by slot; empty where every place is its own image
-    std::vector<std::uint32_t> region_;                    // by region, its image
-    std::vector<std::vector<std::uint32_t>> participant_;  // by region and participant, the image's number there
+    std::vector<Places> component_events_;                 // by slot; empty if every index is its own image
+    std::vector<std::uint32_t> region_;                    // by region: its image
+    std::vector<std::vector<std::uint32_t>> participant_;  // by region and participant: the number of the image there
     std::vector<Places> region_events_;                    // by region
 };
 

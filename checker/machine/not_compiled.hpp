@@ -5,7 +5,7 @@
 
 namespace robochart::machine {
 
-/// The process cannot be compiled within the compiler's bounds; it can still be run as a term.
+/// Thrown if the process cannot be compiled within the compiler's bounds; it can still be run as a term.
 class NotCompiled : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -9,27 +9,29 @@ namespace robochart::machine {
 
 namespace {
 
-/// Whichever state a row of followed taus is left at, it stands for those before it: so a row may be of any length.
+/// A sequence of followed taus may stop at any of its states, which represents those before it; so it may have any
+/// length.
 constexpr std::size_t most_steps = 1000;
-/// States by which it is found out what proofs are worth, in rounds: the first ones take out what is worth least.
-constexpr std::size_t pilot_states[] = {200, 600, 2200};  // that it expands
-constexpr std::size_t pilot_found = 200'000;              // that it finds
+/// Numbers of states with which the benefit of proofs is estimated, in rounds: the first rounds remove the least useful
+/// proofs.
+constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
+constexpr std::size_t pilot_found = 200'000;              // number of found states
 /// A round ends early if its proofs take more work than this, plus an allowance for each tau that they follow: proofs
-/// about locks and schedulers often look at thousands of states and fail.
+/// about locks and schedulers often examine thousands of states and fail.
 constexpr double most_work_of_a_round = 60'000;
 constexpr double most_work_of_a_tau = 2'000;
-/// A reduced search may take so much more work than one of all states, for less memory. It is judged by a round that
-/// has expanded so many states.
+/// A reduced search may take this much more work than one of all states, because it saves memory. A round that has
+/// expanded enough states decides.
 constexpr double most_work = 1.5;
 constexpr std::size_t enough_to_judge = 1000;
 
-/// Searches some of a system's states, the last found first, so that they are from all over it; of one state's
-/// successors some turn comes first, in an order that depends on the system alone.
+/// Searches some of a system's states, the last found first, so that they are from all parts of it; the order of a
+/// state's successors varies, but depends only on the system.
 class Pilot final : private lts::SuccessorSink {
 public:
     explicit Pilot(std::size_t width) : found_(width) {}
 
-    /// Expands up to so many more states. Returns false if the proofs took too much work, so that it ended early.
+    /// Expands up to this many more states. Returns false if it ended early because the proofs took too much work.
     bool run(ReducedSystem& system, std::size_t states, const std::function<void()>& poll) {
         if (found_.size() == 0) {
             std::vector<lts::Word> initial(system.width());
@@ -63,11 +65,11 @@ private:
     std::size_t expanded_ = 0;
 };
 
-/// What a pilot search shows; none where following taus costs more than it leaves out.
+/// The plan that results from a pilot search; no value if following taus costs more than it saves.
 std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
                                         const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
                                         const std::function<void()>& poll) {
-    constexpr double of_a_state = 5;  // beside the steps of components
+    constexpr double of_a_state = 5;  // in addition to the steps of components
     Pilot pilot(combined->words);
     ProofRecord record;
     ProofPlan plan;
@@ -85,7 +87,7 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         work += static_cast<double>(searched.work());
         reduced.add_to(record);
         const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded());
-        // Each followed tau leaves out another state at best.
+        // Each followed tau leaves out at most one state.
         const auto kept = static_cast<double>(expanded);
         const double without = (kept + static_cast<double>(reduced.chased())) * work_of_a_state;
         worth_it = (whole_round && expanded < enough_to_judge) ||
@@ -99,7 +101,7 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
 
 std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::function<void()>& poll) const {
     std::optional<WholeRules> rules = whole_rules(*combined_, poll);
-    // A rule that is not of the first level of its regions, or no tau, is never followed.
+    // A rule without the first level in its regions, or whose event is not tau, is never followed.
     const auto may_be_followed = [](const WholeRule& rule) {
         return rule.event == process::tau && rule.prevented.empty();
     };
@@ -142,7 +144,7 @@ void ReducedSystem::initial(std::span<lts::Word> state) {
 }
 
 void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // As in SupercombinatorSystem: the sink may ask for successors while it is given some.
+    // as in SupercombinatorSystem: the sink may ask for successors while it receives some
     if (sink_ != nullptr) {
         const auto other = another();
         other->watch(poll_);
@@ -165,12 +167,12 @@ bool ReducedSystem::follow() {
     return confluence_.follow(locals_);
 }
 
-/// Follows confluent taus to the end, or to the least state of the cycle that they run into. The number of steps.
+/// Follows confluent taus to the end, or to the least state of the cycle that they reach; returns the number of steps.
 /// (Cycles are found as in Brent, BIT 20, 1980.)
 std::size_t ReducedSystem::run() {
     if (poll_) poll_();
     begin_ = seen_ = locals_;
-    std::size_t length = 0;  // of the cycle, if there is one
+    std::size_t length = 0;  // length of the cycle, if there is one
     std::size_t next_look = 1;
     for (std::size_t steps = 0; steps < most_steps; ++steps) {
         if (!follow()) return steps;
@@ -184,7 +186,8 @@ std::size_t ReducedSystem::run() {
     return most_steps;
 }
 
-/// From where the run began to the first meeting with the least state of the cycle, one of whose states is the present.
+/// Goes from the beginning of the run to the first visit of the least state of the cycle, which contains the current
+/// state.
 std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     least_ = locals_;
     for (std::size_t i = 0; i < length; ++i) {

@@ -1,4 +1,4 @@
-// A compiled process without the states that confluent taus lead on from (docs/search.md, "Confluent taus").
+// A compiled process without the states from which confluent taus lead on (docs/search.md, "Confluent taus").
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace robochart::machine {
 
-/// States are the process's own. The states that transitions lead to are replaced by those that stand for them.
+/// States are those of the process. The targets of transitions are replaced by their representatives.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
-    /// `plan`: of its proofs (Confluence).
+    /// `plan`: for its proofs (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
                   std::shared_ptr<const WholeRules> rules, ProofPlan plan);
 
@@ -28,11 +28,11 @@ public:
     void watch(const std::function<void()>& poll) override;
     [[nodiscard]] std::uint64_t chased() const override { return chased_; }
     [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
-    /// Adds what the proofs in the states found so far have taken and given (Confluence).
+    /// Adds the costs and results of the proofs in the states found so far (Confluence).
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
-    /// What the proofs have taken so far (Confluence).
+    /// The work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.work(); }
-    /// The compiled process that it is the reduced form of.
+    /// The compiled process whose reduced form it is.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
 private:

@@ -11,15 +11,15 @@ namespace {
 
 using process::Term;
 
-constexpr int deepest = 300;              // operators inside each other; what lies deeper is one component
-constexpr int deepest_look = 100;         // operators looked through for a parallel one
-constexpr int deepest_prefix = 3;         // events before a parallel operator that are looked through
+constexpr int deepest = 300;              // maximal nesting of operators; deeper ones belong to one component
+constexpr int deepest_look = 100;         // maximal nesting in the search for a parallel operator
+constexpr int deepest_prefix = 3;         // maximal number of events before a parallel operator
 constexpr std::size_t most_branches = 8;  // of a prefix that is taken apart
 constexpr std::size_t most_nodes = 200'000;
-constexpr std::size_t most_prefixes = 500;  // taken apart, in all
-constexpr std::size_t longest_chain = 60;   // of prefixes taken apart inside each other
+constexpr std::size_t most_prefixes = 500;  // total number of prefixes that are taken apart
+constexpr std::size_t longest_chain = 60;   // maximal nesting of prefixes that are taken apart
 
-/// Taking prefixes apart does not end, or not soon.
+/// Thrown if taking prefixes apart does not end, or not soon.
 class UnfoldsOn : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -27,7 +27,7 @@ public:
 
 class Builder {
 public:
-    /// `through_prefixes`: whether prefixes are looked through.
+    /// `through_prefixes`: whether parallel operators after prefixes are found.
     Builder(process::TermStore& terms, const std::set<TermId>& leaves, const std::set<TermId>& left_out,
             bool through_prefixes, const std::function<void()>& poll)
         : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), poll_(poll) {}
@@ -37,17 +37,16 @@ public:
         result_.prefixes = prefixes_taken_;
         return std::move(result_);
     }
-    /// Whether a parallel operator is at work in the term, or soon will be.
+    /// Whether the term contains a parallel operator that is active now or after few events.
     bool composite(TermId term, int depth = 0, int prefixes = 0);
 
 private:
     TermId unfolded(TermId term);
     bool looks_composite(const Term& term, int depth, int prefixes);
-    /// The nodes around of which control leaves nothing behind when it gets to a node...
+    /// The enclosing nodes that have ended when control reaches a node...
     struct Tail {
-        std::vector<NodeId> at_once;  ///< ...by whatever led there
-        std::vector<NodeId>
-            by_event;  ///< ...once the node has done a visible event: it has resolved the choices around
+        std::vector<NodeId> at_once;   ///< ...after any event
+        std::vector<NodeId> by_event;  ///< ...after a visible event of the node, which resolves the enclosing choices
     };
 
     NodeId node(TermId term, NodeId region, const Tail& tail, int depth);
@@ -63,12 +62,12 @@ private:
     bool through_prefixes_;
     const std::function<void()>& poll_;
     std::size_t prefixes_taken_ = 0;
-    std::size_t chain_ = 0;  // prefixes around the node that is made
+    std::size_t chain_ = 0;  // number of prefixes around the current node
     Skeleton result_;
-    std::map<std::pair<TermId, int>, bool> composite_;  // false while it is not known
+    std::map<std::pair<TermId, int>, bool> composite_;  // false while it is unknown
 };
 
-/// Without calls and compressions that are left out.
+/// Removes calls and compressions that are left out.
 TermId Builder::unfolded(TermId term) {
     for (term = terms_.unfolded(term, deepest_look); left_out_.contains(term);)
         term = terms_.unfolded(terms_[term].children.front(), deepest_look);
@@ -86,7 +85,7 @@ bool Builder::composite(TermId id, int depth, int prefixes) {
 }
 
 bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
-    const Term term = given;  // looking on may make new terms
+    const Term term = given;  // a copy, because the following calls may create terms
     const auto some_child = [&] {
         return std::any_of(term.children.begin(), term.children.end(),
                            [&](TermId each) { return composite(each, depth + 1, prefixes); });
@@ -172,15 +171,15 @@ void Builder::gate(NodeId id) {
 
 void Builder::operation(NodeId id, const Tail& tail, int depth) {
     const Term term = terms_[result_.nodes[id].term];
-    // What takes over for good, with and without a visible event.
+    // The operand that replaces the node, with and without a visible event.
     Tail inside = tail;
     inside.at_once.push_back(id);
     inside.by_event.push_back(id);
-    // An operand of a choice: it is alone once it has done a visible event.
+    // An operand of a choice replaces the choice after a visible event.
     Tail chosen{{}, tail.by_event};
     chosen.by_event.push_back(id);
     switch (term.op) {
-        // The first operand runs until the second one takes over for good.
+        // The first operand runs until the second one replaces it.
         case Op::sequential:
             child(id, term.children[0], {}, depth);
             child(id, term.children[1], inside, depth);

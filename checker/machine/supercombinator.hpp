@@ -18,59 +18,61 @@ namespace robochart::machine {
 using lts::Field;
 using process::no_level;
 
-/// One that takes part in the rules of a region: a component, or a region inside.
+/// A participant in the rules of a region: a component, or an inner region.
 struct Participant {
     bool is_region = false;
     std::uint32_t index = 0;  ///< slot, or region
 };
 
-/// Of a component, the edges by events that some rule begins with.
+/// For a component, the edges with events of rules in which it is the first participant.
 struct Leading {
-    std::vector<std::uint32_t> first;  ///< per state, one more at the end
+    std::vector<std::uint32_t> first;  ///< by state, one more at the end
     std::vector<Component::Edge> edges;
-    /// None where the component is off.
+    /// Empty if the component is off.
     [[nodiscard]] Component::Edges of(Local state) const {
         if (state + 1U >= first.size()) return {};
         return Component::Edges(edges).subspan(first[state], first[state + 1U] - first[state]);
     }
 };
 
-/// What a rule asks of one component: to do this event.
+/// A rule's requirement for one participant: it performs this event.
 struct Requirement {
     std::uint32_t participant;
-    std::uint32_t event;  ///< place in the participant's alphabet
+    std::uint32_t event;  ///< index in the participant's alphabet
 };
 
-/// Beside what its participants do, a rule puts components into given states: it starts them, or turns them off.
+/// An assignment of a rule in addition to the events of its participants: it starts a component or turns it off.
 struct Assignment {
     std::uint32_t slot;
     Local value;
 };
 
-/// "Where these participants perform these events, the region performs this one."
+/// "If these participants perform these events, the region performs this one."
 struct Rule {
     Event event;
-    Event revealed;       ///< of a hidden event, its name; tau: that of the participant's tau; else the event
-    std::uint32_t place;  ///< of the event in the region's alphabet
-    std::uint32_t level;  ///< of the event in the region's priorities, or no_level
-    Requirement lead;     ///< of the first participant
-    std::uint32_t first_requirement, end_requirement;  ///< of the participants after the first
+    Event revealed;       ///< for a hidden event, its name; tau: that of the participant's tau; otherwise the event
+    std::uint32_t place;  ///< index of the event in the region's alphabet
+    std::uint32_t level;  ///< level of the event in the region's priorities, or no_level
+    Requirement lead;     ///< requirement for the first participant
+    std::uint32_t first_requirement, end_requirement;  ///< requirements for the other participants
     std::uint32_t first_assignment, end_assignment;    ///< rules may share them
 };
 
-/// The rules between two prioritise operators: what lies above a prioritise sees only what it lets pass. A rule begins
-/// with the participant that can do its part in the fewest of its states: rules that cannot fire are seldom looked at.
+/// The rules between two prioritise operators, because operators above a prioritise see only what it allows. A rule
+/// begins with the participant that can perform its event in the fewest of its states, so that rules that cannot fire
+/// are seldom examined.
 struct Region {
     std::vector<Participant> participants;
-    std::vector<Leading> leading;                        ///< of each participant, once listed; empty for regions
-    std::vector<EventSet> alphabets;                     ///< of each participant
-    std::vector<Rule> rules;                             ///< ordered by first participant and its event
-    std::vector<std::vector<std::uint32_t>> by_event;    ///< per place in the alphabet, the rules
-    std::vector<double> chance;                          ///< per place: a guess in which part of the states it happens
-    std::vector<std::vector<std::uint32_t>> first_rule;  ///< per participant and event, one more at the end
+    std::vector<Leading> leading;                        ///< by participant, after list_leading; empty for regions
+    std::vector<EventSet> alphabets;                     ///< by participant
+    std::vector<Rule> rules;                             ///< sorted by first participant and its event
+    std::vector<std::vector<std::uint32_t>> by_event;    ///< by index in the alphabet: the rules
+    std::vector<double> chance;                          ///< by index: an estimate of the fraction of states in which
+                                                         ///< it happens
+    std::vector<std::vector<std::uint32_t>> first_rule;  ///< by participant and event, one more at the end
     std::vector<Requirement> requirements;
     std::vector<Assignment> assignments;
-    EventSet alphabet;  ///< of all rules
+    EventSet alphabet;  ///< events of all rules
 };
 
 /// The components of one operand: slots [first, end).
@@ -81,19 +83,19 @@ struct SlotRange {
 /// A compiled process as data.
 struct Supercombinator {
     std::vector<ComponentPtr> components;  ///< by slot
-    std::vector<SlotRange> operands;       ///< of all operators, each range once, large ones first
-    std::vector<Region> regions;           ///< inner ones first; the last is the whole
+    std::vector<SlotRange> operands;       ///< of all operators, without duplicates, large ones first
+    std::vector<Region> regions;           ///< inner ones first; the last is the whole process
     std::vector<Local> initial;            ///< by slot
     std::vector<Field> fields;             ///< by slot
     std::uint32_t words = 1;
 };
 
-/// The rules of a skeleton whose components are made. Throws NotCompiled beyond `most_rules`, and where the rules say
-/// more than so many are worth. `poll` may throw to stop.
+/// The rules of a skeleton whose components have been built. Throws NotCompiled if there are more than `most_rules`, or
+/// if they take more work than this many rules are worth. `poll` may throw to stop.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules,
                                       const std::function<void()>& poll);
-/// What a system needs besides: the edges that rules begin with.
+/// Adds derived data that a system needs: the edges with which rules begin.
 void list_leading(Supercombinator& combined, const std::function<void()>& poll);
 
 }  // namespace robochart::machine

@@ -1,6 +1,6 @@
-// Successors by rules: each event of each participant's present state is looked up in the rules that it comes first in,
-// and a rule fires for every combination of transitions of its other participants. The moves of regions inside are
-// looked for when a rule around asks for them; whether a priority prevents an event, when such an event is at hand.
+// Successors by rules: each event of each participant's current state is looked up among the rules in which it comes
+// first, and a rule fires for every combination of transitions of its other participants. The moves of inner regions
+// are computed when an outer rule asks for them, and the priorities that prevent an event when it becomes possible.
 #include "checker/machine/supercombinator_system.hpp"
 
 #include <algorithm>
@@ -30,23 +30,23 @@ void SupercombinatorSystem::unpack(lts::StateView state) {
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = combined_->fields[slot].get(state);
 }
 
-/// Fires rules of one region in the present state.
+/// Fires rules of one region in the current state.
 class SupercombinatorSystem::Firing {
 public:
     Firing(SupercombinatorSystem& system, std::uint32_t region)
         : system_(system), number_(region), region_(system.combined_->regions[region]), base_(system.changes_.size()) {}
 
-    /// The rules whose events rules around begin with go into the region's list of moves.
+    /// Fires the rules whose events are first in outer rules, and stores the results in the region's list of moves.
     void list_leading(const std::vector<std::uint32_t>& first_rule_around) {
         around_ = &first_rule_around;
         enumerate();
     }
-    /// So do those of one event.
+    /// The same for the rules of one event.
     void list_event(std::uint32_t event) {
         for (const std::uint32_t rule : region_.by_event[event])
             part(region_.rules[rule], region_.rules[rule].lead, region_.rules[rule].first_requirement, tau);
     }
-    /// All become successors of the state.
+    /// Passes all results to the sink as successors of the state.
     void pass(lts::StateView state, lts::SuccessorSink& sink) {
         state_ = state;
         sink_ = &sink;
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    /// The rules [rule, end) with this transition of their first participant.
+    /// Tries the rules [rule, end) with this transition of their first participant.
     template <typename Way>
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
         for (; rule < end; ++rule)
@@ -90,7 +90,8 @@ private:
         return around_ == nullptr || (*around_)[rule.place] < (*around_)[rule.place + 1U];
     }
 
-    /// What one participant changes, then the requirements from `next` on. A tau is called what the first one reveals.
+    /// Applies the change of one participant, then the requirements from `next` on. The name of a tau is that of the
+    /// first participant's.
     template <typename Way>
     void take(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
@@ -111,7 +112,7 @@ private:
                                 inside.begin() + move.end_change);
     }
 
-    /// All transitions of one participant.
+    /// Tries all transitions of one participant.
     void part(const Rule& rule, const Requirement& wanted, std::uint32_t next, Event revealed) {
         const Participant& participant = region_.participants[wanted.participant];
         if (!participant.is_region) {
@@ -127,7 +128,7 @@ private:
         }
     }
 
-    /// Priority as in process/composition_rules.cpp, prioritise: an event is prevented by one of a higher level.
+    /// Priority as in process/composition_rules.cpp, prioritise: an event of a higher level prevents an event.
     void perform(const Rule& rule, Event revealed_by_participant) {
         constexpr std::uint32_t between_polls = 64;
         if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
@@ -163,7 +164,7 @@ private:
     SupercombinatorSystem& system_;
     std::uint32_t number_;
     const Region& region_;
-    std::size_t base_;  // of the current changes, those before belong to rules of enclosing regions
+    std::size_t base_;  // beginning of the current changes; earlier ones belong to rules of enclosing regions
     const std::vector<std::uint32_t>* around_ = nullptr;
     bool probing_ = false;
     std::uint32_t best_ = no_level;
@@ -203,7 +204,7 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 }
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // Where one system is both sides of a refinement, the sink asks for successors while it is given some.
+    // If one system is both sides of a refinement, the sink asks for successors while it receives some.
     if (busy_) {
         SupercombinatorSystem another(combined_, terms_);
         another.poll_ = poll_;
@@ -222,7 +223,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
     ++state_number_;
-    changes_.clear();  // a sink may have thrown
+    changes_.clear();  // left over if a sink has thrown
     for (Moves& moves : moves_) {
         moves.list.clear();
         moves.changes.clear();

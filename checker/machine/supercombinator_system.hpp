@@ -9,10 +9,10 @@
 
 namespace robochart::machine {
 
-/// States are the components' states, packed. Successors need no memory of their own once the buffers have grown.
+/// States are the components' packed states. Computing successors allocates no memory after the buffers have grown.
 class SupercombinatorSystem final : public lts::TransitionSystem {
 public:
-    /// `terms` are those the components' meanings belong to.
+    /// `terms`: the store of the components' meanings.
     SupercombinatorSystem(std::shared_ptr<const Supercombinator> combined, const process::TermStore& terms);
 
     [[nodiscard]] std::size_t width() const override { return combined_->words; }
@@ -27,27 +27,27 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
-    /// Steps of components that were looked at for successors, so far.
+    /// The number of component steps examined for successors so far.
     [[nodiscard]] std::uint64_t work() const { return work_; }
 
 private:
     struct Move {
-        std::uint32_t event;  ///< place in the region's alphabet
+        std::uint32_t event;  ///< index in the region's alphabet
         Event revealed;
         std::uint32_t first_change, end_change;
     };
-    /// A part of a region's moves, found in the state of that number.
+    /// A part of a region's moves, computed in the state with that number.
     struct Range {
         std::uint64_t state = 0;
         std::size_t from = 0, to = 0;
     };
-    /// What is known of a region inside in the present state. Its moves are looked for only when they are asked for.
+    /// The cached data of an inner region in the current state. Its moves are computed on demand.
     struct Moves {
         std::vector<Move> list;
         std::vector<Assignment> changes;
-        Range leading;                ///< those that rules around begin with
-        std::vector<Range> by_event;  ///< those asked for by name
-        std::uint64_t state = 0;      ///< for which `best` is known
+        Range leading;                ///< moves that are first in outer rules
+        std::vector<Range> by_event;  ///< moves requested by event
+        std::uint64_t state = 0;      ///< number of the state for which `best` is valid
         std::uint32_t best = 0;       ///< the first level that has a move, or no_level
     };
     class Firing;
@@ -62,12 +62,12 @@ private:
     const process::TermStore& terms_;
     std::vector<Local> locals_;
     std::vector<Moves> moves_;         // by region
-    std::vector<Assignment> changes_;  // of the current rules, those of inner regions last
-    std::uint64_t state_number_ = 0;   // of the states whose successors were asked for
+    std::vector<Assignment> changes_;  // changes of the current rules, those of inner regions last
+    std::uint64_t state_number_ = 0;   // number of the current state
     std::vector<lts::Word> target_;
     bool busy_ = false;
-    mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // once looked for
-    std::function<void()> poll_;                                    // asked where one state has many successors
+    mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // computed on first use
+    std::function<void()> poll_;                                    // called if one state has many successors
     std::uint32_t performed_ = 0;
     std::uint64_t work_ = 0;
 };

@@ -12,10 +12,10 @@ namespace {
 
 using diagnostics::splitmix64_mixed;
 
-constexpr std::size_t largest_component = 20'000;  // states
+constexpr std::size_t largest_component = 20'000;  // number of states
 constexpr std::size_t most_rules = 200'000;
-constexpr std::size_t most_exchanges = 500;  // verified, in all
-/// Rules and states looked at for proposals that turned out to be wrong. Where so many were in vain, no more is tried.
+constexpr std::size_t most_exchanges = 500;  // number of verifications
+/// Maximal number of rules and states examined for wrong proposals, after which no more proposals are tried.
 constexpr std::size_t most_in_vain = 200'000;
 
 class Finder {
@@ -41,7 +41,7 @@ public:
 private:
     using Ranges = std::vector<SlotRange>;
 
-    /// How large the components of a range are, so that few shapes are made; large ranges first.
+    /// Ranges by the sizes of their components, so that few shapes are computed; large ranges first.
     [[nodiscard]] std::map<std::vector<std::size_t>, Ranges> by_size() const {
         std::map<std::vector<std::size_t>, Ranges> result;
         for (const SlotRange& range : combined_.operands) {
@@ -76,7 +76,7 @@ private:
         return shapes_[slot];
     }
 
-    /// What rules ask an event for, in numbers that an exchange does not change.
+    /// The requirements of rules for each event, as numbers that an exchange does not change.
     void find_roles() {
         for (const ComponentPtr& component : combined_.components) {
             std::vector<std::uint64_t>& role = roles_.emplace_back();
@@ -100,7 +100,7 @@ private:
         if (!who.is_region) roles_[who.index][asked.event] += what;
     }
 
-    /// Replicas of the first range, then of the first of those left over, and so on.
+    /// Finds replicas of the first range, then of the first remaining range, and so on.
     void find_sets(Ranges ranges) {
         const auto used = [&](const SlotRange& range) { return taken_[range.first]; };
         std::erase_if(ranges, used);
@@ -153,8 +153,8 @@ private:
     const Supercombinator& combined_;
     const lts::EventTable& names_;
     const std::function<void()>& poll_;
-    std::vector<std::vector<std::uint64_t>> roles_;  // by slot and place in the alphabet
-    std::vector<ComponentShape> shapes_;             // by slot, once made
+    std::vector<std::vector<std::uint64_t>> roles_;  // by slot and index in the alphabet
+    std::vector<ComponentShape> shapes_;             // by slot, computed on first use
     std::vector<bool> taken_;                        // by slot: it belongs to a replica
     std::size_t exchanges_ = 0;
     std::size_t in_vain_ = 0;

@@ -1,5 +1,5 @@
-// Equal operands of a compiled process that can be exchanged: proposals by the graphs of their components, each
-// verified on all rules (docs/search.md, "Symmetry").
+// Finds equal operands of a compiled process that can be exchanged: the graphs of their components give proposals, and
+// each is verified on all rules (docs/search.md, "Symmetry").
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace robochart::machine {
 
-/// The sets of replicas that are found, large replicas first. None where components or rules are too large to be looked
-/// at. `poll` may throw to stop.
+/// The sets of replicas found, large replicas first. Empty if components or rules are too large to be examined. `poll`
+/// may throw to stop.
 [[nodiscard]] std::vector<lts::ReplicaSet> replica_sets(const Supercombinator& combined, const lts::EventTable& names,
                                                         const std::function<void()>& poll);
 

@@ -77,7 +77,8 @@ void write(const Region& region, ByteWriter& out) {
             out.number(value);
 }
 
-/// One region, whose participants and numbers have to be those of a process with these components and inner regions.
+/// Reads one region, and checks that its participants and numbers fit a process with these components and inner
+/// regions.
 class RegionReader {
 public:
     RegionReader(ByteReader& in, const Supercombinator& process) : in_(in), process_(process) {}
@@ -136,7 +137,7 @@ private:
         return result;
     }
 
-    /// What follows from the rules: by_event, first_rule.
+    /// Computes derived data: by_event, first_rule.
     void index_rules() {
         region_.by_event.resize(region_.alphabet.size());
         region_.first_rule.resize(region_.participants.size());
@@ -156,7 +157,7 @@ private:
     Region region_;
 };
 
-/// Of one slot: wide enough for the component's states and for that it is off.
+/// For one slot: wide enough for the component's states and the value "off".
 Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slot) {
     Field field{in.below(process.words), in.below(32), in.word()};
     const bool all_ones = std::has_single_bit(field.mask + std::uint64_t{1});
@@ -170,7 +171,7 @@ Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slo
     return field;
 }
 
-/// The slot of a field: fields of one value are all alike, and any slot of such a component will do.
+/// The slot of a field: the fields of one value are all equal, so any slot of such a component is suitable.
 std::uint32_t slot_of(const Field& field, const Supercombinator& process) {
     const auto same = [&](const Field& each) {
         return each.word == field.word && each.shift == field.shift && each.mask == field.mask;
@@ -274,7 +275,7 @@ Supercombinator read_supercombinator(ByteReader& in, TermId meaning) {
 
 namespace {
 
-/// The compiled process that a system without symmetry is, or is a reduced form of; null if there is none.
+/// The compiled process of a system without symmetry, or of which it is a reduced form; null for other systems.
 const Supercombinator* process_of(const lts::TransitionSystem& system) {
     if (const auto* machine = dynamic_cast<const SupercombinatorSystem*>(&system)) return &machine->combined();
     const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);

@@ -1,5 +1,5 @@
 // Compiled processes, whole or reduced, as bytes, so that another program can search them. Events keep their numbers;
-// the terms that states stand for stay behind.
+// the terms of states are not included.
 #pragma once
 
 #include <memory>
@@ -11,14 +11,14 @@
 namespace robochart::machine {
 
 void write(const Supercombinator& process, lts::ByteWriter& out);
-/// A process with the same transitions and packed states. `meaning`: a term, which its states are said to stand for.
-/// Throws BadBytes where the bytes are none; whatever they are, what is read can be searched.
+/// A process with the same transitions and packed states. `meaning`: a term that is used as the meaning of its states.
+/// Throws BadBytes for malformed bytes; a process that is returned can be searched, for all inputs.
 [[nodiscard]] Supercombinator read_supercombinator(lts::ByteReader& in, TermId meaning);
 
-/// A compiled process, its reduced form, or one of these without the images of states. False where it is neither: then
-/// nothing of use has been written.
+/// Writes a compiled process, its reduced form, or one of these with symmetry. Returns false for other systems; the
+/// output is then useless.
 [[nodiscard]] bool write(const lts::TransitionSystem& system, lts::ByteWriter& out);
-/// The same system, with the same words as states; it describes no state. `terms` outlive it. Throws BadBytes.
+/// The same system, with the same words as states; it describes no state. `terms` must outlive it. Throws BadBytes.
 [[nodiscard]] std::unique_ptr<lts::TransitionSystem> read_system(lts::ByteReader& in, process::TermStore& terms);
 
 }  // namespace robochart::machine

@@ -1,6 +1,6 @@
-// A rule that asks a region inside for an event is multiplied by the region's rules for that event. The order of
-// changes is that of SupercombinatorSystem: what participants do, in the order of the requirements, then the rule's
-// assignments; of several changes of one slot the last counts.
+// A rule that requires an event of an inner region is combined with the region's rules for that event. The order of
+// changes is that of SupercombinatorSystem: changes of participants, in the order of the requirements, then the rule's
+// assignments; if several change one slot, the last counts.
 #include "checker/machine/whole_rules.hpp"
 
 #include <algorithm>
@@ -28,13 +28,13 @@ public:
     }
 
 private:
-    /// What happens to one slot: the component performs an event, or is put into a state.
+    /// A change of one slot: the component performs an event, or is put into a state.
     struct Change {
         std::uint32_t slot;
         std::optional<std::uint32_t> event;
         Local value;
     };
-    /// A rule of a region in terms of components, changes in order.
+    /// A rule of a region in terms of components, with changes in order.
     struct Changes {
         Event event = process::tau;
         std::uint32_t place = 0;
@@ -144,8 +144,8 @@ private:
     const Supercombinator& combined_;
     const std::function<void()>& poll_;
     std::size_t parts_ = 0;
-    std::vector<std::vector<Changes>> inside_;       // by region, its rules
-    std::vector<std::vector<std::uint32_t>> slots_;  // by region, those below it
+    std::vector<std::vector<Changes>> inside_;       // by region: its rules
+    std::vector<std::vector<std::uint32_t>> slots_;  // by region: the slots below it
     WholeRules result_;
 };
 

@@ -1,5 +1,5 @@
-// The rules of all regions as rules of the whole: what components have to do together for one transition, and which
-// priorities it depends on. For proofs about transitions; successors are made by the rules of the regions.
+// The rules of all regions as rules of the whole process: the component events of one transition, and the priorities on
+// which it depends. Used for proofs about transitions; successors are computed by the rules of the regions.
 #pragma once
 
 #include <cstdint>
@@ -11,39 +11,41 @@
 
 namespace robochart::machine {
 
-/// One slot's part in a rule of the whole.
+/// One slot's part in a rule of the whole process.
 struct Part {
     std::uint32_t slot = 0;
-    std::optional<std::uint32_t> event;  ///< what the component has to do, by its place in the component's alphabet
-    std::optional<Local> assigned;       ///< the state that the rule puts it into, whatever it does
+    std::optional<std::uint32_t> event;  ///< the event that the component performs, by its index in the component's
+                                         ///< alphabet
+    std::optional<Local> assigned;       ///< the state into which the rule puts it, independently of its event
 };
 
-/// A rule of a region that a rule of the whole passes through, with the level of its event there.
+/// A rule of a region through which a rule of the whole process passes, with the level of its event there.
 struct Passage {
     std::uint32_t region = 0;
     std::uint32_t level = no_level;
 };
 
-/// "Where these components perform these events, the whole performs this one", unless a priority prevents it.
+/// "If these components perform these events, the whole process performs this one", unless a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
-    std::vector<Part> parts;         ///< ascending by slot, one a slot
-    std::vector<Passage> prevented;  ///< the regions where it can be prevented: its level is not the first one there
-    std::vector<std::uint32_t> preventing;  ///< the regions where it prevents all that is not of the first level
+    std::vector<Part> parts;         ///< ascending by slot, one for each slot
+    std::vector<Passage> prevented;  ///< the regions in which it can be prevented: its level is not the first one there
+    std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the
+                                            ///< first level
 
     [[nodiscard]] const Part* part(std::uint32_t slot) const;
 };
 
-/// All of them, and which of them a component's part in a transition can belong to.
+/// All rules, and the rules to which a component's part in a transition can belong.
 struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
     std::vector<std::vector<std::uint32_t>> assigning;            ///< by slot
-    /// By slot, the rules that can be prevented by what its component can do: it lies below a region of theirs.
+    /// By slot, the rules that events of its component can prevent, because it is below one of their regions.
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 
-/// None where they are more than they are worth. `poll` may throw to stop.
+/// No value if there are too many to be useful. `poll` may throw to stop.
 [[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, const std::function<void()>& poll);
 
 }  // namespace robochart::machine

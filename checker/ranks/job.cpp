@@ -41,13 +41,13 @@ void write(const RowKeeping& rows, ByteWriter& out) {
 }
 
 std::chrono::milliseconds read_time(ByteReader& in) {
-    constexpr std::uint64_t most_milliseconds = std::uint64_t{1} << 42U;  // the clock can count them
+    constexpr std::uint64_t most_milliseconds = std::uint64_t{1} << 42U;  // the clock can represent them
     const std::uint64_t time = in.number();
     if (time > most_milliseconds) throw BadBytes("a time is too long");
     return std::chrono::milliseconds(time);
 }
 
-/// The clocks of machines differ: what is sent is how much time is left.
+/// The clocks of machines differ, so the remaining time is sent.
 void write_deadline(const refine::Limits& limits, ByteWriter& out) {
     out.number(limits.deadline ? 1 : 0);
     if (!limits.deadline) return;

@@ -1,4 +1,4 @@
-// A search as bytes: what rank 0 tells the others.
+// A search as bytes, which rank 0 sends to the others.
 #pragma once
 
 #include <chrono>
@@ -12,25 +12,25 @@
 
 namespace robochart::ranks {
 
-/// What each rank has to know of a search.
+/// The data that each rank needs for a search.
 struct Job {
     std::unique_ptr<lts::TransitionSystem> system;
     refine::LevelQuestion question;
     std::uint64_t max_states = 0;
     std::uint64_t memory_bytes = 0;
-    unsigned threads = 1;  ///< of each program
+    unsigned threads = 1;  ///< in each program
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
-/// The search of a system as bytes, with the limits that hold for every program, and how many threads each has. None
-/// where the system is none that can be sent: a process that stays a term. `program`: the identity of the sender.
+/// The search of a system as bytes, with the limits for every program, and the number of threads in each. No value if
+/// the system cannot be sent: a process that stays a term. `program`: the identity of the sender.
 [[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
                                                 const refine::LevelQuestion& question, const refine::Limits& limits,
                                                 unsigned threads, std::string_view program);
-/// The identity of the program that has encoded the search, whatever its version. Throws lts::BadBytes.
+/// The identity of the program that has encoded the search, for all versions. Throws lts::BadBytes.
 [[nodiscard]] std::string sender_of(std::string_view bytes);
-/// The same search. `terms` outlive it; they need not be those of the sender. Throws lts::BadBytes where the bytes are
-/// no search that this version has encoded.
+/// The same search. `terms` must outlive it; they may differ from the sender's. Throws lts::BadBytes if the bytes are
+/// not a search that this version has encoded.
 [[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);
 
 }  // namespace robochart::ranks

@@ -18,7 +18,7 @@ ServedRanks::~ServedRanks() {
     try {
         end();
     } catch (const std::exception&) {
-        // Others that are lost need no end any more; and nobody is here to say that there is no more memory.
+        // No end is needed if others are lost, and a destructor cannot report that memory is exhausted.
     }
 }
 
@@ -51,13 +51,13 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
                                                               refine::Budget& budget, refine::Statistics& statistics) {
     std::string sent = job;
     exchange_.broadcast(sent);
-    refine::together(exchange_, [] {});  // all know what they are to do
+    refine::together(exchange_, [] {});  // all ranks know the task
     return refine::search_by_threads(exchange_, threads, system, question, budget, statistics);
 }
 
 namespace {
 
-/// One search. Its own budget has no interrupt: that is the first program's, of which all hear.
+/// Takes part in one search. Its budget is not interruptible: the first program handles interrupts and informs all.
 void take_part(Exchange& exchange, const std::string& bytes, const std::string& program) {
     process::EventTable events;
     process::TermStore terms(events);
@@ -92,7 +92,8 @@ void serve(Exchange& exchange, const std::string& program) {
         } catch (const refine::RankLost&) {
             throw;
         } catch (const std::exception&) {
-            // If all ranks have left the search together, rank 0 says why. Else others wait for this one.
+            // If all ranks have left the search together, rank 0 reports the reason. Otherwise others wait for this
+            // one.
             if (!exchange.left_together()) throw;
         }
     }

@@ -53,7 +53,7 @@ std::string text_of(const RowKind& kind, const Checkpoint& checkpoint) {
     return text + seal(text);
 }
 
-/// Takes a text apart, word by word.
+/// Splits a text into words.
 class Parser {
 public:
     Parser(std::string path, std::string_view text) : path_(std::move(path)), whole_(text), rest_(text) {}
@@ -137,7 +137,7 @@ Checkpoint parsed(const std::string& path, std::string_view text, const RowKind&
     return result;
 }
 
-/// The name of a checkpoint, taken apart; none if it is no such name.
+/// The parts of a checkpoint's name; no value for other names.
 struct Named {
     std::uint64_t number = 0;
     Place place;
@@ -193,7 +193,7 @@ std::string name_of(std::uint64_t number, const Place& place) {
 void write(const std::string& folder, const RowKind& kind, const Checkpoint& checkpoint) {
     const std::string path = folder + "/" + name_of(checkpoint.number, checkpoint.place);
     const std::string unfinished = path + ".unfinished";
-    sync_folder(folder);  // the names of the files
+    sync_folder(folder);  // makes the names of the files durable
     try {
         write_and_sync(unfinished, text_of(kind, checkpoint));
         if (std::rename(unfinished.c_str(), path.c_str()) != 0) cannot_write(path);
@@ -230,7 +230,7 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
 
 namespace {
 
-/// The checkpoints of all ranks of this number. Throws BadFile.
+/// The checkpoints of all ranks with this number. Throws BadFile.
 std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind, std::uint64_t number,
                                  std::uint32_t ranks) {
     std::vector<Checkpoint> all;
@@ -244,7 +244,7 @@ std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind,
     return all;
 }
 
-/// How many checkpoints there are by number and ranks.
+/// The number of checkpoint files by checkpoint number and number of ranks.
 std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> counted(const std::string& folder) {
     std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> found;
     for (const std::string& name : names_in(folder))
@@ -252,8 +252,8 @@ std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> counted(const s
     return found;
 }
 
-/// The number of the newest complete checkpoint of so many ranks; 0: there is none. While others write and remove
-/// theirs, one that cannot be read does not count.
+/// The number of the newest complete checkpoint with this number of ranks; 0: there is none. Other ranks may write and
+/// remove checkpoints at the same time, so one that cannot be read does not count.
 std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t wanted) {
     const auto found = counted(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {

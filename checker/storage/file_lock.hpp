@@ -1,6 +1,6 @@
-// Locks of files (flock), also of those of other machines: NFS makes them of locks of byte ranges (flock(2), "NFS
-// details"). It gives a lock that excludes others only for a file that is open for writing, and locks folders for its
-// own machine alone.
+// File locks (flock), which also work across machines: NFS implements them by locks of byte ranges (flock(2), "NFS
+// details"). NFS grants an exclusive lock only for a file that is open for writing, and locks folders only on the local
+// machine.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace robochart::storage {
 
-/// What others may have at the same time.
+/// The access that other processes may have at the same time.
 enum class Lock {
     shared,    ///< shared locks
-    exclusive  ///< nothing
+    exclusive  ///< no access
 };
 
-/// Opens a regular file for reading and writing, never through a symbolic link. `make`: it is made, empty, where it is
-/// not there. Not open, with errno, where that cannot be done.
+/// Opens a regular file for reading and writing, never through a symbolic link. `make`: creates an empty file if it
+/// does not exist. On failure the descriptor is not open and errno is set.
 [[nodiscard]] diagnostics::Descriptor open_to_lock(const std::string& path, bool make);
-/// Locks a file that open_to_lock has opened, as long as it is open, without waiting; a lock that it has is replaced.
-/// Gives "", or why it cannot be: `in_use` where others have a lock that excludes this one, or where another file has
-/// taken the place of this one.
+/// Locks a file that open_to_lock has opened, until it is closed, without waiting; replaces a lock that it already has.
+/// Returns "" or the reason of the failure: `in_use` if another process has a conflicting lock, or if another file has
+/// replaced this one.
 [[nodiscard]] std::string lock(const diagnostics::Descriptor& file, const std::string& path, Lock kind,
                                const std::string& in_use);
 

@@ -53,7 +53,7 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
             if (entry.file != number)
                 throw BadFile(fmt::format("{}: level {} is in another file too",
                                           diagnostics::shown(files_.back().file->path()), level));
-            // They are found by their place in the level (read).
+            // `read` finds rows by their position in the level.
             if (entry.count > 0 && blocks[i - 1].rows != RowFile::rows_of_block)
                 throw BadFile(fmt::format("{}: block {} has too few rows for one that others of its level follow",
                                           diagnostics::shown(files_.back().file->path()), i - 1));
@@ -80,7 +80,7 @@ const RowFile& LevelFiles::to_read(std::uint32_t file) {
 LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
     for (;;) {
         const std::string name = fmt::format("rows-{}-of-{}-{}", where_.place.rank, where_.place.ranks, next_name_++);
-        if (is_there(path_in(where_, name))) continue;  // of an earlier run
+        if (is_there(path_in(where_, name))) continue;  // from an earlier run
         return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), kind)), name, 0, false};
     }
 }
@@ -98,7 +98,7 @@ void LevelFiles::add_level(std::span<const Word> rows) {
 
 void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     Level entry;
-    RowFile* file = nullptr;  // of a level without rows: none
+    RowFile* file = nullptr;  // null for a level without rows
     const auto take = [&](std::span<const Word> rows) {
         if (file == nullptr) {
             file = &growing();
@@ -130,8 +130,8 @@ std::uint32_t LevelFiles::give_up(std::uint32_t count) {
     return given;
 }
 
-/// A file that no checkpoint names is cut back, also if it was finished, and grows again. One that is named stays, and
-/// some of its blocks no longer count.
+/// Truncates a file that no checkpoint names, even if it was finished; it can grow again. A file that a checkpoint
+/// names stays, and some of its blocks are no longer valid.
 void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
     for (std::size_t i = level; i < levels_.size(); ++i) {
@@ -153,7 +153,7 @@ std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size
     const std::size_t width = where_.kind.width;
     std::size_t given = 0;
     std::uint64_t begin = 0;
-    // All blocks of a level but the last have the same size.
+    // All blocks of a level except the last have the same size.
     const std::uint64_t skipped = std::min<std::uint64_t>(first / RowFile::rows_of_block, entry.count);
     begin = skipped * RowFile::rows_of_block;
     for (auto i = static_cast<std::uint32_t>(skipped); i < entry.count && given < most; ++i) {
@@ -203,7 +203,7 @@ void LevelFiles::finish_last() {
     (void)to_read(static_cast<std::uint32_t>(files_.size() - 1));
 }
 
-/// Each piece is a level of the file. A file that could not be written goes, since space is short then.
+/// Each piece is a level of the file. A file that could not be written is deleted, because the disk may be full.
 SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
     File made;
     std::uint32_t pieces = 0;
@@ -229,8 +229,8 @@ void LevelFiles::note_written(const Checkpoint& made) {
         if (each.used > 0) each.named = true;
 }
 
-/// Where it fails, what it has written beside the levels goes, since space is short; but not if the checkpoint has its
-/// name and the folder alone may not have reached the disk.
+/// On failure, deletes the files written in addition to the levels, because the disk may be full; but not if the
+/// checkpoint has its name and only the folder may not have reached the disk.
 void LevelFiles::checkpoint(const Beside& beside) {
     Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
     try {

@@ -11,7 +11,7 @@ void put(std::uint64_t number, std::string& out) {
     out.push_back(static_cast<char>(number));
 }
 
-/// Reads varints; `failed` once there was none.
+/// Reads varints; `failed` after an invalid one.
 class Numbers {
 public:
     explicit Numbers(std::string_view bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
@@ -62,7 +62,7 @@ bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, s
 }
 
 bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
-    if (count > static_cast<std::size_t>(end_ - at_)) return false;  // each row has a byte at least
+    if (count > static_cast<std::size_t>(end_ - at_)) return false;  // each row has at least one byte
     if (count == 0) return true;
     const std::size_t begin = rows.size();
     rows.resize(begin + count * width_);
@@ -84,7 +84,7 @@ bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
     return good;
 }
 
-/// Rows after `last_`. `fixed`: their width, which makes divisions by it cheap; 0: any.
+/// Decodes rows after `last_`. `fixed`: their width as a constant, which makes divisions by it fast; 0: any width.
 template <std::size_t fixed>
 bool RowDecoder::decode_after(std::size_t count, Word* row) {
     const std::size_t width = fixed == 0 ? width_ : fixed;

@@ -128,8 +128,8 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     }
 }
 
-/// Also what was written behind the last block: a part of one, or the end. A finished file may rest, or be open to
-/// read.
+/// Also removes data after the last block: an incomplete block, or the end. A finished file may be closed, or open for
+/// reading.
 void RowFile::cut(std::size_t blocks) {
     if (finished_) {
         file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
@@ -161,7 +161,7 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     write(buffer_);
 }
 
-/// The end without its check, and with it the checks of all blocks.
+/// The end without its check; also computes the check over the checks of all blocks.
 std::string RowFile::end_of() const {
     std::string end;
     put(end, no_level, 4);
@@ -212,7 +212,7 @@ void RowFile::rest() {
     if (finished_) file_ = diagnostics::Descriptor();
 }
 
-/// Another file of this name is found out by the checks of its blocks.
+/// If another file now has this name, the checks of its blocks do not match.
 void RowFile::open_to_read() const {
     file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     if (!file_.open()) cannot_open(path_, errno);
@@ -277,7 +277,7 @@ void RowFile::read_head() {
 void RowFile::read_blocks(const std::function<void()>& poll) {
     std::string head;
     std::vector<Word> rows;
-    std::vector<Word> last;  // of the block before
+    std::vector<Word> last;  // last row of the previous block
     std::uint32_t level = 0;
     for (;;) {
         if (poll) poll();

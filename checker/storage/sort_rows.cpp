@@ -1,5 +1,5 @@
-// Radix sort, from the last byte to the first; bytes in which no two rows differ are passed over. Rows of a level
-// differ in a few bytes, so that this takes a quarter of the time of comparisons.
+// Radix sort from the last byte to the first; bytes in which no two rows differ are skipped. Rows of a level differ in
+// few bytes, so this takes a quarter of the time of comparisons.
 #include "checker/storage/sort_rows.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Rows put in order: by the first word, then the second, and so on.
+// Sorts rows by the first word, then the second, and so on.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace robochart::storage {
 
-/// `rows`: a multiple of `width` words. Takes as much memory again while it works.
+/// The size of `rows` is a multiple of `width` words. Needs the same amount of memory again while it works.
 void sort_rows(std::vector<std::uint32_t>& rows, std::size_t width);
 
 }  // namespace robochart::storage

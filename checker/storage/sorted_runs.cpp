@@ -10,12 +10,12 @@
 namespace robochart::storage {
 namespace {
 
-/// Each that is merged has a block in memory.
+/// Each merged run has a block in memory.
 constexpr std::size_t most_runs = 64;
 
 }  // namespace
 
-/// Reads a run row by row. In memory are the code of a block and a few rows.
+/// Reads a run row by row. The code of a block and a few rows are in memory.
 class SortedRuns::Reader {
 public:
     Reader(const RowFile& file, const Run& run, std::size_t width)
@@ -54,7 +54,7 @@ private:
     std::size_t width_;
     std::string code_;
     RowDecoder decoder_;
-    std::size_t left_ = 0;  ///< rows of the block
+    std::size_t left_ = 0;  ///< remaining rows of the block
     std::size_t at_ = 0;
     std::vector<Word> rows_;
 };
@@ -66,7 +66,7 @@ void SortedRuns::add(std::span<const Word> rows) {
 void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
     if (runs_.size() >= most_runs) unite();
     if (!file_) {
-        ::unlink(path_.c_str());  // of a run that was killed before the next lines
+        ::unlink(path_.c_str());  // from a run that was killed before the following lines
         file_.emplace(RowFile::create(path_, kind_));
         ::unlink(path_.c_str());
     }
@@ -83,7 +83,7 @@ void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
     if (run.rows > 0) runs_.push_back(run);
 }
 
-/// All become one, so that those that are merged fit into memory.
+/// Merges all runs into one, so that later merges fit into memory.
 void SortedRuns::unite() {
     SortedRuns one(path_, kind_);
     one.add([this](const TakeRows& take) { merge(take); });
@@ -104,7 +104,7 @@ std::uint64_t SortedRuns::rows() const {
 
 void SortedRuns::merge(const TakeRows& take) const {
     std::vector<Reader> readers;
-    std::vector<Reader*> heap;  // the one whose row comes first is in front
+    std::vector<Reader*> heap;  // a heap; the reader with the least row is first
     readers.reserve(runs_.size());
     for (const Run& run : runs_) heap.push_back(&readers.emplace_back(*file_, run, kind_.width));
     const auto later = [](const Reader* a, const Reader* b) { return b->before(*a); };

@@ -1,5 +1,5 @@
-// Rows in ascending runs, in a file without a name, which goes when the program ends; given in order, each once. So
-// rows that do not fit into memory are put in order (external sorting: Knuth, TAOCP 3, 5.4.1).
+// Rows in sorted runs, in an unnamed file that is deleted when the program ends; returned in order, without duplicates.
+// Sorts rows that do not fit into memory (external sorting: Knuth, TAOCP 3, 5.4.1).
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@ namespace robochart::storage {
 
 class SortedRuns {
 public:
-    /// Until it is open the file is at this path. `kind`: of the rows.
+    /// The file has this path until it is open. `kind`: of the rows.
     SortedRuns(std::string path, const RowKind& kind) : path_(std::move(path)), kind_(kind) {}
 
-    /// Adds a run: rows in ascending order, none twice. Runs may have rows in common. Throws CannotWrite; all is then
-    /// as before.
+    /// Adds a run: ascending rows without duplicates. Runs may have rows in common. Throws CannotWrite and then leaves
+    /// everything unchanged.
     void add(std::span<const Word> rows);
-    /// Adds a run whose rows `give` gives piece by piece.
+    /// Adds a run whose rows `give` passes piece by piece.
     void add(const std::function<void(const TakeRows&)>& give);
     [[nodiscard]] bool empty() const { return runs_.empty(); }
-    /// How many rows the runs have, those in several of them several times.
+    /// The number of rows in all runs; rows in several runs count several times.
     [[nodiscard]] std::uint64_t rows() const;
-    /// So many rows there are at least: those of the longest run.
+    /// A lower bound on the number of different rows: the length of the longest run.
     [[nodiscard]] std::uint64_t longest() const;
-    /// Gives all rows, ascending, each once, in pieces of RowFile::rows_of_block rows but for the last. Throws BadFile,
-    /// and what `take` throws.
+    /// Passes all rows to `take`, ascending, without duplicates, in pieces of RowFile::rows_of_block rows except for
+    /// the last. Throws BadFile, and the exceptions of `take`.
     void merge(const TakeRows& take) const;
-    /// Removes all runs; what they take on the disk is free again.
+    /// Removes all runs and frees their disk space.
     void clear();
-    /// In memory, while nothing is merged.
+    /// Memory use while nothing is merged.
     [[nodiscard]] std::uint64_t bytes() const;
 
 private:
